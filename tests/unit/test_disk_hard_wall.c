@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The rigid wall as its callers see it (runtime/disk/hard_wall.c): values found by another program, the error against
- * two more levels, every speed down to the smallest double, details, workspaces, and what is refused. */
+/* The public functions of the rigid wall (runtime/disk/hard_wall.c): values from another program, the error against two
+ * more levels. All speeds down to the smallest double, details, workspaces, refusals. */
 #include "check.h"
 
 #include <cor/disk.h>
@@ -15,11 +15,11 @@ static double first_omega(size_t level)
     return 15 * pow(2, 0.5 * (double)level);
 }
 
-/* Parts of every error estimate: noise of the coarsest steps, and waves unseen by a level, times Omega^2 */
+/* Terms of every error estimate: noise of the coarsest steps, and unseen waves of a level, times Omega^2 */
 #define NOISE 8e-7
 #define UNSEEN 0.07
 
-/* The modes that so many levels need; they are kept until another nu or more levels are asked for */
+/* Returns the modes for this number of levels. They are stored until another nu or more levels are requested. */
 static struct cor_disk_modes modes_of(double nu, size_t levels)
 {
     static struct cor_disk_modes made;
@@ -33,7 +33,7 @@ static struct cor_disk_modes modes_of(double nu, size_t levels)
     return (struct cor_disk_modes){nu, count, made.mode};
 }
 
-/* A collision, whose status is that of its estimate */
+/* Computes a collision, whose status must agree with its estimate. */
 static struct cor_disk_hard_wall wall_collide(double nu, size_t levels, double speed, double tolerance)
 {
     const struct cor_disk_modes modes = modes_of(nu, levels);
@@ -52,7 +52,7 @@ static void same_results(const struct cor_disk_hard_wall *x, const struct cor_di
 
 /* ---- values ---- */
 
-/* From the prototype of the method, another program by another hand, with the errors judged there */
+/* From the prototype of the method, a program by another author, with the errors stated there */
 TEST(known_answers)
 {
     static const struct {
@@ -65,14 +65,14 @@ TEST(known_answers)
         check(out.error_estimate <= 1e-5, "%g", out.error_estimate);
         check(fabs(out.eps * out.eps + out.one_minus_eps2 - 1) < 1e-15, "eps = %.17g", out.eps);
     }
-    /* where levels agree well, the estimate is little more than its two other parts */
+    /* where levels agree well, the estimate is little more than its two other terms */
     const struct cor_disk_hard_wall out = wall_collide(0.33, 10, 1e-7, 4e-6);
     const double omega = first_omega(out.omega_levels - 1), least = NOISE + UNSEEN / (omega * omega);
     check(out.error_estimate >= least && out.error_estimate < least + 2 * NOISE, "%g, at least %g", out.error_estimate,
           least);
 }
 
-/* The proved table of 1800 modes and as many computed ones; and fewer, which the table's length must not matter to */
+/* The proved table of 1800 modes, as many computed ones, and fewer: the length of the table must not matter */
 TEST(proved_modes)
 {
     const struct cor_disk_hard_wall_options options = {1e-3, 0};
@@ -93,8 +93,8 @@ TEST(proved_modes)
 
 /* ---- the error ---- */
 
-/* At random scenes, the estimate is at least the error, judged by two more levels, or the last, with finer steps and
- * angles. */
+/* At random scenes the estimate is at least the error. The error is judged by two more levels, or the last one, with
+ * finer steps and angles. */
 TEST(errors)
 {
     static const double tolerances[] = {1e-3, 1e-4, 1e-5, 3e-6, 1e-6};
@@ -123,8 +123,8 @@ TEST(errors)
     assert_true(judged > 0);
 }
 
-/* At random scenes, a budget in operations is kept but for a batch of steps. Where it, or one in steps, ends the
- * sequence the result is that of the levels made, with their estimate, as from modes that end there. */
+/* At random scenes, a budget in operations is kept up to one batch of steps. If this budget, or one in steps, ends the
+ * sequence, the levels made give result and estimate, as from modes that end there. */
 TEST(budgets)
 {
     leave_to_turn(2, 3);
@@ -149,25 +149,25 @@ TEST(budgets)
               "%zu levels: %.12f +- %.1e, not %.12f", again.omega_levels, again.one_minus_eps2, again.error_estimate,
               out.one_minus_eps2);
         const struct cor_disk_hard_wall whole = again;
-        /* the modes of the first seven levels take nearly all of a small budget */
+        /* the modes of the first seven levels use nearly all of a small budget */
         const double for_modes = COR_HARD_WALL_MODE_WORK * (double)cor_disk_modes_below(nu, first_omega(6));
         cor_hard_wall_within(1.05 * for_modes, nu, &free_steps, speed, &again, &work);
         check(work >= for_modes && work <= 1.1 * for_modes, "%.3g operations, %.3g for the modes", work, for_modes);
-        /* a budget in steps is spent, all levels together, but for what another level needs */
+        /* all levels together use the budget in steps, up to the steps that another level would need */
         const struct cor_disk_hard_wall_options some = {COR_DISK_HARD_WALL_MIN_TOLERANCE,
                                                         1000 + random_below(&draw, 3000)};
         const int stopped = cor_hard_wall_within(most, nu, &some, speed, &again, &work);
         assert_int_equal(stopped, again.omega_levels < 2 ? COR_CONTACT_NOT_ENDED : COR_TOLERANCE_NOT_REACHED);
         check(work <= (double)(some.max_steps + COR_HARD_WALL_BATCH) && work > 0.2 * (double)some.max_steps,
               "nu = %.17g, v = %.17g: %g of %zu steps", nu, speed, work, some.max_steps);
-        /* the same number of levels from a budget in steps: of the first, the second, ... each 2^(1/2) of the last */
+        /* enough steps give the same levels; each level needs 2^(1/2) times the steps of the one before */
         struct cor_disk_hard_wall_options steps = {COR_DISK_HARD_WALL_MIN_TOLERANCE, 1};
         assert_int_equal(cor_disk_hard_wall(&modes, modes.count, &steps, speed, &again), COR_CONTACT_NOT_ENDED);
         assert_true(isnan(again.one_minus_eps2) && isnan(again.error_estimate) && again.omega_levels == 0);
         for (size_t levels = 1; levels < out.omega_levels; steps.max_steps *= 2) {
             const int sequence = cor_disk_hard_wall(&modes, modes.count, &steps, speed, &again);
             assert_int_equal(sequence, again.omega_levels < 2 ? COR_CONTACT_NOT_ENDED : COR_TOLERANCE_NOT_REACHED);
-            /* twice the steps are at most two levels more */
+            /* twice the steps allow at most two more levels */
             check(again.omega_levels == 0 || levels < 2 ||
                       (again.omega_levels >= levels && again.omega_levels <= levels + 2),
                   "%zu steps: %zu levels after %zu", steps.max_steps, again.omega_levels, levels);
@@ -194,8 +194,8 @@ TEST(whole_budget)
     same_results(&within, &out, "the default");
 }
 
-/* Ladders that agreed by chance: the fourth and fifth of six levels, and five levels that converged regularly before
- * the sixth moved. The values are those of ten and eleven levels. */
+/* Levels that agreed by chance: the fourth and fifth of six, and five that converged regularly before the sixth moved.
+ * The values come from ten and eleven levels. */
 TEST(levels_that_agree_by_chance)
 {
     static const struct {
@@ -209,12 +209,12 @@ TEST(levels_that_agree_by_chance)
         check(fabs(out.one_minus_eps2 - scene[i].one_minus_eps2) + scene[i].error <= out.error_estimate,
               "%.6f +- %.1e, not %.6f", out.one_minus_eps2, out.error_estimate, scene[i].one_minus_eps2);
     }
-    /* few levels: the estimate of a table that ends early holds, too */
+    /* few levels: the estimate also holds for a table that ends early */
     for (size_t levels = 2; levels <= 6; levels++)
         for (size_t i = 0; i < 2; i++) {
             const struct cor_disk_hard_wall out = wall_collide(scene[i].nu, levels, scene[i].speed, 1e-6);
             assert_true(out.omega_levels == levels && out.error_estimate > 1e-6);
-            /* of two, which have no change to judge by, within half as much again */
+            /* two levels have no change to judge by: within 1.5 times the estimate */
             check(fabs(out.one_minus_eps2 - scene[i].one_minus_eps2) <= (levels > 2 ? 1 : 1.5) * out.error_estimate,
                   "%zu levels: %.6f +- %.1e", levels, out.one_minus_eps2, out.error_estimate);
         }
@@ -222,7 +222,7 @@ TEST(levels_that_agree_by_chance)
 
 /* ---- any speed ---- */
 
-/* Rayleigh's theory is approached slowly; the ratio to its fraction oscillates at first. */
+/* The results approach Rayleigh's theory slowly; the ratio to its fraction oscillates at first. */
 TEST(slower_and_slower)
 {
     double apart = INFINITY;
@@ -247,7 +247,7 @@ TEST(slower_and_slower)
     check(apart < 0.1, "%g from Rayleigh at v = 1e-300", apart);
 }
 
-/* The point contact and the full method meet, and the smallest normal and the smallest double are speeds too. */
+/* The point contact and the full method join; the smallest normal and the smallest double are speeds, too. */
 TEST(joins)
 {
     const double speed = COR_DISK_HARD_WALL_POINT_SPEED;
@@ -275,13 +275,13 @@ struct watched {
     size_t moments, n;
     const struct cor_disk_mode *mode;
     const double *q, *q_dot;
-    double largest_energy, left;         /* left: of the modes at the last moment */
+    double largest_energy, left;         /* left: in the modes at the last moment */
     double contact_time, contact_energy; /* integral of the modes' energy over the contact */
-    double reach;                        /* how far the rim may still come into the wall, at least */
-    size_t not_to_return;                /* moments since no part of the rim can come back to the wall */
+    double reach;                        /* least distance that the rim may still move into the wall */
+    size_t not_to_return;                /* moments since no part of the rim can return to the wall */
 };
 
-/* How far the modes that move may carry the rim: the amplitude of each, and less by the fade of those near Omega */
+/* Bounds the rim's motion by the modes: most has all amplitudes, least reduces those near Omega by their fade. */
 static void swing_of(const struct watched *w, double *most, double *least)
 {
     double omega = 0;
@@ -303,7 +303,7 @@ static void watch(void *context, const struct cor_disk_hard_wall_moment *moment)
     for (size_t i = 0; i < w->n; i++)
         energy += pi / 2 * (pow(w->mode[i].omega * w->q[i], 2) + w->q_dot[i] * w->q_dot[i]);
     w->left = energy;
-    /* the first kick stands for the step around it, which begins with the touch */
+    /* the first kick represents the step around it, which begins at the touch */
     const double passed = moment->time - w->last.time, h = w->moments > 0 ? passed : 2 * passed;
     w->kicks += h * moment->load;
     w->swung += h * w->q[OBSERVED];
@@ -335,7 +335,7 @@ TEST(details)
     EACH (speeds, 0.1, 0.01, 1e-9) {
         const double speed = *speeds, energy = pi / 2 * speed * speed;
         const struct cor_disk_modes *const modes = &cor_disk_modes_nu033;
-        /* a budget that ends the sequence after four levels leaves the details of the fourth */
+        /* a budget that ends the sequence after four levels gives the details of the fourth */
         const struct cor_disk_hard_wall_options some = {1e-6, 2000}, enough = {1e-3, 0},
                                                 options = speed > 0.001 && speed < 0.1 ? some : enough;
         struct cor_disk_hard_wall out, silent;
@@ -362,7 +362,7 @@ TEST(details)
         }
         const double watched = w.contact_energy / w.contact_time / energy;
         check(fabs(mean / watched - 1) < 1e-2, "mean energy %g, watched %g", mean, watched);
-        /* of the highest level, not extrapolated: within the estimate */
+        /* from the highest level, not extrapolated: within the estimate */
         check(fabs(left - out.one_minus_eps2) < 3e-3 * out.one_minus_eps2 + 3e-4, "%g left, 1 - eps^2 = %g", left,
               out.one_minus_eps2);
         check(fabs(w.last.velocity / (speed * sqrt(1 - left)) + 1) < 1e-4, "velocity %g", w.last.velocity);
@@ -371,7 +371,7 @@ TEST(details)
               "the centre of mass moved by %g, not %g", w.moved, w.last.position + 1);
         check(relative_error(w.left / energy, left) < 1e-9, "%.12g left at the last moment, not %.12g", w.left / energy,
               left);
-        /* Newton's law of a mode, integrated over the collision, at a point contact */
+        /* Newton's law for a mode, integrated over the collision, at a point contact */
         const struct cor_disk_mode *const mode = &modes->mode[OBSERVED];
         const double r = mode->omega / first_omega(out.omega_levels - 1), fade = (1 - r * r) * sqrt(1 + r * r);
         const double pushed = pow(mode->omega, 2) * w.swung + q_dot[OBSERVED], push = -fade * mode->c * w.kicks / pi;
@@ -380,7 +380,7 @@ TEST(details)
               out.max_compression);
         check(w.last.load <= 0 && w.last.time >= out.contact_time, "ends at %g", w.last.time);
         check(w.reach < 0, "ends where the rim may come %g into the wall", w.reach);
-        /* which is looked at after every eighth kick */
+        /* tested after every eighth kick */
         check(w.not_to_return <= 9, "ends %zu kicks after the last that could matter", w.not_to_return);
         check(w.largest_energy < energy * 1.01, "energy %g of %g", w.largest_energy, energy);
         check(speed < 1e-7 ? w.widest <= 0 : fabs(w.widest / (1.42 * sqrt(speed)) - 1) < 0.1, "widest %g", w.widest);
@@ -424,13 +424,13 @@ TEST(refusals)
     const struct cor_disk_modes other_nu = {1.5, 1800, mode};
     memcpy(mode, modes->mode, sizeof mode);
     assert_int_equal(cor_disk_hard_wall(&other_nu, 1800, &good, 0.1, &out), COR_ERROR_DISK_POISSON_RATIO);
-    mode[7].omega = mode[6].omega; /* test_disk_collision.c has other entries that both walls refuse */
+    mode[7].omega = mode[6].omega; /* test_disk_collision.c tests other entries that both walls refuse */
     assert_int_equal(cor_disk_hard_wall(&wrong, 1800, &good, 0.1, &out), COR_ERROR_MODES);
     mode[7] = modes->mode[7];
     mode[1700].n = COR_HARD_WALL_MAX_N + 1;
     assert_int_equal(cor_disk_hard_wall(&wrong, 1800, &good, 0.1, &out), COR_ERROR_MODES);
     mode[1700] = modes->mode[1700];
-    mode[1799].omega = 1000; /* moves in no level */
+    mode[1799].omega = 1000; /* moves at no level */
     for (int i = 0; i < 2; i++) {
         mode[1799].n = COR_DISK_MODES_MAX_N + i;
         struct cor_disk_hard_wall high;
@@ -443,7 +443,7 @@ TEST(refusals)
         mode[i].c *= 2;
     assert_int_equal(cor_disk_hard_wall(&wrong, 1800, &good, 0.1, &out), COR_ERROR_MODES);
     assert_true(isnan(out.one_minus_eps2) && isnan(out.error_estimate) && out.omega_levels == 0);
-    /* two levels are the least */
+    /* two levels are the minimum */
     const size_t two = cor_disk_modes_below(0.33, first_omega(1) * (1 + 1e-12)) + 1;
     assert_int_equal(cor_disk_hard_wall(modes, two, &good, 0.1, &out), COR_TOLERANCE_NOT_REACHED);
     assert_true(out.omega_levels == 2 && fabs(out.one_minus_eps2 - 0.1030893) <= out.error_estimate);
@@ -459,7 +459,7 @@ TEST(refusals)
     assert_int_equal(cor_disk_hard_wall_in(NULL, 0, modes, 1800, &good, 0.1, &out, NULL), COR_ERROR_NULL);
 }
 
-/* The estimate after `levels` levels, and the last four changes of the result, from tables that end earlier */
+/* Returns the estimate after `levels` levels, and the last four changes of the result, from tables that end earlier. */
 static double estimate_and_changes(double nu, double speed, double tolerance, size_t levels, double change[4])
 {
     double value[5] = {0}, estimate = NAN;
@@ -474,7 +474,7 @@ static double estimate_and_changes(double nu, double speed, double tolerance, si
     return estimate;
 }
 
-/* The estimate at a calm scene is never below three times the last change, with noise and unseen waves. */
+/* The estimate at a calm scene is at least three times the last change, plus noise and unseen waves. */
 TEST(parts_of_the_estimate)
 {
     leave_to_turn(1, 2);
@@ -486,23 +486,23 @@ TEST(parts_of_the_estimate)
         check(estimate >= (3 * change[0] + noise + unseen) * (1 - 1e-9), "v = %g, %zu levels: %g, changed by %g", speed,
               levels, estimate, change[0]);
     }
-    /* the change before the last one counts; what is usual at Omega = 240 is less than three */
+    /* the second last change counts; the usual error at Omega = 240 is below three times the last change */
     double estimate = estimate_and_changes(0.1285, 0.06194, tolerance, 8, change);
     check(relative_error(estimate, change[1] + noise + UNSEEN / pow(first_omega(7), 2)) < 1e-9, "%.17g", estimate);
-    EACH (tolerances, tolerance, 3e-6) { /* and, of a larger tolerance, the noise beyond that of 1e-6 */
+    EACH (tolerances, tolerance, 3e-6) { /* for a larger tolerance, plus the noise in excess of that for 1e-6 */
         estimate = estimate_and_changes(0.3305, 0.06118, *tolerances, 9, change);
         const double usual = 6.8e-7 * pow(680 / 240.0, 3.5) + 0.23 * fmax(change[0], change[1]),
                      more = NOISE * pow(*tolerances / 4e-6, 2.5 / 3) - noise;
         check(relative_error(estimate, usual + more) < 1e-9, "%.17g, not %.17g", estimate, usual + more);
     }
-    /* a point contact has an error of its own */
-    for (size_t levels = 5; levels <= 7; levels++) { /* where the last change counts most, that before, and the third */
+    /* a point contact has its own error */
+    for (size_t levels = 5; levels <= 7; levels++) { /* the last change counts most, the one before, the third */
         estimate = estimate_and_changes(0.33, 1e-8, tolerance, levels, change);
         const double most = fmax(fmax(3 * change[0], change[1]), 0.3 * change[2]),
                      expected = most + noise + UNSEEN / pow(first_omega(levels - 1), 2) + 3e-8;
         check(relative_error(estimate, expected) < 1e-9, "%zu levels: %.17g, not %.17g", levels, estimate, expected);
     }
-    /* a wild scene, a calm one at another nu, and a fast one */
+    /* a chaotic scene, a calm one at another nu, and a fast one */
     static const double elsewhere[][2] = {{0.693, 0.09426}, {0.55, 0.05}, {0.2, 0.4}};
     for (size_t i = 0; i < 3; i++) {
         estimate = estimate_and_changes(elsewhere[i][0], elsewhere[i][1], tolerance, 9, change);
@@ -510,12 +510,12 @@ TEST(parts_of_the_estimate)
     }
 }
 
-/* At random calm scenes the estimate after each level from Omega = 170 on is at least the error, judged by the last
- * level with finer steps and angles. */
+/* At random calm scenes, the estimate after each level from Omega = 170 onward is at least the error. The error is
+ * judged by the last level with finer steps and angles. */
 TEST(usual_errors)
 {
     leave_to_turn(1, 3);
-    if (points(10) < 10) /* for the use of memory the scenes of the test `errors` are enough */
+    if (points(10) < 10) /* the scenes of the test `errors` suffice for the use of memory */
         skip();
     const size_t scenes = points(1), most = scenes < 20 ? 10 : COR_DISK_HARD_WALL_MAX_LEVELS;
     double worst = 0;

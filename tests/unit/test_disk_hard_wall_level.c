@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* One level of the rigid wall (runtime/disk/hard_wall_level.c, hard_wall_contact.c): against the formulas written out,
- * which share no sum, no contact solver and no step with it; two fades, a point contact, energy, contacts in pieces.
- * And the instruction sets: levels and modes have the same bits. */
+/* One level of the rigid wall (runtime/disk/hard_wall_level.c, hard_wall_contact.c) against the written-out formulas,
+ * which share no sum, no contact solver and no step with it. Two fades, a point contact, energy, contacts in pieces.
+ * Instruction sets give levels and modes with the same bits. */
 #include "check.h"
 
 #include <cor/status.h>
@@ -15,7 +15,7 @@ static const double pi = 3.14159265358979323846;
 enum { MOST_MODES = 60000 };
 static struct cor_disk_mode mode[MOST_MODES];
 
-/* The modes below omega, and one more */
+/* Returns the modes below omega, and one more. */
 static struct cor_disk_modes modes_of(double nu, double omega)
 {
     struct cor_disk_modes modes;
@@ -42,7 +42,7 @@ static struct cor_hard_wall_result level_of(const struct cor_disk_modes *modes, 
     return result;
 }
 
-/* Fine enough that steps and angles leave 1e-7 */
+/* Returns settings for which steps and angles contribute errors of 1e-7. */
 static struct cor_hard_wall_settings fine_settings(double omega, double speed)
 {
     const double half_width = 1.1 * sqrt(speed), spacing = fmin(fmax(0.2 / omega, half_width / 400), half_width / 150);
@@ -50,7 +50,7 @@ static struct cor_hard_wall_settings fine_settings(double omega, double speed)
         .omega = omega, .turn = 0.25, .spacing = spacing, .range = 2.6 * sqrt(speed)};
 }
 
-/* ---- against the formulas written out ---- */
+/* ---- against the written-out formulas ---- */
 
 static struct reference_wall reference_settings(const struct cor_hard_wall_settings *settings, double speed, double h,
                                                 int nyquist)
@@ -74,7 +74,7 @@ static void as_written_out(double nu, double speed, double omega, enum cor_hard_
     double l[2];
     for (int i = 0; i < 2; i++, wall.h /= 2)
         l[i] = reference_hard_wall(&modes, speed, &wall);
-    /* the reference's error is h^2 and h^4; both have a noise of steps, falling like 1/Omega^2 */
+    /* the reference has errors h^2 and h^4; both have noise from the steps, which decreases like 1/Omega^2 */
     const double reference = l[1] + (l[1] - l[0]) / 3;
     check(fabs(level.one_minus_eps2 - reference) < 1.5e-3 / (omega * omega), "nu = %g, v = %g: %.9f, not %.9f", nu,
           speed, level.one_minus_eps2, reference);
@@ -91,7 +91,7 @@ TEST(written_out)
     }
 }
 
-/* nu -> 1 and speeds at which the contact splits: pivoting, and not one piece only */
+/* nu -> 1 and speeds at which the contact splits, so that there is pivoting */
 TEST(in_pieces)
 {
     leave_to_turn(1, 3);
@@ -107,8 +107,8 @@ TEST(in_pieces)
     check(fabs(level.one_minus_eps2 - reference) < 2e-5, "%.9f, not %.9f", level.one_minus_eps2, reference);
 }
 
-/* Contacts of any pieces, one after the other: forces push, no angle reaches into the wall, and those with a force
- * touch it. */
+/* Successive contacts with any pieces: forces push, no angle reaches into the wall, and angles with a force touch
+ * it. */
 TEST(contacts)
 {
     enum { POINTS = COR_HARD_WALL_PANEL, NYQUIST = 2 * POINTS };
@@ -153,9 +153,9 @@ TEST(contacts)
     free(room);
 }
 
-/* ---- what must not matter ---- */
+/* ---- invariances ---- */
 
-/* R from two levels */
+/* Returns R from two levels. */
 static double extrapolated(const struct cor_disk_modes *modes, double speed, double omega, enum cor_hard_wall_fade fade)
 {
     double l[2];
@@ -182,9 +182,9 @@ TEST(two_fades)
     }
 }
 
-/* The compliance under kicks takes away the error h^2 of the steps: from Omega h = 0.8 to 0.2 nothing happens, where
- * plain kicks are off by 1e-4. So does true_depth for the largest depth. And energy is what the centre of mass has
- * lost. */
+/* The compliance under kicks removes the error h^2 of the steps: from Omega h = 0.8 to 0.2 nothing changes, while plain
+ * kicks are off by 1e-4. true_depth does this for the largest depth. The energy of the modes is the loss of the centre
+ * of mass. */
 TEST(steps_and_energy)
 {
     const double speed = 0.1, omega = 120;
@@ -203,7 +203,7 @@ TEST(steps_and_energy)
           depth[2]);
 }
 
-/* A level gives up a few steps after half of the work that it needs, counted in multiplications or in steps. Its work
+/* With half of the work it needs, counted in multiplications or in steps, a level gives up a few steps later. Its work
  * grows from level to level as the sequence expects. */
 TEST(budget)
 {
@@ -232,7 +232,7 @@ TEST(budget)
 
 /* ---- a point ---- */
 
-/* Where both hold, a point contact and the full method have one L at each Omega. */
+/* In their common range, a point contact and the full method have the same L at each Omega. */
 TEST(point_contact)
 {
     static const double speeds[] = {1e-4, 1e-5, 1e-6, 1e-7};
@@ -252,8 +252,8 @@ TEST(point_contact)
     }
 }
 
-/* Angles are never so coarse that they alias cosines of the rim's series, which ends at lanes, the largest n in whole
- * blocks. */
+/* Angles are never so coarse that they alias cosines of the rim's series. The series ends at the largest n, rounded up
+ * to whole blocks of lanes. */
 TEST(coarse_angles)
 {
     const double speed = 0.1, omega = 20;
@@ -302,7 +302,7 @@ TEST(cosines)
 
 /* ---- instruction sets ---- */
 
-/* A point, one piece and pieces, of few modes and many; and a sum of no cosines is 0 */
+/* A point, one piece and several, of few modes and many; a sum of no cosines is 0 */
 TEST(every_set)
 {
     double factor = 7, twice_cosine[COR_HARD_WALL_PANEL] = {0}, none[COR_HARD_WALL_PANEL];
@@ -348,7 +348,7 @@ TEST(modes_of_every_set)
 
 /* ---- hard inputs ---- */
 
-/* A range that the contact outgrows is reported, and modes that no disk has. */
+/* A range that the contact outgrows is reported, as are modes that no disk has. */
 TEST(refusals)
 {
     struct cor_disk_modes modes = modes_of(0.33, 30);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Modes in double arithmetic (cor_disk_modes_compute): against the proved tables, by the sum rules, by the count,
- * between nu = -1 and 1 and next to both, and what is refused. */
+/* Modes in double arithmetic (cor_disk_modes_compute): against the proved tables, by the sum rules, and by the count.
+ * nu between -1 and 1, and close to both; refusals. */
 #include "check.h"
 
 #include <cor/disk.h>
@@ -37,13 +37,13 @@ TEST(as_proved)
             off_amplitude = fmax(off_amplitude, fabs(mode[i].c - exact->c) / length);
             off_amplitude = fmax(off_amplitude, fabs(mode[i].s - exact->s) / length);
         }
-        /* the bounds also allow for longer tables */
+        /* the bounds also hold for longer tables */
         check(off_omega <= 0.1 * COR_DISK_MODES_OMEGA_MAX_ERROR, "%g", off_omega);
         check(off_amplitude <= 0.02 * COR_DISK_MODES_AMPLITUDE_MAX_ERROR, "%g", off_amplitude);
     }
 }
 
-/* A short table is the start of a long one, to rounding; its length is the count below the next frequency. */
+/* A short table is the beginning of a long one, up to rounding. Its length is the count below the next frequency. */
 TEST(starts_alike)
 {
     for (size_t i = 0; i < points(6); i++) {
@@ -63,7 +63,7 @@ TEST(starts_alike)
     }
 }
 
-/* No root is found twice, and none missed: the number of modes below a frequency between two modes, (11.3) */
+/* No root is found twice and none is missed: the number of modes below a frequency between two modes, (11.3) */
 TEST(counted)
 {
     for (size_t i = 0; i < points(8); i++) {
@@ -80,8 +80,8 @@ TEST(counted)
     }
 }
 
-/* l counts the modes of each n from 0, frequencies grow, and the sums over l of C^2/omega^2 and C S/omega^2 miss what
- * (11.5) says by about what the modes beyond have: 2 sqrt(1 - nu^2)/(pi Omega), half of it for n = 0. */
+/* Checks that l counts from 0 for each n and that frequencies grow. The sums over l of C^2/omega^2 and C S/omega^2 fall
+ * short of (11.5) by about 2 sqrt(1 - nu^2)/(pi Omega), the part of the omitted modes; half of it for n = 0. */
 static void sum_rules(double nu, size_t count)
 {
     enum { ORDERS = 2000, CHECKED = 12 };
@@ -119,7 +119,7 @@ TEST(all_materials)
         sum_rules(random_uniform(&draw, -0.9, 0.95), (size_t)random_log(&draw, 2000, 6000));
 }
 
-/* Next to nu = -1, where the lowest modes are the conformal maps, omega^2 = (n + 1)(n + 2)/2, and next to 1 */
+/* Close to nu = -1, where the lowest modes are the conformal maps, omega^2 = (n + 1)(n + 2)/2, and close to 1 */
 TEST(ends)
 {
     EACH (nus, -1 + 0x1p-53, -1 + 1e-12, -1 + 1e-6, -0.999, 0.999, 1 - 1e-6, 1 - 1e-12, 1 - 0x1p-53) {
@@ -138,7 +138,7 @@ TEST(ends)
     }
 }
 
-/* The place of mode (n, l) among the first modes */
+/* Returns the index of mode (n, l) among the first modes, or -1. */
 static int place_of(int n, int l, size_t count)
 {
     for (size_t i = 0; i < count; i++)
@@ -147,7 +147,7 @@ static int place_of(int n, int l, size_t count)
     return -1;
 }
 
-/* Where two frequencies cross, doubles do not separate them: they still grow. */
+/* Doubles do not separate two frequencies at a crossing, but the frequencies still grow. */
 TEST(crossings)
 {
     enum { COUNT = 40 };

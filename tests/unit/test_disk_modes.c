@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Mode files: what is read is what was written, and what was harmed is refused at its line. The tables of the library
- * are proved in tests/gen/test_disk_modes.c. */
+/* Mode files: a file reads back as written, and a damaged one is refused at its line. tests/gen/test_disk_modes.c
+ * proves the tables of the library. */
 #define _XOPEN_SOURCE 700 /* mkstemp, P_tmpdir */
 
 #include "check.h"
@@ -32,7 +32,7 @@ TEST(tables)
 
 /* ---- files ---- */
 
-/* The file in hand */
+/* The current file */
 static struct {
     char bytes[(CAPACITY + 10) * LINE_MAX_LENGTH];
     size_t length;
@@ -48,7 +48,7 @@ static uint32_t hash(uint32_t check, const char *bytes, size_t n)
     return check;
 }
 
-/* One line and its check. */
+/* Adds a line and its check. */
 static void add_line(const char *format, ...) __attribute__((format(printf, 1, 2)));
 static void add_line(const char *format, ...)
 {
@@ -69,7 +69,7 @@ static void add_mode(const struct cor_disk_mode *m)
     add_line("mode %d %d %a %a %a", m->n, m->l, m->omega, m->c, m->s);
 }
 
-/* The first `lines` lines of a file of `count` modes */
+/* Begins a file of `count` modes with its first `lines` lines. */
 static void start(int lines, size_t count)
 {
     text.length = 0;
@@ -84,7 +84,7 @@ static void start(int lines, size_t count)
         add_line("modes %zu", count);
 }
 
-/* A file that promises so many modes and has others */
+/* Writes a file that promises a number of modes and may have another. */
 static void write_modes(size_t promised, const struct cor_disk_mode *mode, size_t count)
 {
     start(4, promised);
@@ -104,7 +104,7 @@ static void put_file(const char *bytes, size_t length)
 
 static struct cor_disk_mode room[CAPACITY];
 
-/* Reads it, and nothing of *modes may change. */
+/* Checks that the file is refused and that *modes does not change. */
 static void refused(const char *bytes, size_t length, int expected, size_t expected_line, const char *what)
 {
     struct cor_disk_modes modes = {7, 7, NULL};
@@ -136,7 +136,7 @@ TEST(reads_what_was_written)
         size_t line = 77;
         write_modes(count, cor_disk_modes_nu033.mode, count);
         put_file(text.bytes, text.length);
-        /* how many there are, then all of them */
+        /* their number first, then all of them */
         assert_int_equal(cor_disk_modes_read(path, NULL, 0, &modes, NULL), COR_ERROR_CAPACITY);
         assert_int_equal(modes.count, count);
         assert_int_equal(cor_disk_modes_read(path, room, count - 1, &modes, &line), COR_ERROR_CAPACITY);
@@ -151,7 +151,7 @@ TEST(reads_what_was_written)
     }
 }
 
-/* Any byte made any other, anywhere; any end too early; anything after the end. */
+/* Any byte replaced by another one, anywhere; any end that is too early; anything after the end. */
 TEST(harmed_bytes)
 {
     const size_t lines = FIRST_MODE_LINE + MODES_OF_FILE;
@@ -190,11 +190,11 @@ TEST(first_line)
     refused(damaged, strlen(damaged), COR_ERROR_FILE_DAMAGED, 1, "version 1 with a wrong check");
 }
 
-/* Right checks around what no writer writes. */
+/* Lines that no writer writes, with right checks. */
 TEST(harmed_lines)
 {
     static const struct {
-        int after; /* so many lines in good order */
+        int after; /* number of good lines before */
         const char *line[14];
     } harmed[] = {
         {0, {"cor-disk-modes 1 x"}},
@@ -209,7 +209,7 @@ TEST(harmed_lines)
          {"mode 2 0 0x1p+0 0x1p+0 0x1p+0", "mode 2 0 0x1p+0", "modes 2 0", "2 0", "mode 0 0 0x1p+1 0x1p+0 0x0p+0",
           "mode 0 0 -0x1p+1 0x1p+0 0x0p+0", "mode -2 0 0x1p+0 0x1", "mode 2147483648 0",
           "mode 0 0 0x0p+0 0x0p+0 0x0p+0",
-          /* of a mode, but for S of n = 0 and for what follows */
+          /* like a mode line: wrong S for n = 0, trailing space, wrong word */
           "mode 0 0 0x1p+1 0x1.279a74590331cp+0 0x1p+0", "mode 0 0 0x1p+1 0x1.279a74590331cp+0 0x0p+0 ",
           "modes 0 0 0x1p+1 0x1.279a74590331cp+0 0x0p+0"}}};
     const struct cor_disk_mode *const m = cor_disk_modes_nu033.mode;
@@ -245,12 +245,12 @@ TEST(harmed_lines)
         write_modes(lists[i].promised, lists[i].mode, lists[i].count);
         text_refused(FIRST_MODE_LINE + 1, lists[i].what);
     }
-    EACH (wrong, 1 + 1e-10, -1, 0) /* a number that no mode has: (26) */
+    EACH (wrong, 1 + 1e-10, -1, 0) /* a number that violates (26) */
         for (int k = 0; k < 3; k++) {
             struct cor_disk_mode harmed_mode = m[k];
             harmed_mode.c *= *wrong;
             write_modes(1, &harmed_mode, 1);
-            if (*wrong != -1 || harmed_mode.n > 0) /* a sign is free there */
+            if (*wrong != -1 || harmed_mode.n > 0) /* the sign is free for n = 0 */
                 text_refused(FIRST_MODE_LINE, "C is wrong");
         }
 }
@@ -278,7 +278,7 @@ static int lowest_descriptor(void)
 
 static int first_descriptor;
 
-/* After all tests above, most of which end in a refusal */
+/* Runs after all tests above, most of which end in a refusal */
 TEST(files_are_closed)
 {
     assert_int_equal(lowest_descriptor(), first_descriptor);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The quasistatic contact law of the disk (runtime/disk/quasistatic.c): known contact times, the leading
- * logarithms, special values. Errors and limits: tests/accuracy/test_disk_law.c. */
+/* The quasistatic contact law of the disk (runtime/disk/quasistatic.c): known contact times, the leading logarithms,
+ * special values. Errors and limits: tests/accuracy/test_disk_law.c. */
 #include "check.h"
 
 #include <limits.h>
@@ -26,7 +26,7 @@ static const enum cor_disk_datum datums[3] = {COR_DISK_DATUM_CENTRE_OF_MASS, COR
 static const double smallest = 4.9406564584124654e-324;
 static const long double pi = 3.14159265358979323846264338327950288L;
 
-/* Inside the limit: by its logarithm, near the limit, on it */
+/* Returns an argument inside the limit, log-uniform, or close to the limit, or equal to it. */
 static double random_argument(struct random_state *r, double limit)
 {
     const double kind = random_uniform(r, 0, 10);
@@ -37,7 +37,7 @@ static double random_argument(struct random_state *r, double limit)
     return kind < 7 ? limit * random_log(r, 1e-3, 1) : limit * random_log(r, 1e-290, 1);
 }
 
-/* Of the theory's check, nu = 0.33 and the printed b */
+/* From the check of the theory, nu = 0.33 and the printed b */
 TEST(contact_time)
 {
     static const double speed[] = {1e-8, 1e-4, 1e-2, 0.1};
@@ -45,7 +45,7 @@ TEST(contact_time)
     for (int i = 0; i < 4; i++)
         check(relative_error(cor_disk_contact_time(speed[i], 0.33, COR_DISK_DATUM_PRINTED), tau[i]) < 1e-15L, "%g",
               speed[i]);
-    /* pi sqrt(T/2) with T about q + ln(q), where the speed is as small as can be */
+    /* pi sqrt(T/2) with T about q + ln(q), for the smallest speed */
     const double tiny = cor_disk_contact_time(smallest, 0, COR_DISK_DATUM_DIAMETER);
     assert_true(tiny > 85.5 && tiny < 86);
 }
@@ -56,7 +56,7 @@ TEST(leading_logarithms)
 {
     long double worst[5] = {0};
     for (size_t i = 0; i < points(20000); i++) {
-        /* 4 - x is exact, and so the logarithm is good near 4 */
+        /* 4 - x is exact, so the logarithm is accurate near 4 */
         const double end = nextafter(4, 0), x = random_argument(&draw, end);
         const long double log = x > 2 ? -log1pl((x - 4.0L) / 4) : logl(4 / (long double)x);
         const double load = random_argument(&draw, 4.62290939916368604);
@@ -74,7 +74,7 @@ TEST(leading_logarithms)
     }
     print_message("leading logarithms: %.2Lf, %.2Lf, %.2Lf, %.2Lf, %.2Lf ulp at the worst\n", worst[0], worst[1],
                   worst[2], worst[3], worst[4]);
-    /* what disk.h says they miss, nu = 0.33 */
+    /* the errors that disk.h states, for nu = 0.33 */
     for (int datum = 0; datum < 3; datum++) {
         const enum cor_disk_datum d = (enum cor_disk_datum)datum;
         for (double v = 1e-12; v <= 1e-2; v *= 1.7) {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Rayleigh's energy (runtime/disk/rayleigh.c): modes against printed values, sums and tails against sums over twenty
- * thousand modes, the tolerance, statuses, the edges of the domain. tests/accuracy/test_disk_rayleigh.c has the
- * modes one by one against the motion, to all digits. */
+ * thousand modes, the tolerance, statuses, the edges of the domain. tests/accuracy/test_disk_rayleigh.c compares single
+ * modes with the motion, to all digits. */
 #include "check.h"
 
 #include <cor/disk.h>
@@ -18,7 +18,7 @@ static const struct cor_disk_modes *table(int i)
     return i == 0 ? &cor_disk_modes_nu033 : &cor_disk_modes_nu090;
 }
 
-/* The table of these modes alone */
+/* Returns the table of the n lowest modes. */
 static struct cor_disk_modes lowest(const struct cor_disk_modes *modes, size_t n)
 {
     struct cor_disk_modes few = *modes;
@@ -35,7 +35,7 @@ static struct cor_disk_rayleigh rayleigh(const struct cor_disk_modes *modes, siz
     return out;
 }
 
-/* Values of arbitrary precision: nu = 0.33; the constant b as printed, but for the last */
+/* Values of arbitrary precision: nu = 0.33, with the printed constant b except in the last */
 TEST(test_values)
 {
     static const struct {
@@ -61,8 +61,8 @@ TEST(test_values)
     check(fabs(fractions[0] / 2.0424708e-4 - 1) < 3e-8, "%.15g", fractions[0]);
 }
 
-/* All modes together, from the 20 000 lowest and their own tail, whose error is below `error`, relative; in the fourth
- * row an echo is in step, in the sixth the surface wave */
+/* All modes together, from the 20 000 lowest and their own tail, whose relative error is below `error`. In the fourth
+ * row a reflected wave is in phase, in the sixth the surface wave. */
 static const struct {
     int table, datum;
     double speed, all, error;
@@ -80,7 +80,7 @@ static const struct {
     {1, 0, 0.03, 5.083223410399e-01, 2e-10},   {1, 1, 0.1, 7.520479714269e-01, 5e-9},
 };
 
-/* The estimate holds and means something: from 100 modes on it is typically a few times the error. */
+/* The estimate is an upper bound, and a useful one: from 100 modes onward it is typically a few times the error. */
 TEST(test_tail)
 {
     for (size_t n = 1; n <= MODES; n += 1 + n / 40) {
@@ -95,7 +95,7 @@ TEST(test_tail)
                   out.error_estimate / all);
             errors += error / all;
             estimates += out.error_estimate / all;
-            /* the others of the table in the tail */
+            /* with the other modes of the table in the tail */
             out = rayleigh(table(sums[i].table), n, datum, speed, NULL);
             error = fabs(out.fraction + out.tail - all);
             const double allowed =
@@ -104,13 +104,13 @@ TEST(test_tail)
                   speed, n, error / all, out.error_estimate / all);
         }
         check(n < 100 || n > 1000 || estimates < 30 * errors, "%zu modes: %g, %g", n, estimates, errors);
-        /* no term is lost, large or small: the sums of the terms as they were fitted */
+        /* no term is lost, large or small: the sums of the fitted terms */
         if (n == 12 || n == 1797)
             check_near(estimates, n == 12 ? 1.84848433 : 3.64785667e-4, 1e-8);
     }
 }
 
-/* However many modes there are, sum and tail are the same, at any speed. */
+/* Sum and tail together do not depend on the number of modes, at any speed. */
 TEST(test_any_speed)
 {
     for (size_t i = 0; i < points(60); i++) {
@@ -131,7 +131,7 @@ TEST(test_any_speed)
             check(fabs(fractions[j] - others[j]) <=
                       fmax(COR_DISK_RAYLEIGH_MAX_ERROR * fractions[j], COR_DISK_RAYLEIGH_MAX_ABSOLUTE * all.fraction),
                   "v = %a, mode %zu: %g, %g", speed, j, fractions[j], others[j]);
-        /* from the whole table, only the border between sum and tail moves */
+        /* within the whole table, only the border between sum and tail moves */
         const struct cor_disk_rayleigh same = rayleigh(table(t), n, datum, speed, others);
         double sum = 0;
         for (size_t j = 0; j < n; j++) {
@@ -190,7 +190,7 @@ TEST(test_tolerance)
 enum { LIST = 90 };
 static double list_fractions[LIST * MODES];
 
-/* Every speed against the function of one */
+/* Compares every speed of a list with the function for one speed. */
 static void against_one(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum,
                         const double *speed, size_t n, int exact)
 {
@@ -231,7 +231,7 @@ TEST(test_array)
     for (int t = 0; t < 2; t++) {
         const enum cor_disk_datum datum = datums[(t + 1) % 3];
         const double limit = cor_disk_speed_limit(table(t)->nu, datum);
-        /* so many near each other that spectra are interpolated: slow, fast, and close to the limit of the law */
+        /* speeds so dense that spectra are interpolated: slow, fast, and close to the limit of the law */
         const double from[] = {1e-9, 1e-5, 0.3 * limit, 0.9 * limit}, to[] = {1e-6, 1e-3, 0.95 * limit, limit};
         for (size_t k = 0; k < 4; k++) {
             for (size_t i = 0; i < LIST; i++)
@@ -239,14 +239,14 @@ TEST(test_array)
             speed[0] = to[k];
             against_one(table(t), k == 0 ? MODES : (size_t)random_log(&draw, 1, MODES), datum, speed, LIST, 0);
         }
-        /* so few, or so far apart, that each is computed by itself; what is no speed in between */
+        /* speeds so few or so sparse that each is computed by itself, with wrong speeds between them */
         const double special[] = {0, -0.0, limit, nextafter(limit, 9), -1, NAN, INFINITY, 5e-324, 1e-300, 1e-3};
         against_one(table(t), 70, datum, special, sizeof special / sizeof *special, 1);
         for (size_t i = 0; i < 20; i++)
             speed[i] = random_log(&draw, 1e-320, limit);
         against_one(table(t), 64, datum, speed, 20, 1);
     }
-    /* a table without modes l = 0 that could be continued */
+    /* a table whose modes l = 0 cannot be continued */
     struct cor_disk_modes few = lowest(&cor_disk_modes_nu033, 20);
     against_one(&few, 7, COR_DISK_DATUM_DIAMETER, speed, 20, 1);
 }
@@ -272,8 +272,8 @@ TEST(test_limits)
           "too fast");
 }
 
-/* All three functions refuse, one speed or two, and touch nothing. A speed has a status of its own in a list, and a
- * tolerance is of all modes. */
+/* Checks that all three functions refuse one speed or two and change nothing. In a list each speed has its own status.
+ * A tolerance refers to all modes. */
 static void refused(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum, double speed,
                     int expected)
 {
@@ -328,7 +328,7 @@ TEST(test_statuses)
     mode[1] = good;
     mode[2].c = NAN;
     refused(&modes, 3, datum, 0.01, COR_ERROR_MODES);
-    refused(&modes, 2, datum, 0.01, COR_ERROR_MODES); /* the tail needs the third */
+    refused(&modes, 2, datum, 0.01, COR_ERROR_MODES); /* the tail needs a third one */
     modes.count = 2;
     check(cor_disk_rayleigh(&modes, 2, datum, 0.01, out, NULL) == COR_OK && out->fraction > 0, "only what there is");
     out->fraction = 7;

@@ -50,7 +50,7 @@ TEST(test_every_set)
             cor_spectrum_init(cor_rayleigh_set(0), &by_portable, q0, tau, first, high);
             cor_spectrum_init(set, &by_set, q0, tau, first, high);
             same_coefficients(set, &by_portable, &by_set, q0);
-            /* any number of lines, of one octave or of several */
+            /* any number of lines, within one octave or several */
             for (int n = 1; n <= COR_LINES; n++) {
                 double omega[COR_LINES];
                 omega[0] = random_log(&draw, first, high);

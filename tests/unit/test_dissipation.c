@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The dissipation time of a Kelvin-Voigt solid: against the contact modulus in the complex plane of its definition,
- * against the hereditary integral of viscoelastic contact at finite rates, and its limits. */
+/* The dissipation time of a Kelvin-Voigt solid. It is compared with the contact modulus in the complex plane, which
+ * defines it, and with the hereditary integral of viscoelastic contact at finite rates. Its limits. */
 #include "check.h"
 
 #include <cor/cor.h>
 
-/* 1/(1 - nu^2) Y from shear modulus mu and bulk modulus k */
+/* Returns Y/(1 - nu^2) from shear modulus mu and bulk modulus k. */
 static long double contact_modulus(long double mu, long double k)
 {
     return 4 * mu * (mu + 3 * k) / (4 * mu + 3 * k);
@@ -26,7 +26,7 @@ static double time_of(struct material m)
     return cor_dissipation_time_viscous_s(m.eta1, m.eta2, m.young, m.nu);
 }
 
-/* A is d ln(E*)/ds at 0 with mu + s eta_1/2, k + s eta_2: six digits by a central difference */
+/* A is d ln(E*)/ds at 0 with mu + s eta_1/2 and k + s eta_2: six digits by a central difference */
 TEST(derivative_of_the_modulus)
 {
     for (size_t i = 0; i < points(20000); i++) {
@@ -52,8 +52,8 @@ TEST(rounding)
     }
 }
 
-/* Viscous constants proportional to the moduli: the stress is (1 + tau d/dt) times the elastic one, A is tau in both
- * formulas. */
+/* If viscous constants are proportional to the moduli, the stress is (1 + tau d/dt) times the elastic one. A is tau in
+ * both formulas. */
 TEST(proportional_constants)
 {
     for (size_t i = 0; i < points(2000); i++) {
@@ -64,9 +64,9 @@ TEST(proportional_constants)
     }
 }
 
-/* Loading of a sphere at finite rate. E*(s) is c0 + c1 s + c2/(s + c3) by partial fractions, so that with x^(3/2) =
- * p(t), F/(4/3 sqrt(R)) = c0 p + c1 p' + c2 int exp(-c3 (t - t')) p(t') dt' (Lee and Radok, J. Appl. Mech. 27, 438
- * (1960)). Against it E* (p + A p') is off by the square of the rate. */
+/* Computes the force while a sphere is loaded at a finite rate. E*(s) is c0 + c1 s + c2/(s + c3) by partial fractions.
+ * So with x^(3/2) = p(t), F/(4/3 sqrt(R)) = c0 p + c1 p' + c2 int exp(-c3 (t - t')) p(t') dt' (Lee and Radok, J. Appl.
+ * Mech. 27, 438 (1960)). The error of E* (p + A p') is of the order of the rate squared. */
 static long double hereditary_force(const struct material *m, long double rate, long double *first_order)
 {
     const long double mu = m->young / (2 * (1 + (long double)m->nu)), k = m->young / (3 * (1 - 2 * (long double)m->nu));
@@ -120,7 +120,7 @@ TEST(limits)
               cor_dissipation_time_viscous_s(1, 1, INFINITY, 0.3), cor_dissipation_time_viscous_s(1, 1, 1, -1),
               cor_dissipation_time_viscous_s(1, 1, 1, 0.6), cor_dissipation_time_viscous_s(INFINITY, 1, 1, 0.3),
               cor_dissipation_time_viscous_s(1, INFINITY, 1, 0.3));
-    /* only the result may leave the range */
+    /* only the result can leave the range */
     check_near(cor_dissipation_time_viscous_s(1e240, 1e240, 1e240, 0.25), cor_dissipation_time_viscous_s(1, 1, 1, 0.25),
                1e-15);
     check_nan(cor_dissipation_time_viscous_s(1e200, 1e200, 1e-200, 0.25),

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* generated/cor_sphere.h gives the bits of the library: from this unit and from another, in whatever language that is.
- */
+/* generated/cor_sphere.h gives the bits of the library, from this unit and from another one in any language. */
 #include "check.h"
 
 #include <cor/cor.h>
@@ -8,7 +7,7 @@
 #include "cor_sphere.h"
 #include "embedded.h"
 
-/* eps at beta^5 = x, by the library: a contact whose beta_per_root is 1; by the header where x is no speed in range */
+/* Returns eps at beta^5 = x by the library, with beta_per_root 1; by the header if x is not a speed in range. */
 static double contact_eps(int end, double x)
 {
     struct cor_sphere_contact c;
@@ -41,8 +40,8 @@ static const struct {
 #undef EMBEDDED_ROW
 };
 
-/* COR_EMBEDDED_ULP: units of the last place that the other unit may differ by, where other flags compiled it. Special
- * values and those of special arguments are the same whatever the flags. */
+/* COR_EMBEDDED_ULP: allowed difference of the other unit, in units of the last place, if it was compiled with other
+ * flags. Special values, and results at special arguments, are equal for all flags. */
 static double allowed;
 
 static int is_close(double library, double other)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The floating-point environment and every public function, from the list that the bindings read. Whatever the
- * arguments, none raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW, also where these trap, and none sets errno. Flushing
- * to zero changes results by less than 1e-9 of them, and is afterwards what it was. */
+/* The floating-point environment and every public function, from the list that the bindings read. For any arguments, no
+ * function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW, even with traps, and none sets errno. Flushing to zero
+ * changes results by less than 1e-9, relatively, and is not altered by a call. */
 #ifdef __linux__
 #define _GNU_SOURCE /* feenableexcept */
 #endif
@@ -18,7 +18,7 @@
 #include <xmmintrin.h>
 #endif
 
-/* generated/cor_sphere.h, whose functions are in no list of the library's; the inverses take eps. */
+/* The functions of generated/cor_sphere.h, which no list of the library contains. The inverses use eps. */
 #define INLINE_FUNCTION(name)                                                                                          \
     static void inline_##name(const struct arguments *a, struct results *r)                                            \
     {                                                                                                                  \
@@ -31,7 +31,7 @@ static const struct public_function inline_functions[] = {EMBEDDED_LIST(INLINE_R
 
 #include "scene_calls.h"
 
-/* The list, and then cor_sphere.h's */
+/* Returns the number of functions in the list and in cor_sphere.h. */
 static size_t all_count(void)
 {
     return function_count() + COUNT_OF(inline_functions);
@@ -42,13 +42,13 @@ static const struct public_function *any_function(size_t k)
     return k < function_count() ? function_number(k) : &inline_functions[k - function_count()];
 }
 
-/* ---- arguments and what functions make of them ---- */
+/* ---- arguments and results ---- */
 
-/* Where subnormal numbers may count as 0, the results are theirs or those of 0: every second set has none. */
+/* If subnormal numbers may count as 0, results may be those for 0: every second set has no subnormal numbers. */
 enum { WITHOUT_SUBNORMALS = 1 };
 static size_t set_count;
-static struct results *expected;  /* of function k for set i at k set_count + i */
-static unsigned char *takes_long; /* too long for every mode */
+static struct results *expected;  /* function k for set i is at k set_count + i */
+static unsigned char *takes_long; /* too slow for every mode */
 
 static int setup(void **state)
 {
@@ -88,8 +88,8 @@ static int free_results(void **state)
     return 0;
 }
 
-/* Results change by a part of them, or a few of the smallest normal number where subnormal ones are lost; infinite ones
- * and NaN do not change. */
+/* True if a result changes by a small fraction only, or by a few of the smallest normal numbers, because subnormal ones
+ * are lost. Infinite results and NaN must not change. */
 static int is_sane(const struct public_function *f, double x, double before)
 {
     const int is_float = f->type == PUBLIC_float || strcmp(f->name, "cor_law_arrayf") == 0;
@@ -103,8 +103,8 @@ static int is_sane(const struct public_function *f, double x, double before)
 
 enum { REFUSED = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW };
 
-/* Calls the function while subnormal numbers count as 0, and compares each result with that of the default
- * environment, or of arguments without subnormal numbers. */
+/* Calls the function while subnormal numbers count as 0. Compares each result with the default environment, or with
+ * arguments without subnormal numbers. */
 static void call_again(size_t k, size_t i)
 {
     const struct public_function *const f = any_function(k);
@@ -125,7 +125,7 @@ static void call_again(size_t k, size_t i)
         f->call(&flushed, &of_zeros);
     }
     assert_int_equal(r.count, before->count);
-    /* a text has any length; only spheres and laws take subnormal numbers */
+    /* a text has any length; only spheres and laws use subnormal numbers */
     const int compares = strcmp(f->name, "cor_simulator_lines") != 0 &&
                          (i % 2 == WITHOUT_SUBNORMALS || strncmp(f->name, "cor_sphere_", 11) == 0 ||
                           strncmp(f->name, "cor_law_", 8) == 0 || strncmp(f->name, "cor_inline_", 11) == 0);
@@ -137,7 +137,7 @@ static void call_again(size_t k, size_t i)
     fesetenv(&environment);
 }
 
-/* A flag raised before stays, and errno too. */
+/* A flag raised before the call remains, and so does errno. */
 TEST(no_exception_and_no_errno)
 {
     fesetenv(FE_DFL_ENV);
@@ -213,7 +213,7 @@ TEST(flushing_to_zero)
 #endif
 }
 
-/* An array function gives the bits of the function that it is an array of, whatever the length. */
+/* An array function gives the bits of its scalar function, for every length. */
 TEST(arrays)
 {
     fesetenv(FE_DFL_ENV);

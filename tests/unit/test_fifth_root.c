@@ -5,7 +5,7 @@
 
 #include "runtime/number/fifth_root.h"
 
-/* x^(1/5) by Newton's step on powl: good to a unit of long double */
+/* Returns x^(1/5) by a Newton step on powl, accurate to a unit of long double. */
 static long double root_exact(long double x)
 {
     long double r = powl(x, 0.2L);
@@ -14,7 +14,7 @@ static long double root_exact(long double x)
     return r;
 }
 
-/* Relative error in units of 2^-53 */
+/* Returns the relative error in units of 2^-53. */
 static long double error_of(long double computed, long double exact)
 {
     return fabsl(computed / exact - 1) / (DBL_EPSILON / 2);
@@ -56,7 +56,7 @@ TEST(of_pair)
     }
 }
 
-/* The seed is a whole-number fifth of the bits: its error repeats every five octaves. All of them, finely. */
+/* The seed is an integer fifth of the bits, so its error repeats every five octaves. Tests all five, densely. */
 TEST(five_octaves)
 {
     for (double x = 1; x < 32; x += 0x1p-12) {
@@ -82,7 +82,7 @@ TEST(special_values)
     assert_true(same_bits(cor_inline_fifth_root(0.0), 0.0) && same_bits(cor_inline_fifth_root(-0.0), -0.0));
     assert_true(cor_inline_fifth_root(INFINITY) == INFINITY);
     assert_true(isnan(cor_inline_fifth_root(NAN)));
-    assert_true(cor_inline_fifth_root(-32) == -32); /* as it is: callers refuse it */
+    assert_true(cor_inline_fifth_root(-32) == -32); /* not refused here: callers refuse it */
     EACH (edge, 0x1p-900, 0x1p900, DBL_MIN, DBL_MAX, 5e-324) {
         const double side[3] = {nextafter(*edge, 0), *edge, nextafter(*edge, DBL_MAX)};
         for (int k = 0; k < 3; k++)
@@ -91,7 +91,7 @@ TEST(special_values)
     }
 }
 
-/* Products and quotients of pairs, where long double has room to tell: 11 bits. */
+/* Products and quotients of pairs; long double has 11 more bits to check them. */
 TEST(pairs)
 {
     for (size_t i = 0; i < points(50000); i++) {

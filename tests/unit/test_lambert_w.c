@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Lambert's t of q (runtime/number/lambert_w.h) against long double.
- * tests/accuracy/test_disk_law.c has them against balls. */
+/* Lambert's t of q (runtime/number/lambert_w.h) against long double. tests/accuracy/test_disk_law.c compares it with
+ * balls. */
 #include "check.h"
 
 #include "runtime/number/lambert_w.h"
 
 static const long double slack = LDBL_MANT_DIG >= 64 ? 0.01L : 4;
 
-/* t - ln(1 + t), t >= 0: with z = t/(2 + t) it is t z - 2 (z^3/3 + z^5/5 + ...) */
+/* Returns t - ln(1 + t), t >= 0. With z = t/(2 + t) it is t z - 2 (z^3/3 + z^5/5 + ...). */
 static long double q_exact(long double t)
 {
     if (t > 0.6L)
@@ -19,14 +19,14 @@ static long double q_exact(long double t)
     return z * (t - sum);
 }
 
-/* How far t is off, q having the slope t/(1 + t); q = q0 + q1 */
+/* Returns the error of t from the slope t/(1 + t) of q, where q = q0 + q1. */
 static long double t_off(struct cor_inline_pair t, long double q0, long double q1)
 {
     const long double whole = (long double)t.hi + t.lo;
     return ((q_exact(whole) - q0) - q1) * (1 + whole) / whole;
 }
 
-/* Every size of q, and both sides of the places where the method changes. The second part of q is not lost. */
+/* All magnitudes of q, and both sides of the places where the method changes. The second part of q is not lost. */
 TEST(t_of_q)
 {
     static const double boundary[] = {0x1p-500, 0.1, 3, 0x1p400};
@@ -43,7 +43,7 @@ TEST(t_of_q)
                           relative = fabsl(off) / (1 + whole) * 0x1p53L;
         check(rounded <= 2 + slack, "t(%a) = %a: %Lg ulp", hi, cor_lambert_t(hi), rounded);
         check(relative <= 1 + slack, "1 + t(%a + %a): %Lg 2^-53", hi, lo, relative);
-        /* where the series begins, only its rest is rounded, less than t/60 */
+        /* at the beginning of the series only its rest is rounded, which is below t/60 */
         const long double bound = hi < 1e-3 ? 0x1p-57L : 1.5L * 0x1p-52L;
         check(hi < 1e-30 || hi > 1e3 || fabsl(off) <= (bound + slack * 0x1p-53L) * whole, "t(%a + %a): %Lg", hi, lo,
               off / whole);
@@ -53,7 +53,7 @@ TEST(t_of_q)
 TEST(series)
 {
     assert_true(cor_lambert_t(0) == 0);
-    /* sqrt(2 q) (1 + sqrt(2 q)/3), the next term is too small */
+    /* sqrt(2 q) (1 + sqrt(2 q)/3); the next term is negligible */
     for (int exponent = -1074; exponent < -120; exponent++) {
         const long double q = ldexpl(1, exponent), p = sqrtl(2 * q);
         check(ulp_error(cor_lambert_t((double)q), p * (1 + p / 3)) <= 0.6L + slack, "2^%d", exponent);
@@ -61,7 +61,7 @@ TEST(series)
     check_nan(cor_lambert_t(-0x1p-1074), cor_lambert_t(-1), cor_lambert_t(NAN));
 }
 
-/* ln(a/x) from the logarithm of a and from a */
+/* ln(a/x) from a and its logarithm */
 TEST(log_ratios)
 {
     const struct cor_logarithm pi = {{3.14159265358979312, 1.22464679914735321e-16},
@@ -74,7 +74,7 @@ TEST(log_ratios)
         check(fabsl(far.hi + (far.lo - exact)) <= (1 + slack) * (0x1p-54L + 0x1p-62L * exact), "far, %a", x);
         check(fabsl(q.hi + (q.lo - exact)) <= (1 + slack) * 0x1p-52L * exact + 0x1p-64L, "%a", x);
     }
-    /* the number ends 1.22e-16 above its double */
+    /* the number exceeds its double by 1.22e-16 */
     const struct cor_inline_pair last = cor_log_ratio(&pi, pi.number.hi);
     assert_true(fabs(last.hi / (1.22464679914735321e-16 / 3.14159265358979312) - 1) < 1e-15);
     check_nan(cor_log_ratio(&pi, nextafter(pi.number.hi, 4)).hi, cor_log_ratio(&pi, INFINITY).hi,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* law.h: special values, hard cases, both directions, integration of the equation of motion. Errors in
- * units of the last place at very many points: tests/accuracy/test_laws.c. */
+/* law.h: special values, hard cases, both directions, integration of the equation of motion. tests/accuracy/test_laws.c
+ * tests errors in units of the last place at very many points. */
 #include "check.h"
 
 #include <cor/cor.h>
@@ -13,7 +13,7 @@ typedef double law_function(double);
 
 enum { ENDS = COR_END_APPROACH_ONLY + 1 };
 
-/* A function of the table; NULL: absent */
+/* Returns a function of the table, or NULL if absent. */
 static law_function *of(enum cor_law law, int end, enum cor_quantity quantity)
 {
     const struct cor_law_function *const f = cor_law_function(law, (enum cor_end)end, quantity);
@@ -25,7 +25,7 @@ static double crossley_eps(double beta)
     return cor_law_value(COR_LAW_HUNT_CROSSLEY, COR_END_ZERO_FORCE, COR_EPS, beta);
 }
 
-/* ---- special values: tests/accuracy/test_laws.c has those of functions of one number ---- */
+/* ---- special values; for functions of one number, see tests/accuracy/test_laws.c ---- */
 
 TEST(special_crossley)
 {
@@ -45,8 +45,8 @@ TEST(special_crossley)
     assert_true(cor_hunt_crossley_duration_approach_only(INFINITY, 1.5) == INFINITY);
 }
 
-/* Spheres and Hertz's spring with a dashpot, damped while approaching only: eps = sqrt(4/5) Y^(5/4), and the rebound
- * takes half of an elastic collision over eps^(1/5). `first`: loss/beta at 0 */
+/* Spheres, and Hertz's spring with a dashpot, damped during approach only: eps = sqrt(4/5) Y^(5/4). The rebound lasts
+ * half an elastic collision, divided by eps^(1/5). `first`: loss/beta at 0 */
 static const struct {
     enum cor_law law;
     long double first;
@@ -71,13 +71,13 @@ TEST(damped_approach)
         check_ulp(loss(0x1p-1000), 0x1p-1000L * approaches[k].first, COR_SPHERE_APPROACH_MAX_ULP);
         check_ulp(loss(0x1p-1050), 0x1p-1050L * approaches[k].first, COR_SPHERE_APPROACH_MAX_ULP);
         for (double beta = 0x1p-10; beta < 1e6; beta *= beta < 12.5 ? 1.002 : 1.37)
-            for (int side = -1; side <= 1; side++) { /* of where rows end, too: sixteenths */
+            for (int side = -1; side <= 1; side++) { /* also around the ends of rows, at sixteenths */
                 const double at = side == 0 ? beta : nextafter(floor(16 * beta) / 16 + 0.0625, side * DBL_MAX);
                 const long double e = sqrtl(0.8L) * powl(f[COR_MAX_OVERLAP](at), 1.25L);
                 check_near(eps(at), e, part);
                 check(fabsl(loss(at) - (1 - e)) < part * fmaxl(e, 0.25L), "loss at %a", at);
                 check_near(duration(at), f[COR_TIME_OF_MAX_OVERLAP](at) + half * powl(e, -0.2L), part);
-                /* beta beta'(eps)/eps is at most 6/5 for strong damping and eps/(1 - eps) for weak */
+                /* beta beta'(eps)/eps is at most 6/5 for strong damping, and eps/(1 - eps) for weak */
                 check_near(beta_of(eps(at)), at, part * fmaxl(2, 1 / (1 - e)));
             }
         for (int i = -53; i <= -1; i++) /* both are exact */
@@ -86,7 +86,7 @@ TEST(damped_approach)
     const double least = cor_sphere_eps_approach_only(DBL_MAX);
     check(isfinite(cor_sphere_beta_approach_only(least * (1 + 0x1p-48))), "beta is finite up to the largest double");
     check(isinf(cor_sphere_beta_approach_only(least * (1 - 0x1p-48))), "beta is infinite beyond the largest double");
-    /* sqrt(4/5) beta^(-5/4), (1 + (5/4) ln(beta) beta^-5/2...) is nothing there; a subnormal eps */
+    /* sqrt(4/5) beta^(-5/4); the factor (1 + (5/4) ln(beta) beta^-5/2...) is 1 there; then a subnormal eps */
     check_ulp(of(COR_LAW_HERTZ_DASHPOT, COR_END_APPROACH_ONLY, COR_EPS)(1e200), 8.94427190999915878564e-251L, 2);
     check_ulp(of(COR_LAW_HERTZ_DASHPOT, COR_END_APPROACH_ONLY, COR_EPS)(1e256), 8.9442719099991588e-321L, 2);
     check_ulp(of(COR_LAW_HERTZ_DASHPOT, COR_END_APPROACH_ONLY, COR_DURATION)(1e200), half * powl(0.8L, -0.1L) * 1e50L,
@@ -96,7 +96,7 @@ TEST(damped_approach)
 
 /* ---- exponentials and logarithms ---- */
 
-/* x and a part of half its last place */
+/* Returns x with a second part of up to half of its last place. */
 static struct cor_inline_pair pair_at(double x)
 {
     int exponent;
@@ -138,7 +138,7 @@ TEST(logarithms_of_pairs)
 
 /* ---- both directions ---- */
 
-/* eps or loss -> damping -> the same: off by at most `most` units, however small it is */
+/* Checks eps or loss -> damping -> eps or loss: off by at most `most` units, for any magnitude. */
 static void check_back(enum cor_law law, int end, int of_loss, double e, double most)
 {
     law_function *const inverse = of(law, end, of_loss ? COR_DAMPING_OF_LOSS : COR_DAMPING_OF_EPS);
@@ -150,10 +150,9 @@ static void check_back(enum cor_law law, int end, int of_loss, double e, double 
     }
 }
 
-/* What the way back may cost, in units of eps, with L = -ln(eps). eps is a power of the damping where it is small, so
- * that a rounding of the damping costs no more than two roundings of eps; at zero overlap, by the damping ratio, it
- * costs |d ln(eps)/d ln(zeta)| = L (1 + L^2/pi^2), and next to beta_c of the dashpot what the rounding of beta costs.
- * */
+/* Returns the allowed error of the way back, in units of eps, with L = -ln(eps). Small eps is a power of the damping,
+ * so rounding the damping costs no more than two roundings of eps. At zero overlap, with a damping ratio, it costs L (1
+ * + L^2/pi^2) = |d ln(eps)/d ln(zeta)|. Close to beta_c of the dashpot the cost is the rounding of beta. */
 static double cost_of(enum cor_law law, int end, double e)
 {
     const double l = -log(e);
@@ -176,7 +175,7 @@ TEST(back_at_random)
     }
 }
 
-/* Every size of e and of 1 - e, subnormal numbers included */
+/* All magnitudes of e and of 1 - e, subnormal numbers included */
 TEST(every_size)
 {
     for (int k = -1074; k < 0; k++) {
@@ -193,7 +192,7 @@ TEST(every_size)
     }
 }
 
-/* Farther from critical damping, where slopes are Taylor series on one side of a seam, and quotients on the other */
+/* Away from critical damping, where slopes are Taylor series on one side of a seam and quotients on the other */
 TEST(near_critical_damping)
 {
     for (int i = -64; i <= 64; i++)
@@ -203,8 +202,8 @@ TEST(near_critical_damping)
                            of(COR_LAW_LINEAR, end, of_loss ? COR_LOSS : COR_EPS)(1 + i * 0x1p-21), 8);
 }
 
-/* Both laws with a damping ratio have the same functions of eps. Of every law eps is larger, and the contact shorter,
- * at zero force than at zero overlap; limited damping and damped approach follow. */
+/* Both laws with a damping ratio have the same functions of eps. For every law eps is larger, and the contact shorter,
+ * at zero force than at zero overlap. Next are limited damping and damped approach. */
 TEST(order_of_the_ends)
 {
     for (int end = 0; end < ENDS; end++)
@@ -230,7 +229,7 @@ TEST(order_of_the_ends)
 
 /* ---- the equation of motion ---- */
 
-/* x'' = -x^(a4/4), less beta x^(b4/4) x', damped by the rule of the end */
+/* x'' = -x^(a4/4) - beta x^(b4/4) x', with the damping changed by the rule of the end */
 struct law {
     int a4, b4;
     long double beta;
@@ -252,8 +251,8 @@ static struct motion_course course(const struct law *law)
     return motion_course(&(struct motion){4, 0, law_force, law, free, 0});
 }
 
-/* Every function of a damping, at each end. beta: of the damping 1. The end at zero overlap is left out where strong
- * damping makes it late. */
+/* Every function of a damping, at each end. beta: at damping 1. Skips zero overlap where strong damping makes it
+ * late. */
 TEST(against_the_equation_of_motion)
 {
     static const struct {
@@ -305,8 +304,8 @@ TEST(against_the_equation_of_motion)
             }
 }
 
-/* beta and a of Hunt and Crossley's law, over all of their domain: every size of beta, both signs, up to the last
- * doubles at -1; exponents of every size up to the largest */
+/* Returns beta for Hunt and Crossley's law: all magnitudes and both signs, up to the last doubles at -1. The next
+ * function returns exponents a of all magnitudes, up to the largest. */
 static double random_crossley_beta(void)
 {
     switch (random_below(&draw, 6)) {
@@ -321,7 +320,7 @@ static double random_crossley_beta(void)
     case 4:
         return -1 + random_log(&draw, 1.2e-16, 0.9);
     default:
-        return random_uniform(&draw, 0, 4); /* two ways to the end of the rebound meet at 2 */
+        return random_uniform(&draw, 0, 4); /* two methods for the end of the rebound meet at 2 */
     }
 }
 
@@ -361,7 +360,7 @@ TEST(crossley_times)
                   beta, a, off);
         }
     }
-    /* a pumped collision takes as long as the damped one backwards */
+    /* a pumped collision lasts as long as the time-reversed damped one */
     for (double beta = 0.1; beta < 30; beta *= 1.7) {
         const double eps = crossley_eps(beta), back = -beta * eps, unit = pow(eps, (1 - 1.5) / (1 + 1.5));
         if (back < -0.999)
@@ -369,8 +368,7 @@ TEST(crossley_times)
         check_near(cor_hunt_crossley_duration(back, 1.5) * unit, cor_hunt_crossley_duration(beta, 1.5),
                    1e-12 / (1 + back));
     }
-    /* the elastic limit and a constant force, whose duration is (1 + eps) over the mean of its force: exact for a = 0
-     */
+    /* the elastic limit; and a constant force, whose duration is (1 + eps) over its mean, exact for a = 0 */
     check_near(cor_hunt_crossley_duration(1e-20, 2), cor_hunt_crossley_duration(0, 2), 1e-13);
     check_near(cor_hunt_crossley_duration(1, 0), log(2) - log1p(-crossley_eps(1)), COR_HUNT_CROSSLEY_TIME_MAX_ERROR);
 }
@@ -382,7 +380,7 @@ static double dashpot(enum cor_end end, enum cor_quantity quantity, double x)
     return cor_law_value(COR_LAW_HERTZ_DASHPOT, end, quantity, x);
 }
 
-/* Integrations of another program, 18 digits */
+/* Integrations by another program, 18 digits */
 TEST(hertz_dashpot_known)
 {
     const struct {
@@ -425,7 +423,7 @@ TEST(hertz_dashpot_threshold)
     }
 }
 
-/* Impacts at and around the slowest speed that parts, g_c = C^5/(beta_c^5 m^3 K^2), in SI units */
+/* Impacts at and around the slowest speed at which the bodies separate, g_c = C^5/(beta_c^5 m^3 K^2), in SI units */
 TEST(hertz_dashpot_slowest_speed)
 {
     static const double scene[][3] = {{0.01, 3e6, 2.5}, {1e-9, 40, 1e-7}, {7, 1e9, 4e4}}; /* m, K, C */
@@ -443,7 +441,7 @@ TEST(hertz_dashpot_slowest_speed)
             check(dashpot(COR_END_ZERO_FORCE, COR_EPS, beta) > 0.2, "zero force parts at every speed");
         }
     }
-    /* eps = 1e-6: beta_c - beta = d with s d (1 + pi sqrt(s d/beta_c^5)) = 1e-6 to a relative d ln(d) */
+    /* eps = 1e-6: beta_c - beta = d with s d (1 + pi sqrt(s d/beta_c^5)) = 1e-6, up to a relative error d ln(d) */
     const double d = COR_HERTZ_DASHPOT_BETA_C - dashpot(COR_END_ZERO_OVERLAP, COR_DAMPING_OF_EPS, 1e-6),
                  x = 0.206987698804278902 * d;
     const double eps = x * (1 + 3.141592653589793 * sqrt(x / pow(COR_HERTZ_DASHPOT_BETA_C, 5)));
@@ -452,10 +450,10 @@ TEST(hertz_dashpot_slowest_speed)
 
 /* ---- oblique impacts ---- */
 
-/* x'' = -x^a, and from the turning point on an even and an odd solution of two linear systems beside it: displacements
- * s'' = -kappa x^(a-1) s, and velocities u' = -f with forces f' = kappa x^(a-1) u. State: x, x', then s, s' twice, then
- * f, u twice, the even one first. */
-enum { OBLIQUE = 10 }; /* behind these is r, -r^4 the time: x^(a-1) is smooth in r for exponents of quarters */
+/* x'' = -x^a, and from the turning point onward an even and an odd solution of two linear systems. These are
+ * displacements s'' = -kappa x^(a-1) s, and velocities u' = -f with forces f' = kappa x^(a-1) u. State: x, x', then s,
+ * s' twice, then f, u twice, the even solution first. */
+enum { OBLIQUE = 10 }; /* after these comes r; the time is -r^4, so x^(a-1) is smooth in r for exponents in quarters */
 
 static void oblique_slopes(long double *dy, const long double *y, const void *of)
 {
@@ -470,11 +468,11 @@ static void oblique_slopes(long double *dy, const long double *y, const void *of
     dy[OBLIQUE] = -1;
 }
 
-/* u'/u of both systems */
+/* Computes u'/u of both systems. */
 static void oblique_ratios(long double ratio[2], long double a, long double kappa)
 {
     const long double a_kappa[2] = {a, kappa}, first = powl(reference_crossley_elastic_half(a), 0.25L);
-    /* even s = 1, odd s' = 1; even u = 1, where the force is odd, and f = 1 */
+    /* even: s = 1, odd: s' = 1; even: u = 1, where the force is odd, and f = 1 */
     long double y[OBLIQUE + 1] = {powl((a + 1) / 2, 1 / (a + 1)), 0, 1, 0, 0, 1, 0, 1, 1, 0, first};
     struct ode o = {.slopes = oblique_slopes, .of = a_kappa, .n = OBLIQUE + 1, .longest = 0.1L};
     ode_advance(&o, y, first);
@@ -500,12 +498,12 @@ TEST(oblique_impacts)
         assert_true(cor_tangential_no_slip(a, a) == -1);
     }
     assert_true(cor_tangential_no_slip(4.5, 1.5) == 1);
-    /* the zeros of cos(pi sqrt(kappa)), and one double beside the first: pi^2 d/(-pi) */
+    /* the zeros of cos(pi sqrt(kappa)), and the double next to the first: pi^2 d/(-pi) */
     for (double n = 0.5; n < 900; n++)
         assert_true(cor_tangential_no_slip(n * n, 1) == 0);
     check_ulp(cor_tangential_no_slip(0.25 * (1 + DBL_EPSILON), 1),
               -acosl(-1) * (DBL_EPSILON / 4) * (1 - 0.25L * DBL_EPSILON), COR_NO_SLIP_MAX_ULP);
-    /* digits of mpfr next to zeros */
+    /* digits of mpfr close to zeros */
     check_ulp(cor_tangential_no_slip(0.00031801765149485283, 0.0006364401013624106), 1.4691851383330200549e-16L,
               COR_NO_SLIP_MAX_ULP);
     check_ulp(cor_tangential_no_slip(543421.90086554212, 0.03145269842658744), 6.9979058592045206601e-12L,
@@ -515,8 +513,8 @@ TEST(oblique_impacts)
         assert_true(isnan(cor_tangential_no_slip(wrong[i][0], wrong[i][1])));
 }
 
-/* x'' = -x^(3/2) and a displacement s that friction limits, |kappa x^(1/2) s| <= kappa x^(3/2)/u for the limit L = 1 of
- * u/v: where it slips, s stays at the limit. y = {x, x', s, s' in units of its first value} */
+/* x'' = -x^(3/2) and a displacement s limited by friction, |kappa x^(1/2) s| <= kappa x^(3/2)/u for the limit L = 1 of
+ * u/v. While slipping, s equals the limit. y = {x, x', s, s' in units of its first value} */
 struct friction {
     double kappa, u;
     int slips;
@@ -532,14 +530,14 @@ static void friction_slopes(long double *dy, const long double *y, const void *o
     dy[3] = -f->kappa * root * y[2];
 }
 
-/* Falls to 0 where it begins to slip, or to stick again. */
+/* Returns a value that falls to 0 when slip begins, or when sticking resumes. */
 static long double friction_room(const long double *y, const void *of)
 {
     const struct friction *const f = of;
     return f->slips ? (y[2] < 0 ? -y[3] : y[3]) - y[1] / f->u : y[0] / f->u - fabsl(y[2]);
 }
 
-/* u'/u; *first is the overlap at which it slips first, negative on the way back. */
+/* Returns u'/u. *first is the overlap at which slip begins first, negative during the rebound. */
 static double slipping_ratio(double kappa, double u, double *first)
 {
     static ode_value *const values[] = {motion_overlap, friction_room};
@@ -556,7 +554,7 @@ static double slipping_ratio(double kappa, double u, double *first)
     return (double)y[3];
 }
 
-/* The table of docs/theory.md, 20, and the angle of sticking: nothing slips while the spheres approach. */
+/* The table of docs/theory.md, 20, and the angle of sticking: no slip during the approach. */
 TEST(slip_in_oblique_impacts)
 {
     static const double nus[] = {0, 0.2, 0.25, 0.3, 0.4, 0.5}, parts[] = {1, 0.5, 0.25, 0.1};

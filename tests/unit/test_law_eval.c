@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The parts of runtime/table/law.h that only headers of `corgen law` use: the linear dashpot, and eps that falls
- * with a power of beta, both in closed form. tests/law/run tests them with the tables of such headers. */
+/* The parts of runtime/table/law.h that only headers of `corgen law` use, in closed form: the linear dashpot, and eps
+ * that decreases with a power of beta. tests/law/run tests them with the tables of such headers. */
 #include "check.h"
 
 #include "runtime/table/law.h"
 
-/* In place of a table: no closed form reads a row. */
+/* Replaces a table: no closed form reads a row. */
 static const double *no_rows(int row)
 {
     static const double zeros[16];
@@ -27,7 +27,7 @@ static struct cor_inline_law_inverse inverse_without_rows(void)
     return inverse;
 }
 
-/* x'' + beta x' + x = 0 */
+/* Returns the quantity of x'' + beta x' + x = 0. */
 static struct cor_inline_law_quantity linear(void)
 {
     struct cor_inline_law_quantity q = without_rows();
@@ -68,7 +68,7 @@ TEST(linear_beta)
               "beta of loss 2^%d", k);
 }
 
-/* Beyond the other rows the duration of a law whose ends fade is a row times eps^(-num/den). */
+/* Beyond the other rows, the duration of a law with fading ends is a row times eps^(-num/den). */
 static const double *rows_of_3_4(int row)
 {
     static const double three_quarters[16] = {0.75};
@@ -113,7 +113,7 @@ TEST(falling_beta)
     }
 }
 
-/* Both exponents count, and a number 200 octaves below the other is left out. */
+/* Both exponents count. A number 200 octaves below the other is omitted. */
 TEST(sums_of_scaled_pairs)
 {
     for (size_t i = 0; i < points(2000); i++) {

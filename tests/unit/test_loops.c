@@ -1,34 +1,34 @@
 /* SPDX-License-Identifier: MIT */
-/* The loops of arrays are their scalars to the last bit: every function of laws and contacts, every instruction set,
- * any length, any place; and the error of the arrays of floats. (Public array functions: test_environment.c.) */
+/* The loops of arrays equal their scalar functions to the last bit: every function of laws and contacts, every
+ * instruction set, any length, any place. The error of float arrays. (Public array functions: test_environment.c.) */
 #include "check.h"
 
 #include <cor/cor.h>
 
 #include "runtime/table/row_loops.h"
 
-/* SHORT: lengths up to it are all tried; BLOCKS: parts of the arguments that are of one kind each */
+/* SHORT: all lengths up to it are tested. BLOCKS: parts of the arguments, each of one kind */
 enum { MANY = 20000, SHORT = 40, BLOCKS = 40 };
 
-static size_t many; /* MANY, or fewer where COR_TEST_DIVISOR asks for fewer */
+static size_t many; /* MANY, or fewer with COR_TEST_DIVISOR */
 
 static const char *const set_name[COR_INSTRUCTION_SETS] = {"portable", "AVX2", "AVX-512"};
 
-/* In place of the library's function, so that its arrays use the set that a test chooses */
+/* Replaces the library's function, so that its arrays use the set that a test selects. */
 static int set;
 int cor_array_set(void)
 {
     return set;
 }
 
-/* An array function and its scalar function, which a law, a contact, or a contact and eps has */
+/* An array function and its scalar function, of a law, of a contact, or of a contact and eps */
 typedef void contact_array(const struct cor_sphere_contact *contact, const double *speed, double *y, size_t n);
 typedef void eps_array(const struct cor_sphere_contact *contact, const double *speed, const double *eps, double *y,
                        size_t n);
 struct loop {
     const char *name;
     const struct cor_law_function *law;
-    int floats; /* of a law */
+    int floats; /* array of a law */
     contact_array *of_speed;
     double (*one)(const struct cor_sphere_contact *contact, double speed);
     eps_array *of_eps;
@@ -66,9 +66,9 @@ static int same(const struct loop *l, const void *a, const void *b)
 
 /* ---- arguments ---- */
 
-/* Of every kind, so that a vector has numbers inside the tables and outside; then, block by block, numbers that every
- * function has rows for, those near 0, and those whose products may be subnormal floats. Rows end or change at the
- * seams. */
+/* Draws arguments of every kind, so that a vector has numbers inside and outside the tables. Then, block by block:
+ * numbers for which every function has rows, numbers near 0, and numbers whose products may be subnormal floats. Rows
+ * end or change at the seams. */
 static void fill(double *drawn)
 {
     static const double special[] = {0.0,     -0.0,  NAN,  INFINITY, -INFINITY, -1,      4.9406564584124654e-324,
@@ -126,7 +126,7 @@ union column {
     float of_floats[MANY + 8];
 };
 
-/* Arguments, results, and those of the scalar function */
+/* Arguments, results, and results of the scalar function */
 static union column x, eps, y, exact;
 
 static void *at(const struct loop *l, union column *column, size_t i)
@@ -146,7 +146,7 @@ static void run(const struct loop *l, const void *in, const void *of_eps, void *
         l->of_eps(l->contact, in, of_eps, out, n);
 }
 
-/* Results of n arguments from number `first` on */
+/* Compares the results of n arguments, starting with number `first`. */
 static void compare(const struct loop *l, const char *how, size_t first, size_t n)
 {
     for (size_t i = first; i < first + n; i++)
@@ -160,7 +160,7 @@ static void check_loop(const struct loop *l, const double *drawn)
     const int widest = set;
     for (size_t i = 0; i < many; i++) {
         const double mirrored = fabs(drawn[many - 1 - i]);
-        if (l->floats) { /* one by one without vectors */
+        if (l->floats) { /* one by one, without vectors */
             x.of_floats[i] = (float)drawn[i];
             set = COR_PORTABLE;
             l->law->arrayf(&x.of_floats[i], &exact.of_floats[i], 1);
@@ -215,7 +215,7 @@ static void fill_contacts(struct cor_sphere_contact contact[CONTACTS])
     assert_int_equal(cor_sphere_contact_init(&contact[5], NULL, NULL), COR_ERROR_NULL); /* all NaN */
 }
 
-/* The functions of laws, each once: linear and Tsuji share some, and ends of contact others. */
+/* Lists the functions of laws, each once: linear and Tsuji share some, and so do ends of contact. */
 static size_t law_loops(struct loop *loops)
 {
     size_t count = 0;
@@ -265,7 +265,7 @@ TEST(every_set)
 
 /* ---- float arithmetic ---- */
 
-/* In units of the last place of a float; 0 if both are infinite as floats */
+/* Returns the error in units of the last place of a float; 0 if both are infinite as floats. */
 static double float_error(float computed, double exact)
 {
     int exponent;
@@ -275,7 +275,7 @@ static double float_error(float computed, double exact)
     return fabs((double)computed - exact) / ldexp(1, (exponent < FLT_MIN_EXP ? FLT_MIN_EXP : exponent) - FLT_MANT_DIG);
 }
 
-/* Within the tables, of products that are subnormal, beyond the tables, and special values */
+/* Arguments within the tables, with subnormal products, beyond the tables, and special values */
 TEST(float_arithmetic)
 {
     static const float special[] = {0, -0.0F, INFINITY, NAN, -NAN, -INFINITY, -1, -FLT_MIN, -1e-45F};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A sphere on a thin plate: the contact's fields, sphere and plate integrated as two bodies, a plate with edges,
- * published approximations, and what the theory takes for granted. */
+/* A sphere on a thin plate: the fields of the contact, sphere and plate integrated as two bodies, a plate with edges.
+ * Published approximations, and the conditions of the theory. */
 #include "check.h"
 
 #include <cor/cor.h>
@@ -43,7 +43,7 @@ TEST(fields)
         /* Zener's lambda */
         const long double lambda = m / z * root * powl(s.speed, 0.2L);
         check_ulp(cor_plate_lambda(&c, s.speed), lambda, COR_CONTACT_MAX_ULP);
-        /* the end of contact is the sphere's zero overlap, not the other one */
+        /* the end of contact is the zero overlap of the sphere */
         const double eps = cor_contact_eps_zero_overlap(&c, s.speed), beta = 1.5 * (double)lambda;
         assert_true(fabs(eps - cor_sphere_eps_zero_overlap(beta)) <= 1e-14);
     }
@@ -88,8 +88,8 @@ TEST(refused)
 
 /* ---- two bodies ---- */
 
-/* Speed of the sphere after contact in units of the impact speed: m u' = -F, w' = F/Z, F = K (s - w)^(3/2), in scaled
- * units with Z = 1/lambda; y = {sqrt(s - w), u, t} by dt = 2 sqrt(s - w) d sigma, in which all is smooth. */
+/* Computes the speed of the sphere after contact in units of the impact speed. In scaled units with Z = 1/lambda, m
+ * u' = -F, w' = F/Z, F = K (s - w)^(3/2). With dt = 2 sqrt(s - w) d sigma all of y = {sqrt(s - w), u, t} is smooth. */
 static void two_bodies_slopes(long double *dy, const long double *y, const void *lambda)
 {
     const long double force = motion_power(y[0], 3);
@@ -127,8 +127,8 @@ TEST(against_two_bodies)
 
 /* ---- a plate with edges ----
  *
- * A simply supported square plate of side l, hit in its middle: its modes sin(i pi x/l) sin(j pi y/l), i and j odd, are
- * propagated exactly under a force that is constant in a step. No impedance and no infinite plate are in it. */
+ * A simply supported square plate of side l, hit in its middle. Its modes sin(i pi x/l) sin(j pi y/l), i and j odd, are
+ * propagated exactly under a force that is constant within a step. This uses no impedance and no infinite plate. */
 enum { HARMONICS = 50 };
 
 struct square_plate {
@@ -136,7 +136,7 @@ struct square_plate {
     double cosine[HARMONICS * HARMONICS], sine[HARMONICS * HARMONICS];
 };
 
-/* Scaled units: mass, stiffness and speed 1, plate of mass 1 per area and impedance 1/lambda */
+/* Returns eps in scaled units: mass, stiffness and speed 1, plate of mass 1 per area and impedance 1/lambda. */
 static double square_plate_eps(double lambda, double side, double dt)
 {
     static struct square_plate plate;
@@ -196,14 +196,14 @@ TEST(a_plate_with_edges)
 
 TEST(published)
 {
-    /* exp(-1.719 lambda), a fit to Zener's curve in use since 1941: its 1.719 is 1.73017 = -(3/2) C_1 at small lambda
-     */
+    /* exp(-1.719 lambda), a fit to Zener's curve in use since 1941; the exact number is 1.73017 = -(3/2) C_1 for small
+     * lambda */
     for (double lambda = 0.01; lambda < 0.8; lambda += 0.01)
         assert_true(fabs(cor_sphere_eps_zero_overlap(1.5 * lambda) - exp(-1.719 * lambda)) < 0.022);
     assert_true(fabs(cor_sphere_loss_zero_overlap(1.5e-6) / 1e-6 - 1.730173) < 1e-5);
 }
 
-/* ---- what is taken for granted ---- */
+/* ---- conditions of the theory ---- */
 
 TEST(conditions)
 {
@@ -225,7 +225,7 @@ TEST(conditions)
         check_nan(cor_plate_least_half_width_m(&c, &s.plate, 0), cor_plate_shear_crossings(&c, &s.plate, -1),
                   cor_plate_contact_radius_ratio(&c, &s.plate, INFINITY),
                   cor_plate_sphere_crossings(&c, &s.sphere, NAN));
-        /* numbers that a plate cannot have, though the formulas may have a value there */
+        /* numbers that a plate cannot have, although the formulas may have a value there */
         struct cor_plate wrong[] = {s.plate, s.plate, s.plate, s.plate, s.plate};
         wrong[0].thickness_m = -1;
         wrong[1].thickness_m = 0;
@@ -235,7 +235,7 @@ TEST(conditions)
         for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++)
             check_nan(cor_plate_least_half_width_m(&c, &wrong[k], 1), cor_plate_contact_radius_ratio(&c, &wrong[k], 1),
                       cor_plate_shear_crossings(&c, &wrong[k], 1));
-        for (int k = 0; k < 6; k++) { /* nor has a sphere 0 or less of these */
+        for (int k = 0; k < 6; k++) { /* a sphere cannot have 0 or less of these */
             struct cor_body body = s.sphere;
             *(k / 2 == 0 ? &body.young_modulus_pa : k / 2 == 1 ? &body.radius_m : &body.mass_kg) = -k % 2;
             check_nan(cor_plate_sphere_crossings(&c, &body, 1));

@@ -23,7 +23,7 @@ static struct relaxed_disk *finite_disk(size_t points)
     return relaxed_disk_of_modes(&cor_disk_modes_nu033, 1300, 500, points);
 }
 
-/* Found by another program, which minimises over the amplitudes Q of all modes. */
+/* Values from another program, which minimises over the amplitudes Q of all modes. */
 TEST(loads_of_1300_modes)
 {
     struct relaxed_disk *disk = finite_disk(128);
@@ -42,7 +42,7 @@ static double kernel_at(const struct relaxed_disk *disk, size_t i, size_t j)
     return disk->kernel[i * disk->points + j];
 }
 
-/* The sum of (40) and (42), mode by mode */
+/* Returns the sum of (40) and (42), mode by mode. */
 static double kernel_mode_by_mode(size_t n_modes, double phi, double psi)
 {
     double sum = 0;
@@ -76,7 +76,7 @@ TEST(kernel_is_the_sum_over_modes_and_symmetric)
     free(all);
 }
 
-/* Half of f . G f, the energy that a pressure f = cos(phi)^power stores */
+/* Returns half of f . G f, the energy that a pressure f = cos(phi)^power stores. */
 static double energy_of_smooth_pressure(const struct relaxed_disk *disk, size_t points, int power)
 {
     const double step = pi / 2 / (double)points;
@@ -87,7 +87,7 @@ static double energy_of_smooth_pressure(const struct relaxed_disk *disk, size_t 
     return 2 * step * step * sum;
 }
 
-/* What the modes beyond omega add is proportional to 1/omega: 2 G(4 N) - G(N) has nearly all of it. */
+/* The part of the modes beyond omega is proportional to 1/omega, so 2 G(4 N) - G(N) contains nearly all of it. */
 TEST(all_modes_are_the_limit_of_many)
 {
     enum { POINTS = 60 };
@@ -108,7 +108,7 @@ TEST(all_modes_are_the_limit_of_many)
     }
 }
 
-/* The equation of the header with what was found, and the load as the integral of the pressure */
+/* The result satisfies the equation in the header, and the load is the integral of the pressure. */
 TEST(the_pressure_solves_the_equation)
 {
     const double alpha = 500, compression = 0.15;
@@ -129,8 +129,8 @@ TEST(the_pressure_solves_the_equation)
     free(disk);
 }
 
-/* dE/dx_0 = P, from five points. Ten modes cannot follow a hard wall: it touches them at a few places only, and the way
- * there has many stages. */
+/* dE/dx_0 = P, from five points. Ten modes cannot adapt to a hard wall: it touches them at a few places only, and the
+ * path to that state has many stages. */
 TEST(the_load_is_the_slope_of_the_energy)
 {
     const struct {
@@ -167,7 +167,7 @@ TEST(neither_the_way_nor_the_number_of_points_matters)
     free(finer);
 }
 
-/* The harder the wall, the nearer to the law of (57) with the centre of mass as datum. */
+/* The harder the wall, the closer to the law of (57) with the centre of mass as datum. */
 TEST(a_hard_wall_gives_the_contact_law)
 {
     leave_to_turn(0, 2);

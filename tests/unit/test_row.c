@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Tables of rows (runtime/table/row.h): each row and the next give the same number where their cells meet. A wrong
- * number in any row shows, without a reference. */
+/* Tables of rows (runtime/table/row.h): each row and the next one give the same number where their cells meet. This
+ * detects a wrong number in any row, without a reference. */
 #include "check.h"
 
 #include "generated/disk_law_tables.h"
@@ -16,7 +16,7 @@
 struct table {
     const char *name;
     const double *(*rows)(int);
-    int count, roots; /* roots: number of the first row that is used at a root's square, or count */
+    int count, roots; /* roots: the first row that is used at the square of a root, or count */
     double first, step;
 };
 
@@ -29,7 +29,7 @@ struct table {
 #define ROOT_GRID(name, NAME) TABLE(name, NAME, PLAIN_ROWS, AT(NAME))
 /* a place in a cell does not depend on its octave */
 #define OCTAVES(name, NAME) TABLE(name, NAME, ROWS, 0, 1.0 / (1 << COR_ROWS_##NAME##_OCTAVE_BITS))
-/* of spheres, with a tail; of Hertz's dashpot, near 0 and farther */
+/* spheres, with a tail; Hertz's dashpot, near 0 and beyond */
 #define TAILED(name, NAME) GRID(name, NAME), GRID(tail_##name, TAIL_##NAME)
 #define NEAR(name, NAME) GRID(hertz_dashpot_near_##name, HERTZ_DASHPOT_NEAR_##NAME)
 #define FAR(name, NAME) OCTAVES(hertz_dashpot_##name, HERTZ_DASHPOT_##NAME)
@@ -91,7 +91,7 @@ static const struct table tables[] = {
     OCTAVES(disk_load_factor, DISK_LOAD_FACTOR),
 };
 
-/* The value of row i at half a cell from its node, to one side */
+/* Returns the value of row i at half a cell from its node, to one side. */
 static double end_of(const struct table *t, int i, double side)
 {
     const double at = side * t->step / 2, node = t->first + i * t->step;

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* Contacts of random scenes, each against its formula: unlike bodies, every way to give the damping of every law, and a
- * liquid around a contact that damps. */
+ * liquid around a damped contact. */
 #include "runtime/number/si_range.h"
 #include "scene.h"
 
 #include "cor/contact.h"
 
 /* Mass, stiffness, radius and dissipation time of two bodies whose numbers all differ, or of a body and a wall. The
- * second body has the numbers of the first where it lacks its own. */
+ * second body uses the numbers of the first where it has none. */
 TEST(unlike_bodies)
 {
     enum { YOUNG, POISSON, RADIUS, DENSITY, MASS, TIME, VISCOSITY, BULK, NUMBERS };
@@ -45,7 +45,7 @@ TEST(unlike_bodies)
         check_near(contacts[0].mass_kg, 1 / mass, 1e-14);
         check_near(contacts[0].stiffness, 4 / (3 * compliance) * sqrtl(1 / curvature), 1e-14);
         check_near(cor_scene_damping(&contacts[0], COR_SCENE_DISSIPATION_TIME), lost / compliance, 1e-13);
-        /* the largest force that is a double, and a little more */
+        /* the largest force that is a double, and slightly more */
         scene.number[COR_SCENE_GRAVITY] = COR_SI_MOST / contacts[0].mass_kg * (i % 8 ? 1 - 1e-9 : 1 + 1e-9);
         if (scene.wall && mass < 1) {
             assert_int_equal(cor_scene_contacts(contacts, &count, &fault, &scene), i % 8 ? 0 : COR_FAULT_RANGE);
@@ -55,8 +55,8 @@ TEST(unlike_bodies)
 }
 
 /* C = beta m (K/m)^((b+1)/(a+1)) g^-q; zeta = beta/sqrt(2 (a + 1)) where q = 0; A = C/(3 K/2); eps at either end; 1 -
- * eps = (g/g*)^q of slow impacts. A liquid takes its speed once before the contact, which is that of dry bodies, and
- * once after it. */
+ * eps = (g/g*)^q for slow impacts. A liquid takes speed once before the contact and once after it. The contact itself
+ * is dry. */
 TEST(every_law)
 {
     for (int i = 0; i < 40 * COR_LAW_PLATE; i++) {
@@ -89,7 +89,7 @@ TEST(every_law)
         }
         if (q > 0)
             check_near(1 - scene_eps(&c, cor_scene_damping(&c, COR_SCENE_G_STAR) * pow(1e-7, 1 / q), 0), 1e-7, 1e-5);
-        /* a restitution without its end, of a law whose ends differ, is a contact for each */
+        /* a restitution without its end gives a contact for each end, if the ends of the law differ */
         struct cor_scene scene = scene_without_numbers((enum cor_law)(i % COR_LAW_PLATE));
         struct cor_scene_contact both[COR_SCENE_ENDS], wet = c;
         struct cor_scene_fault fault;
@@ -112,7 +112,7 @@ TEST(every_law)
     }
 }
 
-/* IEEE 754, except that results above 2^1022 may be infinite and powers below 2^-1019 may be 0; x^NaN is NaN */
+/* Checks IEEE 754, but results above 2^1022 may be infinite and powers below 2^-1019 may be 0; x^NaN is NaN. */
 static void check_quiet(double quiet, double exact, char operation, double x, double y)
 {
     const int is_power = operation == '^', is_edge = (isinf(quiet) && exact > 0x1p1022) ||

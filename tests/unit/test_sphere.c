@@ -19,7 +19,7 @@ struct reference {
     long double duration_zero_overlap, duration_zero_force, max_overlap, time_of_max_overlap;
 };
 
-/* A function of beta, its bound, and where struct reference has it. */
+/* A function of beta, its bound, and its place in struct reference */
 struct function {
     const char *name;
     sphere_function *value;
@@ -53,7 +53,7 @@ static long double field(const struct reference *r, const struct function *f)
     return value;
 }
 
-/* C_1 by (30), in long double from libm's Gamma: not the library's digits */
+/* Returns C_1 by (30), in long double from libm's Gamma, not from the digits of the library. */
 static long double c1_exact(void)
 {
     return -sqrtl(acosl(-1)) * tgammal(0.6L) / (powl(2, 0.2L) * powl(5, 0.4L) * tgammal(2.1L));
@@ -61,7 +61,7 @@ static long double c1_exact(void)
 
 /* ---- values ---- */
 
-/* corgen collide, by integration in balls; those of eps at 0.5, 1 and 5 were known before. */
+/* From corgen collide, by integration in balls. eps at 0.5, 1 and 5 was known before. */
 static const struct {
     double beta;
     struct reference value;
@@ -111,13 +111,13 @@ TEST(known_answers)
     }
 }
 
-/* x = w^2: Hertz's spring, and its damper */
+/* Returns the force of Hertz's spring and its damper, where x = w^2. */
 static long double force(long double w, long double v, const void *beta)
 {
     return w * w * w + *(const double *)beta * w * v;
 }
 
-/* By another route; tests/accuracy/test_accuracy.c has the many points, all sizes of beta, and the inverse */
+/* By another route. tests/accuracy/test_accuracy.c has many points, all magnitudes of beta, and the inverse. */
 TEST(against_the_equation_of_motion)
 {
     for (size_t i = 0; i < points(400); i++) {
@@ -127,17 +127,16 @@ TEST(against_the_equation_of_motion)
                                     c.duration[0], c.duration[1], c.max_overlap, c.time_of_max_overlap};
         for (int k = 0; k < FUNCTIONS; k++) {
             const long double exact = field(&r, &functions[k]);
-            /* 1 - eps has lost its digits where it is small */
+            /* 1 - eps loses digits if it is small */
             if (exact > 0.02L || functions[k].at_zero > 0)
                 check_ulp(functions[k].value(beta), exact, functions[k].max_ulp + 0.06);
         }
     }
 }
 
-/* Where mu = beta^(-5/3) is below the last bit, everything but the duration at zero overlap is in closed form
- * (docs/theory.md, 8): with X = (3/2)^(2/3), eps = X beta^(-5/3), x_max = X beta^(-2/3),
- * t_max = beta^(-2/3) (2/3) X (5/3 ln(beta) + ln(3/X) + K), K = ln(3)/2 - sqrt(3) pi/6, and at zero force twice the
- * logarithm and ln(3/sqrt(X)). */
+/* If mu = beta^(-5/3) is below the last bit, closed forms exist for everything except the duration at zero overlap
+ * (docs/theory.md, 8). With X = (3/2)^(2/3): eps = X beta^(-5/3), x_max = X beta^(-2/3), t_max = beta^(-2/3) (2/3) X
+ * (5/3 ln(beta) + ln(3/X) + K), K = ln(3)/2 - sqrt(3) pi/6. At zero force: twice the logarithm, and ln(3/sqrt(X)). */
 TEST(infinitely_strong_damping)
 {
     const long double x = cbrtl(2.25L), constant = logl(3) / 2 - sqrtl(3) * acosl(-1) / 6;
@@ -156,7 +155,7 @@ TEST(infinitely_strong_damping)
             check(ulp_error(functions[k].value(beta), exact[k]) <= functions[k].max_ulp + 0.06, "%s(%a)",
                   functions[k].name, beta);
     }
-    /* (10/3) beta ln(beta) + constant beta, the constant from beta = 1e6: corrections are below mu ln(beta)^2 */
+    /* (10/3) beta ln(beta) + constant beta, with the constant from beta = 1e6: corrections are below mu ln(beta)^2 */
     const long double offset = 44460573.4621438107589L / 1e6L - 10 * logl(1e6L) / 3;
     for (double beta = 1e8; beta < 1e300; beta *= 1e7)
         check(fabsl(cor_sphere_duration_zero_overlap(beta) / (beta * (10 * logl(beta) / 3 + offset)) - 1) < 1e-9L, "%g",
@@ -189,7 +188,7 @@ TEST(special_values)
         assert_true(f(smallest) < DBL_MAX && f(smallest) > 1e60);
         assert_true(f(DBL_MIN) > f(nextafter(DBL_MIN, 1)) || f(DBL_MIN) == f(nextafter(DBL_MIN, 1)));
     }
-    /* underflow of the power law: from 5e64 on, h*^5 beta^-5 is less than half of the smallest number */
+    /* underflow of the power law: from 5e64 onward, h*^5 beta^-5 is below half of the smallest number */
     assert_true(cor_sphere_eps_zero_overlap(1.1e65) == 0 && cor_sphere_eps_zero_overlap(1e64) > 0);
     assert_true(cor_sphere_eps_zero_force(1e200) == 0 && cor_sphere_eps_zero_force(1e190) > 0);
 }
@@ -208,9 +207,9 @@ static void never_rises(int end, double beta, int count)
     }
 }
 
-/* Around every power of two 2^-k, at every double whose eps lies from 2^-k to 2^-k + u/2, u one ulp there: the only
- * doubles for which eps falling and errors below an ulp do not decide the order (docs/theory.md, 18). The walk
- * begins with a result of 2^-k + 2 u and ends with 2^-k - u, so that eps itself is outside at both ends. */
+/* Around every power of two 2^-k, tests every double whose eps is from 2^-k to 2^-k + u/2, u one ulp there. Only for
+ * these does the order not follow from a decreasing eps and errors below an ulp (docs/theory.md, 18). The walk begins
+ * with a result of 2^-k + 2 u and ends with 2^-k - u, so eps itself is outside at both ends. */
 TEST(falls_at_powers_of_two)
 {
     enum { FARTHEST = 64 };
@@ -228,20 +227,20 @@ TEST(falls_at_powers_of_two)
         }
 }
 
-/* ln(f) by ln(beta): the difference quotient between beta and beta (1 + 2^-10) */
+/* Returns the slope of ln(f) over ln(beta): the difference quotient between beta and beta (1 + 2^-10). */
 static double slope(sphere_function *f, double beta)
 {
     const double next = beta * (1 + 0x1p-10);
     return log(f(next) / f(beta)) / log(next / beta);
 }
 
-/* The time from zero force to zero overlap over beta */
+/* Returns the time from zero force to zero overlap, divided by beta. */
 static double creep(double beta)
 {
     return (cor_sphere_duration_zero_overlap(beta) - cor_sphere_duration_zero_force(beta)) / beta;
 }
 
-/* The bounds of derivatives by ln(beta) in docs/theory.md, 4. A difference quotient is between the bounds, too. */
+/* The bounds of derivatives by ln(beta) in docs/theory.md, 4. They also bound a difference quotient. */
 TEST(derivatives)
 {
     const double slack = 1e-9; /* rounding errors of a quotient */
@@ -260,13 +259,13 @@ TEST(derivatives)
         check(slope(creep, beta) >= -slack, "beta = %a: creep, %g", beta, slope(creep, beta));
         check(most >= -2 / 3.0 - slack && most <= slack, "beta = %a: largest overlap, %g", beta, most);
     }
-    /* numbers of the proofs */
+    /* numbers from the proofs */
     check(cor_sphere_duration_zero_force(2.6) / 2.6 > 0.89, "%a", cor_sphere_duration_zero_force(2.6));
     check(creep(2.6) > 1.74, "%a", creep(2.6));
     check(sqrt(cor_sphere_eps_zero_force(7) * 16807) > 26.8, "%a", cor_sphere_eps_zero_force(7));
 }
 
-/* ---- constants, and what is kept of 1999 ---- */
+/* ---- constants, and functions of 1999 ---- */
 
 TEST(constants)
 {
@@ -277,7 +276,7 @@ TEST(constants)
     check(fabsl(2 * powl(1.25L, 0.6L) * d + c1) < 1e-17L, "2 (5/4)^(3/5) d = |C_1|");
 }
 
-/* The root of (27) in long double by bisection in ln eps. */
+/* Returns the root of (27) in long double by bisection in ln eps. */
 static long double simple_exact(long double c)
 {
     long double low = -1e3L, high = 0;
@@ -298,7 +297,7 @@ TEST(simple_theory)
         const double beta = i % 2 ? random_uniform(&draw, 0, 20) : random_log(&draw, 1e-20, 1e195);
         const long double c = c1 * beta;
         const long double exact = simple_exact(c);
-        /* bisection in the logarithm loses |ln eps| 1e-19: below a tenth of a unit */
+        /* bisection in the logarithm loses |ln eps| 1e-19, below a tenth of a unit */
         check_ulp(cor_sphere_eps_simple(beta), exact, COR_SPHERE_EPS_SIMPLE_MAX_ULP);
         const int depth = (int)(i % 7);
         long double t = 1;
@@ -324,14 +323,14 @@ TEST(simple_theory_special_values)
                     cor_sphere_eps_simple_fraction(*large, 4) == 0 && cor_sphere_eps_published_pade(*large) == 0);
     assert_true(cor_sphere_eps_simple_fraction(1, 0) == 1);
     check_nan(cor_sphere_eps_simple_fraction(1, -1));
-    /* the limit of (28) is the root of (27), from above */
+    /* (28) converges to the root of (27) from above */
     check_near(cor_sphere_eps_simple_fraction(1, 200), cor_sphere_eps_simple(1), 8 * DBL_EPSILON);
     for (int depth = 0; depth < 20; depth++)
         assert_true(cor_sphere_eps_simple_fraction(1.5, depth) > cor_sphere_eps_simple_fraction(1.5, depth + 1));
     assert_true(cor_sphere_eps_simple_fraction(1, 2147483647) > 0.36);
 }
 
-/* How wrong the approximations of 1999 are is documented: sphere.h says these numbers. */
+/* The documented errors of the approximations of 1999: sphere.h states these numbers. */
 TEST(documented_errors_of_1999)
 {
     static const double claim[][3] = {{0.5, 1.006, 1.016}, {1, 1.05, 1.11}, {2, 1.51, 1.88}};

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The stack that public functions take, for simulators that call them from threads with little of it, and which of them
- * allocate memory: every function of the list that the bindings read. A thread runs on painted memory, and what is not
- * paint afterwards was used. */
+/* The stack that public functions use, for simulators that call them from threads with a small stack, and the functions
+ * that allocate memory. Covers every function in the list of the bindings. A thread runs on painted memory; memory
+ * without paint afterwards was used. */
 #define _POSIX_C_SOURCE 200809L
 #include "check.h"
 
@@ -12,7 +12,7 @@
 enum { SIZE = 1 << 20, PAINT = 0xa5, SETS = 12, MOST_RESULTS = 100000 };
 
 static unsigned char stack[SIZE] __attribute__((aligned(4096)));
-static struct results results; /* with room, so that none is made on the painted stack, nor counts as the library's */
+static struct results results; /* allocated before: not on the painted stack, nor counted */
 
 static int setup(void **state)
 {
@@ -29,7 +29,7 @@ static int setup(void **state)
         arguments_draw(&sets[i], &random.source, PUBLIC_COUNT, 1);
         scene_sets_draw(i, &random.source);
     }
-    /* The first set is one that every function of disks accepts, with many speeds near one another. */
+    /* The first set is accepted by every function of disks, with many neighbouring speeds. */
     struct arguments *const a = &sets[0];
     for (size_t i = 0; i < PUBLIC_COUNT; i++)
         a->speed[i] = 1e-3 * (1 + 0.01 * (double)i);
@@ -41,7 +41,7 @@ static int setup(void **state)
     return 0;
 }
 
-/* ---- how much stack ---- */
+/* ---- use of stack ---- */
 
 static const struct public_function *called;
 
@@ -55,7 +55,7 @@ static void *call_with_all(void *unused)
     return NULL;
 }
 
-/* Bytes of the painted stack that are in use after a thread has called the function, or none */
+/* Returns the bytes of the painted stack in use after a thread has called the function, or none. */
 static size_t stack_taken(const struct public_function *function)
 {
     pthread_attr_t attributes;
@@ -73,7 +73,7 @@ static size_t stack_taken(const struct public_function *function)
     return SIZE - free_bytes;
 }
 
-/* Bytes that the headers state, by the beginning of the name; the first that fits */
+/* Returns the bytes that the headers state; the first name that is a prefix counts. */
 static size_t stack_stated(const struct public_function *function, int of_scene)
 {
     static const struct {
@@ -103,7 +103,7 @@ static size_t stack_stated(const struct public_function *function, int of_scene)
 TEST(stack_of_functions)
 {
 #if defined __SANITIZE_ADDRESS__ || !defined __OPTIMIZE__
-    skip(); /* instrumented or not optimized, functions take more */
+    skip(); /* functions need more if instrumented or not optimized */
 #endif
     const size_t thread = stack_taken(NULL);
     for (size_t k = 0; k < function_count(); k++) {
@@ -114,7 +114,7 @@ TEST(stack_of_functions)
     }
 }
 
-/* ---- who allocates ---- */
+/* ---- allocations ---- */
 
 static size_t allocations;
 
@@ -135,7 +135,7 @@ WRAP(realloc, (void *old, size_t size), (old, size))
 TEST(only_these_allocate)
 {
 #ifndef COR_TEST_WRAPS_MALLOC
-    skip(); /* this linker replaces no function of the library */
+    skip(); /* this linker cannot replace functions of the library */
 #endif
     static const char *const allocating[] = {"cor_disk_modes_compute", "cor_disk_rayleigh_array",
                                              "cor_disk_collision",     "cor_disk_collision_array",

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What elastic waves take: known values, another contour for J(nu), the sphere and half-space of one material and of
+/* The loss to elastic waves: known values, another contour for J(nu), sphere and half-space of one material and of
  * two. */
 #include "check.h"
 
@@ -14,13 +14,12 @@ TEST(known_values)
     check_near(cor_half_space_wave_coefficient(0.33), 1.1475532, 5e-8);
     check_nan(cor_half_space_wave_factor(-1), cor_half_space_wave_factor(0.5000001), cor_half_space_wave_factor(NAN),
               cor_half_space_wave_coefficient(-1), cor_half_space_wave_coefficient(INFINITY));
-    /* Rayleigh waves carry 67 % at nu = 1/4 (Miller and Pursey): the rest is the integral over the body waves, positive
-     */
+    /* Rayleigh waves carry 67 % at nu = 1/4 (Miller and Pursey); the rest, the integral over body waves, is positive */
     assert_true(cor_half_space_wave_factor(0.5) > 0.65 && cor_half_space_wave_factor(-0.999999) < 3.84);
 }
 
-/* J = Im int x a/R dx over a half circle from 0 to 2 above the branch points and the Rayleigh pole: by the trapezoidal
- * rule after a substitution that flattens both ends */
+/* Returns J = Im int x a/R dx over a half circle from 0 to 2 above the branch points and the Rayleigh pole. Uses the
+ * trapezoidal rule after a substitution that flattens both ends. */
 static long double factor_by_contour(long double nu)
 {
     const long double pi = acosl(-1), g2 = (1 - 2 * nu) / (2 * (1 - nu)), end = 3.4L, step = 0.004L;
@@ -30,7 +29,7 @@ static long double factor_by_contour(long double nu)
         const long double du = pi * coshl(t) * u * below, angle = pi * below;
         /* x = 1 - cos(pi u) + i sin(pi u) = 1 + exp(i pi (1 - u)) */
         const long double complex x = 1 + cexpl(I * angle), dx = -I * pi * cexpl(I * angle), x2 = x * x;
-        /* the roots that are positive where x is real and large, without a cut above the real axis */
+        /* the roots that are positive for large real x, without a cut above the real axis */
         const long double root_g = sqrtl(g2);
         const long double complex a = csqrtl(x - root_g) * csqrtl(x + root_g), b = csqrtl(x - 1) * csqrtl(x + 1);
         const long double complex d = (2 * x2 - 1) * (2 * x2 - 1) - 4 * x2 * a * b;
@@ -62,12 +61,12 @@ TEST(collisions)
         const struct cor_half_space block = {young, nu, density};
         struct cor_sphere_contact contact;
         assert_int_equal(cor_sphere_contact_init(&contact, &sphere, &wall), COR_OK);
-        /* the general formula, and the one of one material, in which radius and modulus cancel */
+        /* the general formula, and the one for one material, where radius and modulus cancel */
         check_near(cor_contact_wave_loss(&contact, &block, speed),
                    cor_half_space_wave_coefficient(nu) * powl(speed / sqrtl((long double)young / density), 0.6L),
                    5e-14);
     }
-    /* a rigid sphere of the block's density: 2.553631 and 2.600216 */
+    /* a rigid sphere with the density of the block: 2.553631 and 2.600216 */
     for (int k = 0; k < 2; k++) {
         const double nu = k ? 0.3 : 0.25, wanted = k ? 2.600216 : 2.553631;
         const struct cor_body rigid = sphere_of(INFINITY, 0.2, 2000, 0.01), wall = {1e10, nu, 0, INFINITY, INFINITY};
@@ -84,8 +83,8 @@ TEST(collisions)
     }
 }
 
-/* Every size of each number, so that most of the powers and quotients in the formula are no doubles: against its
- * logarithm. From speed 0 on. */
+/* All magnitudes of each number, so that most powers and quotients in the formula are not doubles. The reference is the
+ * logarithm of the formula. Includes speed 0. */
 TEST(every_size)
 {
     size_t moderate = 0;
@@ -102,7 +101,7 @@ TEST(every_size)
         const long double rest = log2l(0.605718214220582471607L) + log2l(cor_half_space_wave_factor(nu)) +
                                  1.2L * log2l(contact.elastic_constant_n_m15) - 1.5L * log2l(mu) +
                                  0.5L * log2l(block.density_kg_m3) - 0.2L * log2l(contact.effective_mass_kg);
-        /* a speed of any size, or one for which the loss is moderate */
+        /* a speed of any magnitude, or one with a moderate loss */
         const double at = (double)exp2l((random_uniform(&draw, -60, 0) - rest) / 0.6L);
         const double speed =
             at >= COR_SI_LEAST && at < COR_SI_MOST && i % 2 == 0 ? at : random_log(&draw, COR_SI_LEAST, COR_SI_MOST);

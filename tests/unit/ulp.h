@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Errors in units of the last place of a double, subnormal and overflowing results included. */
+/* Errors in units of the last place of a double, also for subnormal and overflowing results. */
 #ifndef COR_TESTS_ULP_H
 #define COR_TESTS_ULP_H
 
@@ -15,7 +15,7 @@ static inline long double ulp(long double exact)
     return ldexpl(1, (exponent < DBL_MIN_EXP ? DBL_MIN_EXP : exponent) - DBL_MANT_DIG);
 }
 
-/* Infinity counts as the first number beyond the largest one. A NaN where there is a number is infinitely wrong. */
+/* Infinity counts as the first number above the largest. NaN in place of a number is infinitely wrong. */
 static inline double ulp_error(double computed, long double exact)
 {
     if (isnan(computed))
@@ -53,7 +53,7 @@ static inline int same_bits(double x, double y)
     return bits_of(x) == bits_of(y);
 }
 
-/* The same bits, or both NaN */
+/* True if both have the same bits, or both are NaN. */
 static inline int same_number(double x, double y)
 {
     return same_bits(x, y) || (isnan(x) && isnan(y));
