@@ -4,7 +4,7 @@
 
 #include "support/flint.h"
 
-/* The middle of a ball, rounded */
+/* Returns the middle of a ball, rounded. */
 static inline long double ball_value(const arb_t x)
 {
     mpfr_t y;

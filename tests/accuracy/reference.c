@@ -10,36 +10,36 @@
 
 enum {
     BITS = 160,
-    FEWER_BITS = 128, /* of motions that are not in the cell in sqrt(beta) */
+    FEWER_BITS = 128, /* of motions outside the cell in sqrt(beta) */
     /* beta below 2^FIRST_BINADE: one cell in sqrt(beta) */
     FIRST_BINADE = -3,
-    /* beyond 2^LAST_BINADE: powers and logarithms; three binades more serve as their period */
+    /* above 2^LAST_BINADE: powers and logarithms; three more binades serve as their period */
     LAST_BINADE = 45,
     BINADES = LAST_BINADE + 3 - FIRST_BINADE,
-    /* cells of a binade: quarters in the first ones, where singularities in the complex plane are near, then one */
+    /* cells per binade: quarters in the first ones, close to singularities in the complex plane, then one */
     QUARTERED = 7,
     QUARTERS = 4,
     IN_ROOT = QUARTERED * QUARTERS + BINADES - QUARTERED,
     CELLS,
     POINTS = 27,
-    /* from 2^MANIFOLD_BINADE on the unloading joins the slow manifold long before its end */
+    /* from 2^MANIFOLD_BINADE onward the unloading joins the slow manifold long before its end */
     MANIFOLD_BINADE = 4,
     CLOSED_BINADE = 3
 };
 
-/* The polynomial c[0] + low + c[1] x + ...; low is what c[0] lost to rounding. */
+/* The polynomial c[0] + low + c[1] x + ...; low is the rounding error of c[0]. */
 static struct cell {
     long double low, c[POINTS];
 } cells[ALL_QUANTITIES][CELLS];
 static long double h_star_5, ln2;
 
-/* A cell and its range of beta, or in the first of sqrt(beta). */
+/* A cell and its range of beta, or, for the first cell, of sqrt(beta). */
 struct place {
     int index;
     long double middle, half;
 };
 
-/* Where beta is, beta < 2^(LAST_BINADE + 3). */
+/* Returns the place of beta, which is below 2^(LAST_BINADE + 3). */
 static struct place place_of(long double beta)
 {
     int exponent;
@@ -54,7 +54,7 @@ static struct place place_of(long double beta)
     return (struct place){first + part, ldexpl(1, exponent - 1) + (long double)(2 * part + 1) * half, half};
 }
 
-/* Whether the cells in sqrt(beta) are of the value over beta */
+/* True if the cells in sqrt(beta) contain the value divided by beta. */
 static bool is_loss(int quantity)
 {
     return quantity == LOSS_ZERO_OVERLAP || quantity == LOSS_ZERO_FORCE || quantity == LOSS_APPROACH_ONLY;
@@ -62,24 +62,24 @@ static bool is_loss(int quantity)
 
 /* ---- the motion ----
  *
- * X'' + sqrt(X) X' + mu X^(3/2) = 0, X' = 1 at first contact, by Taylor steps in a form of its own. With X = w^2,
- * ds = w dsigma and the force over -sqrt(X), f = X' + mu X,
+ * X'' + sqrt(X) X' + mu X^(3/2) = 0, X' = 1 at first contact, by Taylor steps in a special form. With X = w^2, ds = w
+ * dsigma and the force divided by -sqrt(X), f = X' + mu X,
  *
  *     dw/dsigma = (f - mu w^2)/2,     df/dsigma = -w (w f - mu f + mu^2 w^2),     ds/dsigma = w
  *
- * so that f keeps its relative accuracy while it decays. Plain floating point, by the middles of balls. */
+ * so f keeps its relative accuracy while it decays. Plain floating point, by the middles of balls. */
 
 enum { DEGREE = 32, LENGTH };
 
-/* Relative size of the terms that a step leaves out, less where damping is weak and f large beside its value at the
- * end; and of what is left of the past on the slow manifold */
+/* Relative size of the terms that a step omits; smaller for weak damping, where f is large compared with its final
+ * value. And the relative size of the remaining transient on the slow manifold. */
 static const double STEP_LOG2 = -90, STEP_IN_ROOT_LOG2 = -150, JOINED_LOG2 = -90;
 
 static struct {
     double left_out;
     slong bits; /* working precision */
     arb_t mu, step;
-    arb_ptr w, f, s;         /* Taylor coefficients at the state in hand, LENGTH of each */
+    arb_ptr w, f, s;         /* Taylor coefficients at the current state, LENGTH of each */
     arb_ptr v, square, rest; /* X', w^2, w f - mu f + mu^2 w^2 */
 } m;
 
@@ -90,7 +90,7 @@ static double log2_size(const arb_t x)
     return mag_is_zero(size) ? -HUGE_VAL : mag_get_d_log2_approx(size);
 }
 
-/* First contact: w = 0, f = 1, s = 0 */
+/* Starts at first contact: w = 0, f = 1, s = 0. */
 static void motion_start(void)
 {
     _arb_vec_zero(m.w, 6 * LENGTH);
@@ -102,7 +102,7 @@ static void convolve(arb_t out, arb_srcptr x, arb_srcptr y, slong n)
     arb_approx_dot(out, NULL, 0, x, 1, y + n, -1, n + 1, m.bits);
 }
 
-/* log2 of the longest step at which coefficients of this size, relative to scale, stay below m.left_out. */
+/* Returns log2 of the longest step for which coefficients of this size, relative to scale, stay below m.left_out. */
 static double step_log2(arb_srcptr c, double scale)
 {
     double least = HUGE_VAL;
@@ -111,7 +111,7 @@ static double step_log2(arb_srcptr c, double scale)
     return least;
 }
 
-/* Expands at the state in hand and chooses the step. */
+/* Expands at the current state and chooses the step. */
 static void motion_expand(void)
 {
     LOCAL(arb, x);
@@ -128,13 +128,13 @@ static void motion_expand(void)
         arb_div_si(m.w + n + 1, m.v + n, 2 * (n + 1), m.bits);
         arb_div_si(m.s + n + 1, m.w + n, n + 1, m.bits);
     }
-    /* f passes zero where mu^2 w^2 takes over, w where the speed does */
+    /* f passes zero where mu^2 w^2 dominates, w where the speed does */
     const double scale_f = fmax(log2_size(m.f), log2_size(m.square) + 2 * log2_size(m.mu));
     const double scale_w = fmax(log2_size(m.w), log2_size(m.v));
     arb_set_d(m.step, exp2(fmin(step_log2(m.f, scale_f), step_log2(m.w, scale_w))));
 }
 
-/* A component's value at sigma */
+/* Computes the value of a component at sigma. */
 static void motion_value(arb_t value, arb_srcptr component, const arb_t sigma)
 {
     LOCAL(arb, x);
@@ -156,10 +156,10 @@ static bool negative_at_end(arb_srcptr component)
     return arb_is_negative(x);
 }
 
-/* Where a component that is positive at 0 and negative at the end of the step is zero: halvings, then Newton's steps */
+/* Finds the zero of a component, positive at 0 and negative at the end of the step: halvings, then Newton steps. */
 static void motion_zero(arb_t sigma, arb_srcptr component)
 {
-    enum { HALVINGS = 12, NEWTON = 5 }; /* bits of the halvings, doubled 5 times */
+    enum { HALVINGS = 12, NEWTON = 5 }; /* bits by halvings, doubled 5 times */
     LOCAL(arb, low, high, middle, y, slope);
     arb_set(high, m.step);
     for (int i = 0; i < HALVINGS; i++) {
@@ -175,10 +175,10 @@ static void motion_zero(arb_t sigma, arb_srcptr component)
     arb_set(sigma, high);
 }
 
-/* ---- the fall ----
+/* ---- the slow manifold ----
  *
- * The slow manifold, which every strongly damped unloading joins: with z = X/mu^2, t' = mu s, r = z^(-1/2) = mu/w and
- * p = -dz/dt'/z it is p = P(r), a divergent series, here for r <= 1/FALL_DEGREE. */
+ * Every strongly damped unloading joins it. With z = X/mu^2, t' = mu s, r = z^(-1/2) = mu/w and p = -dz/dt'/z it is
+ * p = P(r), a divergent series, used here for r <= 1/FALL_DEGREE. */
 enum { FALL_DEGREE = 40, FALL_LENGTH };
 
 static arb_ptr fall_p;      /* coefficients of P */
@@ -193,7 +193,7 @@ static void fall_time(arb_t time, const arb_t r)
     arb_get_mid_arb(time, time);
 }
 
-/* P(r) of the state in hand */
+/* Computes P(r) at the current state. */
 static void fall_rate(arb_t p, arb_t r)
 {
     arb_div(r, m.mu, m.w, BITS);
@@ -201,8 +201,9 @@ static void fall_rate(arb_t p, arb_t r)
     _arb_poly_evaluate(p, fall_p, FALL_LENGTH, r, 2 * BITS);
 }
 
-/* The formal solution of 1 - p + r p^2 - r^2 p p'/2 = 0 and of 2/(r p) dr, and the motion from the manifold at r =
- * 1/FALL_DEGREE to the end, mu = 1, X = z. The end speed -dz/dt' is the limit h*^5 of beta^5 eps. */
+/* Computes the formal solution of 1 - p + r p^2 - r^2 p p'/2 = 0 and of 2/(r p) dr. Then follows the motion from the
+ * manifold at r = 1/FALL_DEGREE to the end, with mu = 1 and X = z. The end speed -dz/dt' is the limit h*^5 of beta^5
+ * eps. */
 static void fall_build(arb_t end_speed)
 {
     LOCAL(arb, r, p);
@@ -236,7 +237,7 @@ static void fall_build(arb_t end_speed)
     arb_get_mid_arb(fall_constant, fall_constant);
 }
 
-/* The state in hand has joined the manifold: p - 1 = -f/(mu w^2). */
+/* True if the current state has joined the manifold: p - 1 = -f/(mu w^2). */
 static bool fall_joined(void)
 {
     LOCAL(arb, r, p);
@@ -248,7 +249,7 @@ static bool fall_joined(void)
 
 /* ---- tables ---- */
 
-/* The first coefficient of a polynomial, in two parts */
+/* Splits the first coefficient of a polynomial into two parts. */
 static void first_split(long double *c, long double *low, const arb_t x)
 {
     const double high = arf_get_d(arb_midref(x), ARF_RND_NEAR);
@@ -258,7 +259,7 @@ static void first_split(long double *c, long double *low, const arb_t x)
     *low = ball_value(less);
 }
 
-/* All quantities at one beta > 0, but for a duration, and eps at zero overlap where the manifold serves */
+/* Computes all quantities at one beta > 0, except one duration, and eps at zero overlap where the manifold gives it. */
 static void collide(arb_ptr value, const arb_t beta)
 {
     static const enum quantity scaled[] = {DURATION_ZERO_OVERLAP, DURATION_ZERO_FORCE, MAX_OVERLAP,
@@ -308,7 +309,7 @@ static void collide(arb_ptr value, const arb_t beta)
         }
 }
 
-/* The polynomials of a cell through the values at x_j of [-1, 1] */
+/* Computes the polynomials of a cell through the values at x_j of [-1, 1]. */
 static void build_cell(struct place place, arb_srcptr x)
 {
     LOCAL_VECTOR(values, ALL_QUANTITIES * POINTS);
@@ -345,7 +346,7 @@ static void build_cell(struct place place, arb_srcptr x)
 
 void reference_build(void)
 {
-    LOCAL_VECTOR(x, POINTS); /* Chebyshev's points cos(pi (2 j + 1)/(2 POINTS)) */
+    LOCAL_VECTOR(x, POINTS); /* Chebyshev points cos(pi (2 j + 1)/(2 POINTS)) */
     LOCAL_VECTOR(of_motion, 6 * LENGTH);
     LOCAL_VECTOR(of_fall, 2 * FALL_LENGTH);
     LOCAL(arb, c);
@@ -388,10 +389,10 @@ static long double cell_value(enum quantity quantity, long double beta)
     return (cell->c[0] + (cell->low + sum * x)) * (in_root && is_loss((int)quantity) ? beta : 1);
 }
 
-/* From beta = 8^k b with b in the last binades, value = 2^(power k) (value at b + log k ln 2 x), x = b for the duration
- * at zero overlap, else the largest overlap at b: what is next to the leading powers and logarithms is too small. These
- * are beta^(-5/3), beta (const + (10/3) ln beta), X beta^(-2/3), X = (3/2)^(2/3), and, of the times at zero force and
- * of the largest overlap, beta^(-2/3) (const + (5/3) ln beta/sqrt(X)), with twice the logarithm at zero force. */
+/* For beta = 8^k b with b in the last binades, value = 2^(power k) (value at b + log k ln 2 x). x = b for the duration
+ * at zero overlap, otherwise the largest overlap at b. Terms after the leading powers and logarithms are negligible.
+ * These are beta^(-5/3), beta (const + (10/3) ln beta) and X beta^(-2/3), X = (3/2)^(2/3). The times of zero force and
+ * of the largest overlap are beta^(-2/3) (const + (5/3) ln beta/sqrt(X)), with twice the logarithm at zero force. */
 static const struct {
     int power, thirds; /* log = thirds/3 */
     long double limit; /* at infinity */
@@ -416,7 +417,7 @@ static long double large_value(enum quantity quantity, long double beta)
     return ldexpl(cell_value(quantity, b) + large[quantity].thirds * k * ln2 / 3 * x, large[quantity].power * k);
 }
 
-/* eps = sqrt(4/5) x_max^(5/4); the duration: t_max + tau_0 eps^(-1/5) */
+/* Returns eps = sqrt(4/5) x_max^(5/4), or the duration, t_max + tau_0 eps^(-1/5). */
 static long double approach_value(enum quantity quantity, long double beta)
 {
     if (quantity != DURATION_APPROACH_ONLY && beta < ldexpl(1, FIRST_BINADE))

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The sphere functions in long double at every beta >= 0, fast enough for 10^9 points and good to a few 2^-64
- * where long double has 64 bits: what the doubles of the library are judged by.
+/* The sphere functions in long double at every beta >= 0, fast enough for 10^9 points and accurate to a few 2^-64 if
+ * long double has 64 bits. They are the truth for the doubles of the library.
  *
- * beta < 1/8           Chebyshev interpolation in sqrt(beta), of a loss over beta, the values integrated
- * 1/8 <= beta < 2^48   the same in beta within binades
- * 2^48 <= beta         powers of beta and ln(beta), what is next is below 2^-70
- * zero overlap, 8 <= beta: eps = h*^5/beta^5, exact to exp(-73)
+ *   beta < 1/8           Chebyshev interpolation in sqrt(beta), of a loss over beta, from integrated values
+ *   1/8 <= beta < 2^48   the same in beta within binades
+ *   2^48 <= beta         powers of beta and ln(beta); the next terms are below 2^-70
+ *   zero overlap, 8 <= beta: eps = h*^5/beta^5, exact to exp(-73)
  *
- * Nothing of it comes from collision_solve, the source of the library's tables: test_reference.c compares the two. */
+ * Nothing here comes from collision_solve, the source of the library's tables. test_reference.c compares the two. */
 #ifndef COR_TESTS_ACCURACY_REFERENCE_H
 #define COR_TESTS_ACCURACY_REFERENCE_H
 
@@ -21,15 +21,15 @@ enum quantity {
     MAX_OVERLAP,
     TIME_OF_MAX_OVERLAP,
     QUANTITIES,
-    /* made of the largest overlap and its time; a loss stands two places behind its eps */
+    /* from the largest overlap and its time; a loss is two places after its eps */
     EPS_APPROACH_ONLY = QUANTITIES,
     DURATION_APPROACH_ONLY,
     LOSS_APPROACH_ONLY,
     ALL_QUANTITIES
 };
 
-/* The functions of one double: name, shape of search.h, quantity and bound; a loss and an inverse have the quantity of
- * their eps. */
+/* The functions of one double: name, shape (see search.h), quantity and bound. A loss and an inverse have the quantity
+ * of their eps. */
 #define SPHERE_FUNCTIONS(ROW)                                                                                          \
     ROW(eps_zero_overlap, EPS, EPS_ZERO_OVERLAP, COR_SPHERE_EPS_MAX_ULP)                                               \
     ROW(eps_zero_force, EPS, EPS_ZERO_FORCE, COR_SPHERE_EPS_MAX_ULP)                                                   \
@@ -48,12 +48,12 @@ enum quantity {
     ROW(beta_of_loss_approach_only, INVERSE_OF_LOSS, EPS_APPROACH_ONLY, COR_SPHERE_APPROACH_MAX_ULP)
 enum { LOSS_OF_EPS = LOSS_ZERO_OVERLAP - EPS_ZERO_OVERLAP };
 
-/* Makes the tables, some seconds; once, before any thread calls the functions below. */
+/* Makes the tables in some seconds. Call it once, before any thread calls the functions below. */
 void reference_build(void);
 
 long double reference_value(enum quantity quantity, long double beta);
 
-/* d value/d beta to a few digits. */
+/* Returns d value/d beta to a few digits. */
 long double reference_slope(enum quantity quantity, long double beta);
 
 #endif

@@ -10,7 +10,7 @@
 
 /* ---- the error at a point ---- */
 
-/* By how much eps, or 1 - eps where that is small, is off at the computed number, over its slope */
+/* Returns the error of eps at the computed number, or of 1 - eps where that is small, divided by its slope, in ulp. */
 static double inverse_error(const struct search_function *f, const struct search_options *o, double computed, double x)
 {
     const bool of_loss = f->shape == INVERSE_OF_LOSS;
@@ -21,9 +21,9 @@ static double inverse_error(const struct search_function *f, const struct search
         return computed == ((x == 1) != of_loss ? 0 : last) ? 0 : HUGE_VAL;
     }
     const long double other = 1 - (long double)x, eps = of_loss ? other : x, loss = of_loss ? x : other;
-    if (isinf(computed)) /* right where eps at the largest double is above */
+    if (isinf(computed)) /* right if eps at the largest double is larger */
         return o->exact(f, EPS, DBL_MAX) >= eps ? 0 : HUGE_VAL;
-    if (of_loss && x < DBL_MIN) /* proportional to the loss, which the reference knows for a normal one */
+    if (of_loss && x < DBL_MIN) /* proportional to the loss; the reference covers only normal numbers */
         return ulp_error(computed, (long double)f->value(0x1p-1000) * 0x1p1000L * x);
     if (!(computed > 0))
         return HUGE_VAL;
@@ -52,7 +52,7 @@ void worst_take(struct worst *worst, double error, double at)
     }
 }
 
-/* The value at x, after the value at the double before x. */
+/* Counts a rise: y is the value at x, `before` the value at the previous double. */
 static void take_order(struct worst *worst, const struct search_function *f, const struct search_options *o,
                        double before, double y, double x)
 {
@@ -78,7 +78,7 @@ void worst_walk(struct worst *worst, const struct search_function *f, const stru
     }
 }
 
-/* Where the value is 0 or 1, nothing else will do. */
+/* True unless a value that must be 0 or 1 is anything else. */
 static bool specials_are_good(const struct search_function *f, const struct search_options *o)
 {
     static NUMBERS(specials, 0.0, -0.0, HUGE_VAL, -HUGE_VAL, NAN, -1.0, -2.0, -0x1p-1074, 1.0, 0x1p-1074, 1.5,
@@ -86,7 +86,7 @@ static bool specials_are_good(const struct search_function *f, const struct sear
     bool good = true;
     for (size_t i = 0; i < COUNT_OF(specials); i++) {
         const double x = specials[i], y = f->value(x);
-        const bool is_0 = search_error(f, o, 0, x) == 0, is_1 = search_error(f, o, 1, x) == 0; /* both: not judged */
+        const bool is_0 = search_error(f, o, 0, x) == 0, is_1 = search_error(f, o, 1, x) == 0; /* both: not tested */
         if (is_0 != is_1 ? y == (is_1 ? 1 : 0) : search_error(f, o, y, x) <= f->max_ulp)
             continue;
         printf("FAIL  %s(%a) = %a\n", f->name, x, y);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The search for the worst error of a function of one double, which the programs of this folder share: random points on
- * several threads, every double near a place, uphill from the worst point; options. */
+/* The search for the worst error of a function of one double, shared by the programs of this folder. It tests random
+ * points on several threads, every double near a place, and points uphill from the worst one. Options. */
 #ifndef COR_TESTS_ACCURACY_SEARCH_H
 #define COR_TESTS_ACCURACY_SEARCH_H
 
@@ -9,7 +9,7 @@
 
 #include "random.h"
 
-/* eps, which falls from 1 to 0; 1 - eps; any other function; the inverse of eps, of 1 - eps */
+/* eps, which decreases from 1 to 0; 1 - eps; any other function; the inverse of eps, of 1 - eps */
 enum search_shape { EPS, LOSS, OTHER, INVERSE, INVERSE_OF_LOSS };
 
 struct search_function {
@@ -17,27 +17,27 @@ struct search_function {
     double (*value)(double);
     enum search_shape shape;
     double max_ulp;
-    int law, end, quantity; /* which exact value: of the program */
+    int law, end, quantity; /* select the exact value; defined by the program */
     double exponent;
     uint64_t share; /* one in this number of points, if not 0 */
 };
 
 struct worst {
     double error, at, rise_at;
-    uint64_t points, rises; /* rises: the function rose too much, or left [0, 1] */
+    uint64_t points, rises; /* rises: the function rose too much or left [0, 1] */
 };
 
 struct search_options {
-    uint64_t points, seed, stride, times; /* 0: there is no --stride, no --times */
+    uint64_t points, seed, stride, times; /* 0: no --stride, no --times option */
     int threads;
-    const char *only; /* part of the names of the functions wanted; NULL for all */
+    const char *only; /* part of the names of the selected functions; NULL: all */
 
-    /* Of the program: the exact value; of an inverse, that of the eps or the loss which it inverts */
+    /* From the program: the exact value; for an inverse, of the eps or the loss that it inverts */
     long double (*exact)(const struct search_function *f, enum search_shape shape, long double x);
     double (*random_argument)(struct random_state *r, const struct search_function *f);
     void (*boundaries)(struct worst *worst, const struct search_function *f, const struct search_options *o);
-    bool judges_specials;          /* the values at 0, 1, infinity, next to them and outside of domains */
-    uint64_t largest_rise, radius; /* of eps in ulp, from one double >= 0 to the next; about the worst point */
+    bool judges_specials;          /* tests values at 0, 1, infinity, next to them, outside domains */
+    uint64_t largest_rise, radius; /* of eps in ulp, from one double >= 0 to the next; around the worst point */
 };
 
 static inline bool search_is_inverse(const struct search_function *f)
@@ -45,38 +45,38 @@ static inline bool search_is_inverse(const struct search_function *f)
     return f->shape >= INVERSE;
 }
 
-/* In ulp; infinite or NaN where it is wrong */
+/* Returns the error in ulp; infinity or NaN if the value is wrong. */
 double search_error(const struct search_function *f, const struct search_options *o, double computed, double x);
 
 void worst_take(struct worst *worst, double error, double at);
 
-/* Every double from `radius` before |x| to as many after it, with the sign of x: error, order, range */
+/* Tests every double from `radius` before |x| to `radius` after it, with the sign of x: error, order, range. */
 void worst_walk(struct worst *worst, const struct search_function *f, const struct search_options *o, double x,
                 uint64_t radius);
 
-/* Prints the heading of the lines of worst_report. */
+/* Prints the heading for the lines of worst_report. */
 void worst_heading(uint64_t seed);
 
-/* Prints one line; returns whether the worst error is within the bound and nothing rose. */
+/* Prints one line. Returns true if the worst error is within the bound and nothing rose. */
 bool worst_report(const char *name, const struct worst *worst, double bound);
 
-/* Searches at random points, at boundaries and uphill, and prints a line. Returns the worst error, which is infinite
- * where the bound or an order is missed, and 0 of a function that is not wanted. */
+/* Searches at random points, at boundaries and uphill, and prints a line. Returns the worst error, infinity if the
+ * bound or the order is violated, and 0 for a function that is not selected. */
 double search_worst(const struct search_function *f, const struct search_options *o);
 
 enum { SEARCH_MAX_THREADS = 64 };
 
-/* Reads --points, --threads, --seed, --only, --stride and --times. Returns 0, or the exit status: 2 after the
- * help for wrong ones, 77 where long double is too short for a reference. */
+/* Reads --points, --threads, --seed, --only, --stride and --times. Returns 0 or the exit status: 2 for wrong options,
+ * after the help; 77 if long double is too short for a reference. */
 int search_options_read(struct search_options *o, int argc, char **argv, const char *help);
 
 bool search_wants(const struct search_options *o, const char *name);
 
-/* The parts of test_accuracy: the reference against balls, and the arrays of floats. They print what they find. */
+/* The parts of test_accuracy: the reference against balls, and the arrays of floats. They print their results. */
 bool reference_is_good(const struct search_options *o);
 bool floats_are_good(const struct search_options *o);
 
-/* Calls part(job of size `size`) for each of the jobs, on as many threads. */
+/* Calls part(job) for each of the jobs, which have `size` bytes, on one thread each. */
 void search_on_threads(void *(*part)(void *), void *jobs, size_t size, int threads);
 
 #endif

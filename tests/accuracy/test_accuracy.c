@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Every sphere function of the library against the reference: random points, all doubles near every boundary of a
- * piece, the neighbours of the worst point, special values, contacts. Prints one line for each function; these lines
- * are what the documentation quotes. The reference itself is tested before (test_reference.c), and functions of floats
- * after it (test_floats.c). --help lists the options. */
+ * piece, the neighbours of the worst point. Special values, contacts. Prints one line for each function; the
+ * documentation quotes these lines. The reference itself is tested before (test_reference.c), functions of floats after
+ * (test_floats.c). --help lists the options. */
 #include "cor/contact.h"
 #include "cor/sphere.h"
 
@@ -12,8 +12,8 @@
 
 #include <stdio.h>
 
-/* Functions with damping while approaching only are short formulas of the largest overlap, which is searched itself: a
- * tenth. */
+/* Functions with damping during approach only are short formulas of the largest overlap, which has its own search. They
+ * get a tenth of the points. */
 #define ROW(name, shape, quantity, max_ulp)                                                                            \
     {#name, cor_sphere_##name, shape, max_ulp, quantity, .share = (quantity) >= QUANTITIES ? 10 : 0},
 static const struct search_function functions[] = {SPHERE_FUNCTIONS(ROW)};
@@ -25,7 +25,7 @@ static long double exact(const struct search_function *f, enum search_shape shap
 
 /* ---- random points ---- */
 
-/* Most of [1e-3, 100] by its logarithm, a part of everything. */
+/* Returns a beta, mostly log-uniform in [1e-3, 100], otherwise from the whole range. */
 static double random_beta(struct random_state *r)
 {
     const double kind = random_uniform(r, 0, 1);
@@ -36,7 +36,7 @@ static double random_beta(struct random_state *r)
     return random_pattern(r, HUGE_VAL);
 }
 
-/* Uniform; near 0 down to the smallest double; near 1. */
+/* Returns an eps: uniform, or near 0 down to the smallest double, or near 1. */
 static double random_eps(struct random_state *r)
 {
     const double kind = random_uniform(r, 0, 1);
@@ -54,11 +54,11 @@ static double random_argument(struct random_state *r, const struct search_functi
 
 /* ---- boundaries ---- */
 
-/* Cells of width 1/16 around i/16, in beta at zero overlap and in sqrt(beta) at zero force; their edges and middles
- * up to these numbers of cells. */
+/* Cells of width 1/16 around i/16, in beta at zero overlap and in sqrt(beta) at zero force. Tests their edges and
+ * middles up to these numbers of cells. */
 enum { CELLS_IN_BETA = 16 * 16, CELLS_IN_ROOT = 16 * 16 };
 
-/* Edges of regions, ends of the number formats, and where results leave them. Powers of two come on top. */
+/* Edges of regions, ends of the number formats, and arguments with results at these ends. Powers of two are added. */
 static const double region_boundaries[] = {
     0x1p-1074, 0x1p-1022, 0x1p-149, 0x1p-126, 7.0, 0x1.fffffep+127, 0x1.fffffffffffffp+1023, 1.39e62, 1.01e65, 7.6e304,
 };
@@ -87,15 +87,15 @@ static void search_boundaries(struct worst *worst, const struct search_function 
 
 /* ---- contacts ---- */
 
-/* g^(1/5), one Newton step after powl, whose exponent is rounded */
+/* Returns g^(1/5), by one Newton step after powl, whose exponent is rounded. */
 static long double fifth_root(long double g)
 {
     const long double r = powl(g, 0.2L), square = r * r;
     return r - (r - g / (square * square)) / 5;
 }
 
-/* Error of eps at an impact speed in units of (2 + 2 |d ln eps/d ln beta|) 2^-53 eps, and half the smallest subnormal
- * number. */
+/* Returns the error of eps at an impact speed. The unit is (2 + 2 |d ln eps/d ln beta|) 2^-53 eps plus half the
+ * smallest subnormal number. */
 static double contact_error(enum quantity quantity, double computed, double beta_per_root, double speed)
 {
     if (!(speed >= 0))
@@ -120,7 +120,7 @@ static const struct contact_function contact_functions[] = {
     {"contact_eps_zero_force", EPS_ZERO_FORCE, cor_contact_eps_zero_force},
 };
 
-/* Random contacts, each at some speeds */
+/* Searches random contacts, each at some speeds. */
 static void search_contacts(struct worst *worst, const struct contact_function *f, const struct search_options *o)
 {
     enum { SPEEDS = 33 };

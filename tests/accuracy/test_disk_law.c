@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The quasistatic contact law of the disk (cor/disk.h) and Lambert's W under it (runtime/number/lambert_w.h) against
- * balls: random arguments of every size, nu up to its ends, the last doubles inside every limit and both sides of it,
- * one ulp around every branch of the code. W comes from arb_lambertw, and what is made of it is put back into (57); the
- * contact time comes from the integral over theta, in long double. Prints one line for each function; these lines are
- * what the documentation quotes. --help lists the options. */
+/* The quasistatic contact law of the disk (cor/disk.h) and Lambert's W in it (runtime/number/lambert_w.h) against
+ * balls. Random arguments of every magnitude, nu up to its ends, the last doubles inside every limit and both sides of
+ * it, one ulp around every branch. W comes from arb_lambertw, and its results are inserted into (57). The contact time
+ * comes from the integral over theta, in long double. Prints one line for each function; the documentation quotes these
+ * lines. --help lists the options. */
 #include "cor/disk.h"
 
 #include "reference_rayleigh.h"
@@ -46,7 +46,7 @@ static double random_nu(void)
 #define COMPRESSION "load/pi*(log(4*pi/load) + b)"
 #define ENERGY "load^2/(2*pi)*(log(4*pi/load) + b - 1/2)"
 
-/* What is judged, as functions of x. With a z, w = -W_-1(-z) gives the load, which put into the law gives x again. */
+/* The tested functions of x. With a z, w = -W_-1(-z) gives the load, which inserted into the law must give x again. */
 static const struct disk_function {
     const char *name;
     double (*value)(double argument, double nu, enum cor_disk_datum datum);
@@ -70,7 +70,7 @@ static const struct disk_function {
 /* b of (57) for each datum */
 static const char *const constant_b[] = {"-2*log(2) - (1 + nu)/4", "-1", "-1 - nu"};
 
-/* -W_-1(-z) */
+/* Computes -W_-1(-z). */
 static void disk_minus_w(arb_t w, const arb_t z, slong prec)
 {
     arb_neg(w, z);
@@ -78,7 +78,7 @@ static void disk_minus_w(arb_t w, const arb_t z, slong prec)
     arb_neg(w, w);
 }
 
-/* The exact value of a function; false if putting it back into (57) contradicts. */
+/* Computes the exact value of a function. Returns false if inserting it into (57) gives a contradiction. */
 static bool disk_value(arb_t y, const struct disk_function *f, double argument, double nu, enum cor_disk_datum datum,
                        slong prec)
 {
@@ -101,7 +101,7 @@ static bool disk_value(arb_t y, const struct disk_function *f, double argument, 
 
 /* ---- errors ---- */
 
-/* The distance of a double from a ball, in ulp of the ball; -1 where the ball is too wide to tell. */
+/* Returns the distance of a double from a ball, in ulp of the ball; -1 if the ball is too wide to decide. */
 static double ball_error(double computed, const arb_t exact)
 {
     if (!(fabs(computed) <= DBL_MAX) || !arb_is_finite(exact))
@@ -120,10 +120,10 @@ static double ball_error(double computed, const arb_t exact)
 
 /* ---- algebraic functions ---- */
 
-/* Where the code changes its units */
+/* Arguments at which the code changes its units */
 static const double unit_boundary[] = {0x1p-900, 0x1p-200, DBL_MIN};
 
-/* Where the code branches, in ln(limit/argument); of functions of a speed, half */
+/* Values of ln(limit/argument) at which the code branches; half of them for functions of a speed */
 static const double boundary[] = {0.5, 0.1, 3, 0.25, 128, 0.05, 1.5, 0.125, 64};
 enum { BOUNDARIES = sizeof boundary / sizeof *boundary };
 
@@ -182,7 +182,7 @@ static int search_laws(uint64_t points)
     return good;
 }
 
-/* Each limit is inside, the next double is not, and the functions agree. */
+/* Checks that each limit is inside, that the next double is not, and that the functions agree. */
 static int search_limits(uint64_t points)
 {
     uint64_t wrong = 0;
@@ -211,7 +211,7 @@ static int search_limits(uint64_t points)
 
 /* ---- Lambert's W ---- */
 
-/* t of q of every size, around the branches */
+/* Searches t for q of every magnitude, also around the branches. */
 static int search_lambert(uint64_t points)
 {
     struct worst worst = {0};
@@ -223,7 +223,7 @@ static int search_lambert(uint64_t points)
                          : kind == 1 ? exp(random_uniform(&random_state, -700, 8))
                          : kind == 2 ? exp(random_uniform(&random_state, -4, 2))
                                      : random_uniform(&random_state, 0, 10);
-        /* near the branch point of W half of the digits are lost: as many more as q needs */
+        /* near the branch point of W half of the digits are lost: add as many as q needs */
         double error = -1;
         for (slong prec = 128 + (q < 1 ? (slong)(-1.5 * log2(q)) : 0); error < 0; prec = 3000) {
             LET(x, prec + 1100, "exp(-1 - q)", q);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Fractions of single modes against their integral along the real axis, which the library leaves; against the motion,
- * from which that integral comes; and sums and tails of the library's tables against sums over three times the modes.
- */
+/* Fractions of single modes, against their integral along the real axis, which the library leaves, and against the
+ * motion, from which the integral is derived. Sums and tails of the library's tables, against sums over three times the
+ * modes. */
 #include "check.h"
 
 #include <cor/disk.h>
@@ -13,15 +13,15 @@
 
 enum { FREQUENCIES = 10, MANY = 6000 };
 
-/* Where the integral of the lowest mode of nu = 0.33 vanishes, centre of mass */
+/* Speed at which the integral of the lowest mode of nu = 0.33 vanishes, centre of mass */
 #define QUADRUPOLE_ZERO 0x1.64014a0b3a0b3p-7
 
 static const enum cor_disk_datum datums[3] = {COR_DISK_DATUM_CENTRE_OF_MASS, COR_DISK_DATUM_DIAMETER,
                                               COR_DISK_DATUM_PRINTED};
 
-static double worst; /* error in parts of what is allowed */
+static double worst; /* error relative to the allowed one */
 
-/* Strengths as in a disk, 2 for a mode: the lowest frequency holds most of the sum. */
+/* Compares modes of strength 2, as in a disk: the lowest frequency contributes most of the sum. */
 static void compare(double nu, enum cor_disk_datum datum, double v, const double *omega)
 {
     long double exact[FREQUENCIES];
@@ -56,13 +56,13 @@ TEST(test_hard_points)
     static const double from_edge[] = {1e-1, 1e-2, 1e-4, 1e-8, 0x1p-50, 0};
     for (size_t i = 0; i < sizeof from_edge / sizeof *from_edge; i++)
         compare(0.9, datums[i % 3], (1 - from_edge[i]) * cor_disk_speed_limit(0.9, datums[i % 3]), omega);
-    /* beside the zero of the quadrupole's integral */
+    /* close to the zero of the quadrupole's integral */
     static const double from_zero[] = {0, 1e-12, 1e-9, 1e-7, 1e-5, 1e-3};
     for (size_t i = 0; i < sizeof from_zero / sizeof *from_zero; i++)
         compare(0.33, COR_DISK_DATUM_CENTRE_OF_MASS, QUADRUPOLE_ZERO * (1 - from_zero[i]), omega);
 }
 
-/* 2 I = (2/(pi v)) int_0^(tau/2) P cos(omega t) dt of delta'' = -P/pi, from the moment of largest compression on */
+/* 2 I = (2/(pi v)) int_0^(tau/2) P cos(omega t) dt for delta'' = -P/pi, starting at the largest compression */
 TEST(test_motion)
 {
     enum { STEPS = 20000 };
@@ -71,7 +71,7 @@ TEST(test_motion)
         const enum cor_disk_datum datum = datums[k % 3];
         const double dt = cor_disk_contact_time(v, nu, datum) / 2 / STEPS;
         double depth = cor_disk_max_compression(v, nu, datum), speed = 0, sum = 0, f;
-        for (int i = 0; i < STEPS; i++) { /* with forces at whole steps, the trapezoidal rule of which the end is 0 */
+        for (int i = 0; i < STEPS; i++) { /* forces at whole steps; trapezoidal rule with the end value 0 */
             const double load = cor_disk_load(depth, nu, datum) * (i == 0 ? 0.5 : 1);
             sum += load * cos(omega[k] * i * dt) * dt;
             speed += load / pi * dt;
@@ -107,8 +107,8 @@ TEST(test_random_points)
 
 enum { MOST_SPEEDS = 10000, FEW = 1800, TAKEN = 1000 };
 
-/* `table` against the MANY modes of the same nu, whose tail is known better by far, and their estimate says how well.
- * Sum plus tail from TAKEN of its modes is within `bound` of it from v = 1e-9 on. */
+/* Compares `table` with MANY modes of the same nu, whose tail is far more accurate and has an error estimate. Checks
+ * that the sum plus tail from TAKEN of its modes agrees within `bound` for v = 1e-9 and above. */
 static void compare_tails(const struct cor_disk_modes *many, const struct cor_disk_modes *table, double bound)
 {
     static double errors[MOST_SPEEDS], ratios[MOST_SPEEDS];
@@ -140,8 +140,7 @@ static void compare_tails(const struct cor_disk_modes *many, const struct cor_di
                   table->nu, errors[n - 1], errors[n / 2], ratios[0], ratios[n / 2], worst_any);
 }
 
-/* The library's two tables; with COR_TEST_MULTIPLIER other materials too, for which disk.h has no promise but a remark.
- */
+/* The library's two tables. With COR_TEST_MULTIPLIER also other materials, for which disk.h has only a remark. */
 TEST(test_tails)
 {
     static const long percent[] = {33, 90, -90, -75, -50, -25, 0, 20, 25, 40, 50, 60, 70, 80, 95, 99};

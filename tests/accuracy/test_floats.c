@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The arrays in float arithmetic, cor_sphere_..._arrayf, at every float from 0 to infinity: the largest error in units
- * of the last place of a float, and the number of results that are not correctly rounded, by the double functions,
- * whose bound counts as part of the error. From 16 onward they return the double function rounded; 1 in FAR_STRIDE
- * floats is used there.
+/* The arrays in float arithmetic, cor_sphere_..._arrayf, at every float from 0 to infinity. Counts the largest error in
+ * units of the last place of a float, and the results that are not correctly rounded. The truth is the double function;
+ * its bound counts as part of the error. From 16 onward the arrays return the rounded double function, and only 1 in
+ * FAR_STRIDE floats is tested.
  *
  * test_accuracy --stride N uses every Nth float times FAST_SHARE. It fails if the error exceeds its bound. Negative
  * numbers and NaN give NaN, and -0 counts as 0: tests/unit tests that. */
@@ -21,7 +21,7 @@ enum {
     BLOCK = 4096,
     FAST_SHARE = 16,
     FAR_STRIDE = 64,
-    FAR_BITS = 0x41800000 /* of 16 */
+    FAR_BITS = 0x41800000 /* the bits of 16 */
 };
 
 struct count {
@@ -30,7 +30,7 @@ struct count {
     float worst_at;
 };
 
-/* |result - exact| in units of the last place of a float, subnormals included; 2^29 units of a double are one. */
+/* Counts |result - exact| in units of the last place of a float, also if subnormal: 2^29 units of a double. */
 static void judge(float x, float result, double y, struct count *count)
 {
     const int exponent = (int)(bits_of(y) >> 52) - 1023;

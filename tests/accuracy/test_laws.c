@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Every function of law.h by the damping ratio and of Hunt and Crossley's law against long double in another
- * formulation, and against balls where long double has too few digits: random points, doubles near every boundary of a
- * kernel, the neighbours of the worst point, special values. Prints one line for each function; these lines are what
- * docs/accuracy.md quotes.
- *     test_laws [--points N] [--threads N] [--only TEXT] [--seed N]     (N random points of each function, 20000 if not
- *     said) */
+/* Functions of law.h for a damping ratio, and Hunt and Crossley's law, against long double in another formulation, or
+ * balls where long double has too few digits. Random points, doubles near every boundary of a kernel, the neighbours of
+ * the worst point, special values. Prints one line for each function; docs/accuracy.md quotes these lines.
+ *     test_laws [--points N] [--threads N] [--only TEXT] [--seed N]     (N random points of each function, by default
+ *     20000) */
 #include "cor/law.h"
 
 #include <stdio.h>
@@ -20,10 +19,10 @@
 
 enum { BALL_BITS = 256 };
 
-/* exp(x), -exp(x) expm1 and so on of a long double keep what the double needs up to this L. */
+/* Up to this L, exp(x), -exp(x) expm1 and so on in long double have the digits that a double needs. */
 static const long double far_exponent = 16;
 
-/* exp(-share L), L by acos, acosh and logarithms, in balls; with limited damping for zeta > 1 */
+/* Returns exp(-share L), L by acos, acosh and logarithms, in balls; with limited damping only for zeta > 1. */
 static long double eps_far(enum cor_end end, double zeta, struct ratio share)
 {
     LOCAL(arb, l, om, phase);
@@ -42,7 +41,7 @@ static long double eps_far(enum cor_end end, double zeta, struct ratio share)
     return ball_value(l);
 }
 
-/* eps or 1 - eps */
+/* Returns eps or 1 - eps. */
 static long double ratio(enum cor_end end, bool loss, long double zeta)
 {
     if (zeta == 0)
@@ -53,14 +52,14 @@ static long double ratio(enum cor_end end, bool loss, long double zeta)
     return loss ? -expm1l(-l) : l < far_exponent ? expl(-l) : eps_far(end, (double)zeta, RATIO("1"));
 }
 
-/* Half of the elastic duration, Tsuji's largest overlap at zeta = 0, and his duration of limited damping without bound:
- * (5/8)^(2/5) times the integral of (1 - X^(5/2))^(-1/2) from 0 to 1, by Gamma functions */
+/* Half of the elastic duration, and Tsuji's largest overlap at zeta = 0. The limit of his duration with limited damping
+ * is (5/8)^(2/5) times the integral of (1 - X^(5/2))^(-1/2) from 0 to 1, by Gamma functions. */
 #define PI acosl(-1)
 #define TSUJI_MOST expl(0.4L * logl(1.25L))
 #define HALF (TSUJI_MOST * sqrtl(PI) * tgammal(1.4L) / tgammal(0.9L))
 #define LAST (powl(0.625L, 0.4L) * sqrtl(PI) * tgammal(1.4L) / tgammal(0.9L))
 
-/* The largest overlap and times of the linear dashpot, 0 < zeta < inf */
+/* Returns the largest overlap or a time of the linear dashpot, 0 < zeta < inf. */
 static long double linear_exact(enum cor_end end, enum cor_quantity quantity, double zeta)
 {
     const long double phase = reference_ratio_exponent(COR_END_APPROACH_ONLY, zeta) / zeta;
@@ -73,7 +72,7 @@ static long double linear_exact(enum cor_end end, enum cor_quantity quantity, do
     return end == COR_END_ZERO_FORCE ? 2 * phase : PI / 2 + phase;
 }
 
-/* Those of Tsuji's damping: the largest overlap is (5/4 eps)^(2/5). */
+/* Returns the same for Tsuji's damping, where the largest overlap is (5/4 eps)^(2/5). */
 static long double tsuji_exact(enum cor_end end, enum cor_quantity quantity, double zeta)
 {
     const long double l = reference_ratio_exponent(COR_END_APPROACH_ONLY, zeta);
@@ -88,7 +87,7 @@ static long double tsuji_exact(enum cor_end end, enum cor_quantity quantity, dou
     return reference_tsuji_time(end, zeta) + (end == COR_END_APPROACH_ONLY ? HALF * expl(l / 5) : 0);
 }
 
-/* Of both, at every zeta >= 0 */
+/* Returns the value for either law at any zeta >= 0. */
 static long double ratio_exact(const struct search_function *f, double zeta)
 {
     const enum cor_quantity quantity = (enum cor_quantity)f->quantity;
@@ -107,8 +106,8 @@ static long double ratio_exact(const struct search_function *f, double zeta)
     return is_linear ? linear_exact(end, quantity, zeta) : tsuji_exact(end, quantity, zeta);
 }
 
-/* Hunt and Crossley's law with the elastic exponent a. The table has no times of negative beta; those by quadrature:
- * tests/unit/test_law.c. */
+/* Returns the value for Hunt and Crossley's law with the elastic exponent a. The table has no times for negative beta;
+ * tests/unit/test_law.c tests them by quadrature. */
 static long double crossley_exact(const struct search_function *f, double beta)
 {
     const double a = f->exponent;
@@ -129,7 +128,7 @@ static long double crossley_exact(const struct search_function *f, double beta)
     return (approach ? reference_crossley_duration_approach_only : reference_crossley_duration)(a, beta);
 }
 
-/* eps or 1 - eps of Hunt and Crossley's law */
+/* Returns eps or 1 - eps of Hunt and Crossley's law. */
 static long double crossley(bool approach, bool loss, long double beta)
 {
     if (beta == 0 || isinf(beta))
@@ -152,7 +151,7 @@ static long double exact(const struct search_function *f, enum search_shape shap
 
 /* ---- the functions ---- */
 
-enum { SLOW_SHARE = 400, MOST_FUNCTIONS = 100 }; /* SLOW_SHARE: where the reference takes 0.1 ms */
+enum { SLOW_SHARE = 400, MOST_FUNCTIONS = 100 }; /* SLOW_SHARE: for references that take 0.1 ms */
 
 static double crossley_duration_1(double beta)
 {
@@ -179,7 +178,7 @@ static double crossley_max_overlap_5_4(double beta)
     return cor_hunt_crossley_max_overlap(beta, 1.25);
 }
 
-/* With an exponent as an argument; the table has 3/2. */
+/* Functions with an exponent as an argument; the table has 3/2. */
 #define CROSSLEY(name, end, quantity, exponent, share)                                                                 \
     {                                                                                                                  \
         "hunt_" #name, name, OTHER, COR_HUNT_CROSSLEY_MAX_ULP, COR_LAW_HUNT_CROSSLEY, end, quantity, exponent, share   \
@@ -193,7 +192,7 @@ static struct search_function functions[MOST_FUNCTIONS] = {
 };
 static size_t function_count = 5;
 
-/* The functions of the table, each once: Tsuji's eps is the linear dashpot's, and the ends share overlaps. */
+/* Adds a function of the table once: Tsuji's eps is the linear dashpot's, and the ends share overlaps. */
 static void add_function(enum cor_law law, enum cor_end end, enum cor_quantity quantity)
 {
     static const enum search_shape shape[] = {EPS, LOSS, INVERSE, INVERSE_OF_LOSS, OTHER, OTHER, OTHER};
@@ -209,7 +208,7 @@ static void add_function(enum cor_law law, enum cor_end end, enum cor_quantity q
 
 /* ---- searches ---- */
 
-/* zeta or beta: where kernels are, near 1, every size, every bit pattern; a part of beta is negative */
+/* Returns zeta or beta: near kernels, near 1, every magnitude, every bit pattern. Some beta are negative. */
 static double random_damping(struct random_state *r, const struct search_function *f)
 {
     const double kind = random_uniform(r, 0, 1), u = random_uniform(r, 0, 1);
@@ -251,9 +250,9 @@ static NUMBERS(eps_boundaries, 0.5, 0.25, 0.125, 0x1p-5, 0x1p-6, 0.1353352832366
                0.26359713811572677, 0.4065696597405991, 0.1495686192226351, 0x1p-900, 0x1p-200, 1e-154,
                2.7813423231340017e-309, 1.9667060174891983e-309, 5.562684646268003e-309, 0x1p-60, 0x1p-30);
 
-/* Next to one of the ends of every row of times, and where their series begin and count most: Tsuji's rows in
- * zeta^(1/5), ln(1 + zeta) and, at zero overlap, y = zeta/(10 sqrt(1 - zeta^2)), whose series begin at 6 or so and at
- * 10; those of Hunt and Crossley in ln(1 + beta) */
+/* Searches close to one end of every row of times, and where their series begin and count most. Tsuji's rows are in
+ * zeta^(1/5), ln(1 + zeta) and, at zero overlap, y = zeta/(10 sqrt(1 - zeta^2)), with series from about 6 and from 10
+ * onward. The rows of Hunt and Crossley are in ln(1 + beta). */
 static void search_rows(struct worst *worst, const struct search_function *f, const struct search_options *o)
 {
     enum { WEAK = 42, STRONG = 43, SHORT = 36, LONG = 70 };
@@ -304,7 +303,7 @@ static void search_boundaries(struct worst *worst, const struct search_function 
 
 enum { NO_SLIP_BITS = 600 };
 
-/* cos(pi sqrt((a - 1)^2 + 8 (a + 1) kappa)/(2 (a + 1)))/cos(pi (a - 1)/(2 (a + 1))), where 300 bits may cancel */
+/* Returns cos(pi sqrt((a - 1)^2 + 8 (a + 1) kappa)/(2 (a + 1)))/cos(pi (a - 1)/(2 (a + 1))); 300 bits may cancel. */
 static long double no_slip_exact(double kappa, double a)
 {
     LOCAL(arb, d, e);
@@ -316,7 +315,7 @@ static long double no_slip_exact(double kappa, double a)
     return ball_value(d);
 }
 
-/* kappa of every size, and the doubles next to the zeros of the cosine: what is computed exactly 0 must be a zero. */
+/* Tests kappa of every magnitude, and doubles next to zeros of the cosine: a computed 0 must be exact. */
 static bool no_slip_is_good(const struct search_options *o)
 {
     struct random_state r = random_seeded(o->seed);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The functions of the C library that the proofs of rounding errors rest on, against MPFR and against what the proofs
- * assume (tests/proof/errors.h): at random arguments from the intervals for which the library calls them, at the
- * worst arguments known, and uphill from the worst one found.
- *     test_libm [--points N] [--only TEXT] [--seed N]     (N random points of each row, 20000 if not said)
+/* The functions of the C library on which the proofs of rounding errors rest, against MPFR and against the assumptions
+ * of the proofs (tests/proof/errors.h). Random arguments come from the intervals for which the library calls the
+ * functions; then the worst known arguments, and uphill from the worst one found.
+ *     test_libm [--points N] [--only TEXT] [--seed N]     (N random points of each row, by default 20000)
  *     COR_TEST_LIBM=COMMAND test_libm ...                 the functions of another C library: COMMAND runs
  *                                                         tests/platforms/libm.c */
 #define _POSIX_C_SOURCE 200809L
@@ -18,14 +18,14 @@
 #include "tests/proof/errors.h"
 #include "ulp.h"
 
-/* What proofs of corgen embed allow for pow (gen/embed/proof.c, SLACK): 1e-13, in units of the last place */
+/* Allowance for pow in the proofs of corgen embed (gen/embed/proof.c, SLACK): 1e-13, in units of the last place */
 #define POW_ULP 450
 
 struct row {
-    struct search_function f; /* its name begins with that of the other program */
+    struct search_function f; /* its name is a prefix of the name in the other program */
     int (*exact)(mpfr_t, const mpfr_t, mpfr_rnd_t);
-    double first, last; /* of the arguments; log-uniform */
-    double known[2];    /* 0: none. Zimmermann and others, Accuracy of mathematical functions */
+    double first, last; /* range of the log-uniform arguments */
+    double known[2];    /* 0: none. Source: Zimmermann and others, Accuracy of mathematical functions */
 };
 
 static double fifth_power(double x)
@@ -58,7 +58,7 @@ static int exact_power(mpfr_t y, const mpfr_t x, mpfr_rnd_t round)
 static FILE *to_other, *from_other;
 static const char *asked; /* the name of the row */
 
-/* Starts the command, whose standard input and output become to_other and from_other. */
+/* Starts the command and connects its standard input and output to to_other and from_other. */
 static bool other_starts(const char *command)
 {
     int to[2], from[2];

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The polynomials of runtime/number/elementary.h, runtime/number/lambert_w.c and runtime/law/: the errors that stand
- * beside them, proved: in each cell of the interval the error is Taylor's polynomial in balls around the middle and a
- * remainder enclosed over the cell. And pair_exp of runtime/disk/quasistatic.c at sampled numbers: no double shows its
- * last digits. */
+/* Proves the stated errors of the polynomials of runtime/number/elementary.h, runtime/number/lambert_w.c and
+ * runtime/law/. In each cell of the interval the error is a Taylor polynomial in balls around the middle plus a
+ * remainder enclosed over the cell. pair_exp of runtime/disk/quasistatic.c is tested at sampled numbers, because no
+ * double shows its last digits. */
 #include "runtime/disk/quasistatic.c"
 #include "runtime/law/damping_ratio.h"
 #include "runtime/law/hunt_crossley.h"
@@ -19,7 +19,7 @@ enum { BITS = 400, LENGTH = 20 };
 
 static const double exp_polynomial[] = COR_KERNEL_EXP_POLYNOMIAL, log_polynomial[] = COR_KERNEL_LOG_POLYNOMIAL;
 
-/* An error as a formula of s, of p, the polynomial of an argument, and of atan, that of s: below bound |s|^power */
+/* The error, below bound |s|^power, is a formula of s, of p, the polynomial of an argument, and of atan(s). */
 static const struct polynomial {
     const char *name;
     const double *c;
@@ -38,12 +38,12 @@ static const struct polynomial {
     ROW("phase, zeta < 1", cor_ratio_phase_polynomial, "s^2", "s + s^3*p - atan", 0, 0.41437, 1, 0x1p-57),
     ROW("phase, zeta > 1", cor_ratio_phase_polynomial, "-s^2", "s - s^3*p - (log(1 + s) - log(1 - s))/2", 0, 0.41437, 1,
         0x1p-57),
-    /* the error times sinh(s), which is at least s; the value is at least 0.29 s^2. Here and below 1/3 is a pair. */
+    /* the error times sinh(s), which is at least s; the value is at least 0.29 s^2. 1/3 is a pair here and below. */
     ROW("s coth(s) - 1", cor_hc_coth_polynomial, "s^2",
         "(s^2*(1/3 + s^2*p) + 1)*(exp(s) - exp(-s))/2 - s*(exp(s) + exp(-s))/2", 0, 1.503, 3, 0.29 * 0x1p-55),
     ROW("atanh, approach only", cor_hc_atanh_polynomial, "s^2", "s + s^3*(1/3 + s^2*p) - (log(1 + s) - log(1 - s))/2",
         0, 0.5, 3, 0x1p-55),
-    /* t - ln(1 + t) - s^2/2; t itself is off by (1 + 1/t) times as much: 2^-55.6 s */
+    /* t - ln(1 + t) - s^2/2; the error of t itself is larger by the factor 1 + 1/t: 2^-55.6 s */
     ROW("W_-1 near its branch point", lambert_series, "s", "s + s^2*p - log(1 + s + s^2*p) - s^2/2", 0,
         COR_PROOF_SERIES_MAX_P, 3, COR_PROOF_SERIES_DEFECT),
 };
@@ -69,7 +69,7 @@ OF_SERIES(logarithm, arb_poly_log_series)
 OF_SERIES(root, arb_poly_sqrt_series)
 static const struct formula_algebra algebra = {BITS, multiply, inverse, exponential, logarithm, root};
 
-/* The error in powers of s - centre */
+/* Computes the error in powers of s - centre. */
 static void error_series(arb_poly_t e, const struct polynomial *f, const arb_t centre)
 {
     LOCAL(arb_poly, s, p, x, atan);
@@ -90,7 +90,7 @@ static void error_series(arb_poly_t e, const struct polynomial *f, const arb_t c
 
 /* ---- the proof ---- */
 
-/* In the cell middle +- radius, middle = 0 or the cell away from 0 */
+/* True if the bound holds in the cell middle +- radius, where middle = 0 or 0 is outside the cell. */
 static bool cell_holds(const struct polynomial *f, double middle, double radius)
 {
     LOCAL(arb_poly, at_middle, in_cell);
@@ -117,7 +117,7 @@ static bool cell_holds(const struct polynomial *f, double middle, double radius)
 
 static bool holds(const struct polynomial *f)
 {
-    /* The cell around 0 is as wide as 31, so that |s|^power varies by 1.3 at most in each of the others. */
+    /* The cell around 0 is as wide as 31 others, so that |s|^power varies by at most 1.3 in each of the others. */
     enum { CELLS = 300, FIRST = 16 };
     const double radius = f->high / (2 * CELLS - 1);
     bool good = cell_holds(f, 0, (2 * FIRST - 1) * radius * (1 + 1e-9));
@@ -131,8 +131,8 @@ static bool holds(const struct polynomial *f)
 
 /* ---- exp in pairs ---- */
 
-/* The largest error, and the mean error near the ends of the domain, where the series' last coefficient counts most:
- * 2^-101.85 and 2^-104.3, with a wrong sign in that coefficient 2^-101.5 and 2^-102.4 (measured) */
+/* True if the largest error is small enough, and the mean error near the ends of the domain, where the series' last
+ * coefficient counts most: 2^-101.85 and 2^-104.3. A wrong sign in it gives 2^-101.5 and 2^-102.4 (measured). */
 static bool pair_exp_is_good(void)
 {
     enum { POINTS = 4001 };

@@ -9,7 +9,7 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Largest difference allowed, relative: 2^-61, that is 1/256 unit of the last place of a double. */
+/* Largest allowed relative difference: 2^-61, or 1/256 unit of the last place of a double. */
 static const double MAX_DIFFERENCE = 0x1p-61;
 enum { BITS = 100 };
 
@@ -22,7 +22,7 @@ static double difference(enum quantity quantity, double beta, const arb_t exact)
     return arf_get_d(arb_midref(x), ARF_RND_UP);
 }
 
-/* Random beta between the limits, all quantities */
+/* Compares all quantities at random beta between the limits. */
 static bool compare(struct random_state *state, double low, double high, uint64_t count)
 {
     struct worst worst = {0};
@@ -31,7 +31,7 @@ static bool compare(struct random_state *state, double low, double high, uint64_
     for (uint64_t i = 0; i < count; i++) {
         const double b = random_log(state, low, high);
         arb_set_d(beta, b);
-        /* 1 - eps loses what beta is small by; with more bits the collision is integrated to its end up to beta = 16 */
+        /* 1 - eps loses digits for small beta; more bits integrate the collision to its end, up to beta = 16 */
         const slong bits = b < 1 ? BITS - (slong)logb(b) : b > 8 && b < 16 ? 2 * BITS : BITS;
         if (collision_solve(c, beta, &law_sphere, bits) != 0)
             return false;
@@ -55,7 +55,7 @@ static bool compare(struct random_state *state, double low, double high, uint64_
     return good;
 }
 
-/* Where the series, the interpolation and the asymptotics serve: so many of 10^5 points */
+/* Points for the series, the interpolation and the asymptotics, per 10^5 */
 bool reference_is_good(const struct search_options *o)
 {
     static const struct {

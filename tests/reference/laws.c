@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-/* acos(zeta)/sqrt(1 - zeta^2) and what it becomes beyond 1 */
+/* Returns acos(zeta)/sqrt(1 - zeta^2) and its continuation above 1. */
 static long double phase_time(long double zeta)
 {
     const long double square = (1 - zeta) * (1 + zeta);
@@ -12,7 +12,7 @@ static long double phase_time(long double zeta)
     return square > 0 ? acosl(zeta) / sqrtl(square) : acoshl(zeta) / sqrtl(-square);
 }
 
-/* atan2(2 zeta om, 1 + 2 zeta^2)/om; beyond 1 the area tangent as a logarithm, since its argument is near 1 */
+/* Returns atan2(2 zeta om, 1 + 2 zeta^2)/om. Above 1 the area tangent is a logarithm, since its argument is near 1. */
 static long double limited_phase_time(long double zeta)
 {
     const long double square = (1 - zeta) * (1 + zeta), om = sqrtl(fabsl(square)), below = 1 + 2 * zeta * zeta;
@@ -39,7 +39,7 @@ long double reference_ratio_exponent(enum cor_end end, long double zeta)
     }
 }
 
-/* z - ln(1 + z), z > -1 */
+/* Returns z - ln(1 + z), z > -1. */
 static long double energy(long double z)
 {
     if (fabsl(z) > 0.3L)
@@ -50,8 +50,8 @@ static long double energy(long double z)
     return z * z * sum;
 }
 
-/* h = beta eps. Newton's method for f(-h) = f(beta) on the side of the root where f is convex towards it; where h is 1
- * but for its last bits, 1 - h = exp(-f - h) is iterated. */
+/* Returns h = beta eps by Newton's method for f(-h) = f(beta), on the side of the root where f is convex towards it. If
+ * h is 1 up to its last bits, iterates 1 - h = exp(-f - h). */
 static long double rebound(long double beta)
 {
     const long double wanted = energy(beta);
@@ -78,7 +78,7 @@ long double reference_hunt_crossley_eps(long double beta)
 
 long double reference_hunt_crossley_loss(long double beta)
 {
-    /* LAWS: the series of 1 - eps, exact fractions */
+    /* the series of 1 - eps, with exact fractions */
     static const long double c[] = {
         2.0L / 3,         -4.0L / 9,       44.0L / 135,        -104.0L / 405,           40.0L / 189,
         -7648.0L / 42525, 2848.0L / 18225, -31712.0L / 229635, 23429344.0L / 189448875, -89072576.0L / 795685275};
@@ -108,7 +108,7 @@ long double reference_hunt_crossley_approach_loss(long double beta)
 
 /* ---- times ---- */
 
-/* The integral from 0 to 1 of a function of x and 1 - x that may be singular at both ends, up to x^-0.991 */
+/* Returns the integral from 0 to 1 of a function of x and 1 - x. It may be singular at both ends, up to x^-0.991. */
 static long double quadrature(long double (*f)(long double x, long double below, const long double *parameters),
                               const long double *parameters)
 {
@@ -123,8 +123,8 @@ static long double quadrature(long double (*f)(long double x, long double below,
     return sum * step;
 }
 
-/* s = end x; parameters: zeta, om, end, whether sinh, and pi - om end, which counts where om s is near pi:
- * exp(zeta s/5) (sin(om s)/om)^(-1/5) */
+/* Returns exp(zeta s/5) (sin(om s)/om)^(-1/5) at s = end x. Parameters: zeta, om, end, 1 for sinh, and pi - om end,
+ * which matters where om s is near pi. */
 static long double tsuji_integrand(long double x, long double below, const long double *p)
 {
     const long double s = p[2] * x;
@@ -134,7 +134,7 @@ static long double tsuji_integrand(long double x, long double below, const long 
     return expl(p[0] * s / 5) * powl(p[1] == 0 ? s : sine / p[1], -0.2L);
 }
 
-/* The integral up to `end`, of which om end and pi differ by `short_of` */
+/* Returns the integral up to `end`. short_of: pi - om end. */
 static long double tsuji_integral(long double zeta, long double end, long double short_of)
 {
     const long double square = (1 - zeta) * (1 + zeta);
@@ -142,7 +142,7 @@ static long double tsuji_integral(long double zeta, long double end, long double
     return powl(1.25L, -0.6L) * end * quadrature(tsuji_integrand, p);
 }
 
-/* (5/8)^(2/5) times the integral of (1 - X^(5/2))^(-1/2) up to X = m^(2/5), X = x times that; p: the end, and 1 - m */
+/* Returns the integrand of (5/8)^(2/5) int (1 - X^(5/2))^(-1/2) up to X = m^(2/5); X = x m^(2/5), p: end, 1 - m. */
 static long double limited_integrand(long double x, long double below, const long double *p)
 {
     (void)x;
@@ -171,8 +171,8 @@ long double reference_tsuji_time(enum cor_end end, long double zeta)
     return first + expl(-zeta * phase / 5) * second;
 }
 
-/* Hunt and Crossley's loading with b = beta, their rebound with b = -h, over tau = ln((1 + b)/(1 + beta v)) from 0 to
- * ln(1 + b), where v = 0; x^(a+1)/(a+1) = energy_left/beta^2. p: a, b, 1 + b, ln(1 + b), beta */
+/* The integrand for Hunt and Crossley's loading with b = beta and their rebound with b = -h. tau = ln((1 + b)/(1 + beta
+ * v)) runs from 0 to ln(1 + b), where v = 0, and x^(a+1)/(a+1) = energy_left/beta^2. p: a, b, 1 + b, ln(1 + b), beta */
 static long double crossley_integrand(long double x, long double below, const long double *p)
 {
     const long double tau = p[3] * x, gone = -expm1l(-tau);
@@ -190,7 +190,7 @@ long double reference_crossley_time_of_max_overlap(long double a, long double be
 long double reference_crossley_duration(long double a, long double beta)
 {
     const long double h = rebound(beta);
-    long double rest = 1 - h; /* of which 1 - h may keep nothing */
+    long double rest = 1 - h; /* where 1 - h may have no digits left */
     for (int k = 0; k < 200 && beta >= 2; k++)
         rest = expl(rest - 1 - energy(beta));
     const long double p[] = {a, -h, rest, beta < 2 ? log1pl(-h) : rest - 1 - energy(beta), beta};

@@ -1,34 +1,34 @@
 /* SPDX-License-Identifier: MIT */
-/* Restitution of the laws of law.h in long double, by other formulas than the library's: what their doubles are judged
- * by. Each function gives L = -ln(eps), relative error some 2^-62. eps and 1 - eps follow by expl and expm1l, which
- * keep 2^-60 while L is below 16; beyond, tests/accuracy asks MPFR. */
+/* Restitution of the laws of law.h in long double, by other formulas than the library's: the truth for the library's
+ * doubles. Each function gives L = -ln(eps) with a relative error of about 2^-62. eps and 1 - eps follow by expl and
+ * expm1l, with errors of 2^-60 while L is below 16; above, tests/accuracy uses MPFR. */
 #ifndef COR_TESTS_REFERENCE_LAWS_H
 #define COR_TESTS_REFERENCE_LAWS_H
 
 #include "cor/law.h"
 
-/* The linear dashpot and Tsuji's damping, zeta > 0: acos and acosh, and the one formula where zeta = 1 */
+/* Returns L of the linear dashpot and Tsuji's damping, zeta > 0: acos or acosh, and one formula at zeta = 1. */
 long double reference_ratio_exponent(enum cor_end end, long double zeta);
 
-/* Hunt and Crossley: -ln(beta eps/beta) from f(-h) = f(beta), f by its series or by log1pl; beta > -1, not 0. */
+/* Hunt and Crossley: -ln(beta eps/beta) from f(-h) = f(beta), with f by its series or log1pl; beta > -1, not 0. */
 long double reference_hunt_crossley_loss(long double beta);
 long double reference_hunt_crossley_eps(long double beta);
-/* With damping while approaching only */
+/* With damping during approach only */
 long double reference_hunt_crossley_approach_loss(long double beta);
 long double reference_hunt_crossley_approach_eps(long double beta);
 
-/* Tsuji's damping: the time of the largest overlap (COR_END_APPROACH_ONLY) or the duration at an end, zeta > 0,
- * relative error below 1e-17. Zero overlap: zeta < 0.999. By double exponential quadrature of exp(zeta s/5) (sin(om
- * s)/om)^(-1/5). */
+/* Returns a time for Tsuji's damping, zeta > 0: of the largest overlap (COR_END_APPROACH_ONLY) or the duration at an
+ * end, with a relative error below 1e-17. Zero overlap: zeta < 0.999. Uses double exponential quadrature of exp(zeta
+ * s/5) (sin(om s)/om)^(-1/5). */
 long double reference_tsuji_time(enum cor_end end, long double zeta);
 
 /* Hunt and Crossley, -1 < beta < inf, not 0, elastic exponents 0 <= a <= 100: the time of the largest overlap and the
- * duration, relative error below 2e-15, and 1e-17 where |ln(beta)| is below 10. By double exponential quadrature over
- * the velocity; over ln(1 + beta v) where beta > 2 or beta < -1/2. */
+ * duration. The relative error is below 2e-15, and 1e-17 where |ln(beta)| is below 10. By double exponential quadrature
+ * over the velocity, or over ln(1 + beta v) if beta > 2 or beta < -1/2. */
 long double reference_crossley_time_of_max_overlap(long double a, long double beta);
 long double reference_crossley_duration(long double a, long double beta);
 long double reference_crossley_duration_approach_only(long double a, long double beta);
-/* Half of the duration for beta = 0, by Gamma functions */
+/* Returns half of the duration for beta = 0, by Gamma functions. */
 long double reference_crossley_elastic_half(long double a);
 
 #endif

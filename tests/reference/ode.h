@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Motions by another route than the library's and the generator's, in long double: Gragg's method, extrapolated
- * (Bulirsch and Stoer), with steps that end where a value falls to zero; and the course of a contact by it. */
+/* Motions by another route than the library's and the generator's, in long double, and the course of a contact. Uses
+ * Gragg's method with extrapolation (Bulirsch and Stoer), and steps that end where a value falls to zero. */
 #ifndef COR_TESTS_REFERENCE_ODE_H
 #define COR_TESTS_REFERENCE_ODE_H
 
@@ -13,8 +13,8 @@ enum { ODE_MOST = 11, ODE_ROWS = 6 };
 typedef void ode_slopes(long double *slope, const long double *y, const void *of);
 typedef long double ode_value(const long double *y, const void *of);
 
-/* y' = slopes(y), n components. longest: the longest step. error: of a step, relative to each component or its change;
- * 0 for 1e-18. h: the length of the next step, 0 for the longest. */
+/* y' = slopes(y), n components. longest: the longest step. error: per step, relative to each component or its change; 0
+ * means 1e-18. h: the length of the next step; 0 means the longest. */
 struct ode {
     ode_slopes *slopes;
     const void *of;
@@ -22,8 +22,8 @@ struct ode {
     long double longest, error, h;
 };
 
-/* Computes y after a step of h, by its changes, whose rounding errors are smaller than y's. Returns the error as a
- * part of what is allowed. Row k: 2 (k + 1) substeps. */
+/* Computes y after a step of h, from changes, whose rounding errors are smaller than those in y. Returns the error
+ * relative to the allowed one. Row k: 2 (k + 1) substeps. */
 static inline long double ode_try(const struct ode *o, const long double *y, long double h, long double *next)
 {
     long double table[ODE_ROWS][ODE_MOST], slope[ODE_MOST], first[ODE_MOST], before[ODE_MOST], change[ODE_MOST];
@@ -62,7 +62,7 @@ static inline long double ode_try(const struct ode *o, const long double *y, lon
     return worst / (o->error > 0 ? o->error : 1e-18L);
 }
 
-/* Makes the longest step that keeps the error, up to `most`, from y to `next`. Returns its length. */
+/* Makes the longest step up to `most` within the error, from y to `next`. Returns its length. */
 static inline long double ode_step(struct ode *o, const long double *y, long double most, long double *next)
 {
     const long double power = -1.0L / (2 * ODE_ROWS - 1);
@@ -85,8 +85,8 @@ static inline void ode_advance(struct ode *o, long double *y, long double length
         left -= ode_step(o, y, left, next);
 }
 
-/* Makes a step, or the part of it after which the first of some values that are above 0 has fallen to 0, or just below.
- * Returns the number of this value, the least of those that fall together, or -1. */
+/* Makes a step, or the part of it until the first of some positive values has fallen to 0, or just below. Returns the
+ * number of this value, the least one if several fall together, or -1. */
 static inline int ode_until(struct ode *o, long double *y, ode_value *const *value, int values)
 {
     const size_t size = sizeof *y * (size_t)o->n;
@@ -118,7 +118,7 @@ static inline int ode_until(struct ode *o, long double *y, ode_value *const *val
             found = i;
             length = high;
             memcpy(next, last, size);
-            i = -1; /* where another had fallen before, and risen later */
+            i = -1; /* where another one fell earlier and rose later */
         }
     }
     memcpy(y, next, size);
@@ -127,15 +127,15 @@ static inline int ode_until(struct ode *o, long double *y, ode_value *const *val
 
 /* ---- a contact ---- */
 
-/* In units of its mass and impact speed: x'' = press - force, x = w^d, y = {w, x', t} by dt = d w^(d-1) ds, in which
- * powers of x by 1/d are smooth. A force may have kinks. */
+/* A contact in units of its mass and impact speed: x'' = press - force, x = w^d. With dt = d w^(d-1) ds, y = {w, x', t}
+ * is smooth although powers of x have fractions 1/d. A force may have kinks. */
 struct motion {
     int d;
     long double press;
     long double (*force)(long double w, long double v, const void *of);
     const void *of;
-    int at_zero_force; /* it ends there, and may creep without an end otherwise */
-    long double error; /* of a step, 0 for 1e-18; larger where the force is a double */
+    int at_zero_force; /* ends there; otherwise the motion may have no end */
+    long double error; /* per step, 0 for 1e-18; larger if the force is a double */
 };
 
 static inline long double motion_power(long double x, int n)
@@ -172,7 +172,7 @@ static inline long double motion_force(const long double *y, const void *of)
     return m->force(y[0], y[1], m->of);
 }
 
-/* The rise of the force along the motion, by a difference: 0 at a peak */
+/* Returns the rise of the force along the motion, by a difference: 0 at a peak. */
 static inline long double motion_rise(const long double *y, const void *of)
 {
     long double slope[3];
@@ -183,13 +183,13 @@ static inline long double motion_rise(const long double *y, const void *of)
 }
 
 struct motion_course {
-    /* At zero overlap, and at zero force or, with a constant force, back at the surface; 0 and infinity: the bodies
+    /* At zero overlap, and at zero force or, with a constant force, back at the surface. 0 and infinity: the bodies
      * stay together */
     long double eps[2], duration[2];
     long double max_overlap, time_of_max_overlap, force_max;
 };
 
-/* Bodies that have turned twice stay together. */
+/* Computes the course of a contact. Bodies that have turned twice stay together. */
 static inline struct motion_course motion_course(const struct motion *m)
 {
     enum { OVERLAP, FORCE, SPEED, RISE, VALUES, STEPS = 4000 };
@@ -220,7 +220,7 @@ static inline struct motion_course motion_course(const struct motion *m)
         if (ends == OVERLAP) {
             r.eps[0] = -y[1];
             r.duration[0] = y[2];
-            if (!released) { /* a force that is 0 at zero overlap only */
+            if (!released) { /* the force is 0 only at zero overlap */
                 r.eps[1] = r.eps[0];
                 r.duration[1] = y[2];
             }
