@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the fuzz targets share: values out of the bytes that libFuzzer hands them, and properties that must hold. */
+/* Shared by the fuzz targets: values made from the bytes of libFuzzer, and properties that must hold. */
 #ifndef COR_FUZZ_H
 #define COR_FUZZ_H
 
@@ -14,7 +14,7 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-/* libFuzzer keeps the input of a program that traps. */
+/* libFuzzer saves the input of a program that traps. */
 #define REQUIRE(condition, ...)                                                                                        \
     do {                                                                                                               \
         if (!(condition)) {                                                                                            \
@@ -30,7 +30,7 @@ struct input {
     size_t left;
 };
 
-/* Zeros where there is nothing left */
+/* Copies bytes of the input; zeros if nothing is left. */
 static inline void input_take(struct input *in, void *to, size_t size)
 {
     const size_t n = size < in->left ? size : in->left;
@@ -49,7 +49,7 @@ static inline uint8_t take_byte(struct input *in)
     return x;
 }
 
-/* 0 to most, all of them likely */
+/* Returns 0 to most, all of them likely. */
 static inline size_t take_up_to(struct input *in, size_t most)
 {
     uint16_t x;
@@ -57,8 +57,8 @@ static inline size_t take_up_to(struct input *in, size_t most)
     return x % (most + 1);
 }
 
-/* Memory of exactly so many bytes, so that the sanitizers see a step beyond. None is one byte, never set: malloc may
- * answer no bytes with NULL. */
+/* Allocates exactly this number of bytes, so that the sanitizers detect an access beyond. Zero bytes are one byte,
+ * which is never set, because malloc may return NULL for zero. */
 static inline void *exactly(size_t size)
 {
     void *p = malloc(size > 0 ? size : 1);

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The whole of corgen, from its command line to its output: the input's lines are the arguments. Each subcommand is run
- * by a function below, which first checks what the parser let through, by the rules of the options, and goes on where
- * the subcommand is cheap.
+/* The whole of corgen, from its command line to its output. The lines of the input are the arguments. A function below
+ * replaces each subcommand. It first checks the parsed arguments by the rules of the options, and continues if the
+ * subcommand is cheap.
  *
- * It runs in a directory of its own, two deep, and arguments have no slash but between digits: nothing outside can be
- * written. stdout and stderr are streams in memory meanwhile; what the sanitizers and libFuzzer say goes to the
- * descriptors as always. */
+ * It runs in a directory of its own, two levels deep. Arguments contain slashes only between digits, so nothing outside
+ * can be written. stdout and stderr are streams in memory meanwhile; messages of the sanitizers and of libFuzzer use
+ * the descriptors as usual. */
 #define _XOPEN_SOURCE 700 /* mkdtemp, open_memstream */
 #include <ctype.h>
 #include <dirent.h>
@@ -28,10 +28,10 @@ int LLVMFuzzerInitialize(int *argc, char ***argv);
 
 enum { ARGUMENTS_MAX = 24, SIZE_MAX_INPUT = 600, PATH_LENGTH = 4096 };
 
-/* Whether the subcommand was too large to be run, and whether plan runs, which goes on to where its modes begin */
+/* skipped: the subcommand was too large to run. planning: plan runs, up to the point where its modes begin */
 static bool skipped, planning;
 
-/* What an option has is in its range, or its default. */
+/* Requires that the value of an option is in its range, or is its default. */
 static void require_option(const char *field, const char *by_default, const struct option_rule *rule)
 {
     const bool is_long = rule->kind == OPTION_WHOLE, is_int = rule->kind == OPTION_WORD;
@@ -94,20 +94,20 @@ static bool simple_law(const struct cor_exponents *law)
            law_damping(law).den <= 4;
 }
 
-/* Whether a list is short and its values are in a range, or the list is not given */
+/* True if a list is short and its values are in a range, or if the list is absent. */
 static bool few(const struct values *values, size_t most, double least, double largest)
 {
     return values->count == 0 ? !values->text
                               : values->count <= most && values->least >= least && values->largest <= largest;
 }
 
-/* Whether the damping of a scene takes no collision */
+/* True if the damping of a scene needs no collision. */
 static bool solves_nothing(const struct embed_request *scene)
 {
     return !scene->number[COR_SCENE_RESTITUTION].text && !scene->number[COR_SCENE_ZETA].text;
 }
 
-/* The function of a subcommand, and whether its work is cheap */
+/* Defines the function for a subcommand. cheap: its work is cheap */
 #define FUZZED(name, cheap)                                                                                            \
     static int fuzz_##name(const void *arguments)                                                                      \
     {                                                                                                                  \
@@ -131,7 +131,7 @@ FUZZED(disk_collide, few(&o->request.sweep.speed, 4, 0.01, 0.5) && few(&o->reque
 FUZZED(embed, solves_nothing(&o->scene))
 FUZZED(plan, solves_nothing(&o->scene))
 
-/* corgen's subcommands with the functions above in the place of theirs. */
+/* Runs corgen's subcommands with the functions above in place of their own. */
 static int corgen_main(int argc, char **argv)
 {
     static const struct {
@@ -152,7 +152,7 @@ static int corgen_main(int argc, char **argv)
     return subcommand_run(table, "fuzzed", argc, argv);
 }
 
-/* Functions in the place of others (CMakeLists.txt, LINKER:--wrap) */
+/* Functions that replace others (CMakeLists.txt, LINKER:--wrap) */
 #define WRAPPED(type, name, ...)                                                                                       \
     type __real_##name(__VA_ARGS__);                                                                                   \
     type __wrap_##name(__VA_ARGS__);                                                                                   \
@@ -163,7 +163,7 @@ WRAPPED(int, disk_modes_rounded, struct cor_disk_modes *modes, const fmpq_t nu, 
     return planning ? fail("the fuzzer finds no modes here") : __real_disk_modes_rounded(modes, nu, count);
 }
 
-/* embed and plan go on to where their collisions begin. */
+/* embed and plan run up to the point where their collisions begin. */
 WRAPPED(struct interpolant *, interpolant_new, const struct interpolant_layout *layout, double beta_min,
         double beta_max)
 {
@@ -186,7 +186,7 @@ WRAPPED(int, series_eps, arb_poly_t eps, slong *root, enum cor_end end, slong or
     return order < EMBED_SERIES ? __real_series_eps(eps, root, end, order, law, bits) : fail("no long series here");
 }
 
-/* The number of files here; temporary ones must not be left. */
+/* Returns the number of files here; temporary ones must not remain. */
 static int files_here(const char *directory, bool remove_them)
 {
     DIR *const open = opendir(directory);
@@ -220,7 +220,7 @@ static void leave(void)
     }
 }
 
-/* output.c sets handlers once, for good; libFuzzer then wants them back. */
+/* output.c installs its handlers once and permanently; libFuzzer needs its own again afterwards. */
 int LLVMFuzzerInitialize(int *argc, char ***argv)
 {
     (void)argc;
@@ -228,7 +228,7 @@ int LLVMFuzzerInitialize(int *argc, char ***argv)
     static const int number[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGABRT, SIGXCPU};
     struct output out;
     output_open(&out, NULL);
-    parallel_use(1); /* a fuzzer has one processor */
+    parallel_use(1); /* a fuzzer uses one processor */
     for (size_t i = 0; i < sizeof number / sizeof *number; i++)
         signal(number[i], SIG_DFL);
     REQUIRE(mkdtemp(home) && chdir(home) == 0 && mkdir("inside", 0700) == 0 && chdir("inside") == 0, "%s", home);
@@ -236,7 +236,7 @@ int LLVMFuzzerInitialize(int *argc, char ***argv)
     return 0;
 }
 
-/* The lines of the input; false for one that might write elsewhere. */
+/* Splits the input into lines. Returns false for one that might write elsewhere. */
 static bool split(char *text, int *argc, char **argv)
 {
     static char program[] = "corgen";
@@ -267,7 +267,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (!split(text, &argc, argv))
         return 0;
 
-    /* glibc's getopt remembers where it was in an argument of the last run, of which a program has but one */
+    /* glibc's getopt remembers its place in an argument of the last run, and normally a program has only one run */
     char *nothing[] = {argv[0], NULL};
     optind = 0;
     (void)getopt(1, nothing, "");

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Every public function, from the list that the bindings read: what all of them promise, whatever the arguments. */
+/* Every public function, from the list of the bindings: guarantees that all of them give for any arguments. */
 #include <errno.h>
 #include <fenv.h>
 
@@ -9,7 +9,7 @@
 
 enum { REFUSED = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW, FEW = 4 };
 
-/* The input, and then numbers that all of it determines */
+/* Bits from the input, and then random numbers that all of it determines */
 struct input_bits {
     struct bit_source source;
     struct input in;
@@ -26,8 +26,8 @@ static uint64_t next_bits(struct bit_source *source)
     return x;
 }
 
-/* eps and 1 - eps are from 0 to 1, and nothing else is below 0. A contact that was made by hand may be anything, Hunt
- * and Crossley's law has negative beta, and tangential motion has a sign. */
+/* Requires that eps and 1 - eps are from 0 to 1 and that nothing else is below 0. Exceptions: a contact made by hand
+ * may have any values, Hunt and Crossley's law has negative beta, and tangential motion has a sign. */
 static void check_range(const struct public_function *f, const struct results *r)
 {
     static const char *const any[] = {"cor_contact_", "cor_plate_", "hunt_crossley", "cor_tangential_"};
@@ -76,10 +76,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     sets = &a;
     scene_sets = scenes;
     arguments_draw(&a, &bits.source, n, 1);
-    memset(a.beta + n, 0, (PUBLIC_COUNT - n) * sizeof *a.beta); /* a scene takes numbers from all of them */
+    memset(a.beta + n, 0, (PUBLIC_COUNT - n) * sizeof *a.beta); /* a scene uses numbers from all of them */
     if (chosen >= public_function_count)
         scene_sets_draw(0, &bits.source);
-    for (size_t k = 0; k < function_count(); k++) /* of those that take long, one */
+    for (size_t k = 0; k < function_count(); k++) /* only one of the slow functions */
         if (k == chosen || (n <= FEW && function_number(k)->type != PUBLIC_several))
             check_function(function_number(k), &a);
     return 0;

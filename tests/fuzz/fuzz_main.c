@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* A fuzz target without libFuzzer, for any compiler: every input of a corpus, and copies of them with a few bytes
- * changed blindly.
+/* A fuzz target without libFuzzer, for any compiler: every input of a corpus, and copies of them with a few random
+ * changes.
  *
  *     fuzz_TARGET CORPUS COPIES LAST
  *
- * CORPUS: a text with an input a line, as tests/fuzz/run packs them, after a first line that is none. COPIES: how many
- * of each. LAST: the input at hand is kept in this file, and stays there if it ends the program. COR_SEED=<number>
- * repeats a run. */
+ * CORPUS: a text with one input per line, as tests/fuzz/run packs them, after a first line that is ignored. COPIES:
+ * number of copies of each. LAST: a file with the current input, which remains if the input ends the program.
+ * COR_SEED=<number> repeats a run. */
 #define _XOPEN_SOURCE 700
 #include <fcntl.h>
 #include <unistd.h>
@@ -38,7 +38,7 @@ size_t LLVMFuzzerMutate(uint8_t *data, size_t size, size_t max_size)
         case 1:
             data[at] = (uint8_t)any_below(256);
             break;
-        case 2: /* a piece of it elsewhere */
+        case 2: /* a piece of it, elsewhere */
             data[at] = data[any_below(size)];
             break;
         case 3:
@@ -58,7 +58,7 @@ static int file = -1;
 
 static void run(const uint8_t *input, size_t size)
 {
-    /* of exactly that size, as libFuzzer hands it over */
+    /* exactly that size, like the inputs of libFuzzer */
     uint8_t *const copy = exactly(size);
     memcpy(copy, input, size);
     if (pwrite(file, input, size, 0) != (ssize_t)size || ftruncate(file, (off_t)size) != 0)
@@ -69,7 +69,7 @@ static void run(const uint8_t *input, size_t size)
     free(copy);
 }
 
-/* \n, \\ and \x with two digits stand for bytes. */
+/* Replaces \n, \\ and \x with two digits by bytes. Returns the size. */
 static size_t unpack(const char *line, uint8_t *input)
 {
     size_t size = 0;

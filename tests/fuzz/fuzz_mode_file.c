@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* cor_disk_modes_read on arbitrary bytes. What it accepts is read again by another route, strtod and strtoul. The
- * mutator makes the checks at the ends of the lines right again, but for one time of four. */
+/* cor_disk_modes_read on arbitrary bytes. An accepted file is read again by another route, strtod and strtoul. In three
+ * of four cases the mutator corrects the checks at the ends of the lines. */
 #define _GNU_SOURCE /* memfd_create */
 #include <sys/mman.h>
 #include <unistd.h>
@@ -16,7 +16,7 @@ enum { CAPACITY = 64, CHECK = 8, PATH_MAX_LENGTH = 64 };
 size_t LLVMFuzzerMutate(uint8_t *data, size_t size, size_t max_size);
 size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t max_size, unsigned seed);
 
-/* The first byte is no part of the file: how many modes there is room for. */
+/* Corrects the checks. The first byte is not part of the file: it is the number of modes that fit. */
 static void mend_checks(char *file, size_t size)
 {
     uint32_t check = COR_MODE_FILE_CHECK_START;
@@ -38,7 +38,7 @@ static void mend_checks(char *file, size_t size)
     }
 }
 
-/* Within one line a mutation is not undone by the next: a digit, or a whole word, or libFuzzer's own choice. */
+/* Changes a digit or a word, or lets libFuzzer choose. Within a line the next mutation does not undo this. */
 size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t max_size, unsigned seed)
 {
     static const char letters[] = "0123456789abcdef.p+-x ";
@@ -79,7 +79,7 @@ static void check_row(const char *text, const struct cor_disk_mode *mode)
     REQUIRE(strlen(at) == CHECK + 1 && *at == ' ', "row '%s'", text);
 }
 
-/* By strtod and strtoul, line by line; no locale is set here. */
+/* Reads the file by strtod and strtoul, line by line; no locale is set here. */
 static void check_by_another_route(const uint8_t *bytes, size_t size, const struct cor_disk_modes *modes)
 {
     char *const text = exactly(size + 1);

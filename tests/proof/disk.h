@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* The goals of the contact law of the disk: part of goals.cpp. Each goal is about one stage of
- * runtime/number/lambert_w.c or runtime/disk/quasistatic.c: the result of `log` or `log1p` is a variable, so that a
- * goal does not depend on the accuracy of these functions. tests/proof/disk_bounds.cpp adds the errors of the
- * stages, times what the later stages make of them, over cells that cover the domain; errors.h has the errors for
- * both programs. */
+/* The goals for the contact law of the disk: part of goals.cpp. Each goal is about one stage of
+ * runtime/number/lambert_w.c or runtime/disk/quasistatic.c. The result of `log` or `log1p` is a variable, so a goal
+ * does not depend on the accuracy of these functions. tests/proof/disk_bounds.cpp adds the errors of the stages,
+ * amplified by the later stages, over cells that cover the domain. errors.h has the errors for both programs. */
 
 /* ---- parts of lists of operations ---- */
 
-/* The exact sum hi + lo of six operations (Knuth's theorem: no rounding error remains, for any two numbers) */
+/* Gives the exact sum hi + lo of six operations (Knuth's theorem: no rounding error remains, for any two numbers). */
 static void exact_two_sum(gappa &g, term hi, term lo)
 {
     g.match_anew(lo, "((s1-(sum:(s1+s2)-part:(sum-s1)))+(s2-part))", {{"sum", hi}});
@@ -15,7 +14,7 @@ static void exact_two_sum(gappa &g, term hi, term lo)
     g.give(lo, constant_of(g["s2"]) == 0 ? "= ($s1) - $sum" : "= ($s1 + $s2) - $sum", "same");
 }
 
-/* The first operation of a kind, or the last one, which must be there */
+/* Returns the first or the last operation of a kind, which must exist. */
 static int find_operation(operation what, bool last = false)
 {
     int found = last_where([&](const node &n) { return n.what == what; });
@@ -27,9 +26,9 @@ static int find_operation(operation what, bool last = false)
 
 /* ---- logarithms ---- */
 
-/* cor_log_ratio_far for each exponent of x = m 2^e, twice where the code begins to scale x: hi + lo is within
- * COR_PROOF_FAR of a - e ln(2) - L, where L is the double that log(m) returns and |ln(m)| < 0.3466. The rest that the
- * last sum adds is below 2^-30, so that a result above 1/2 is an exact sum. */
+/* cor_log_ratio_far for each exponent of x = m 2^e, and twice where the code begins to scale x. hi + lo is within
+ * COR_PROOF_FAR of a - e ln(2) - L, where L is the double that log(m) returns and |ln(m)| < 0.3466. The last sum adds a
+ * rest below 2^-30, so a result above 1/2 is an exact sum. */
 static void write_log_far(void)
 {
     const function f = [](Real x) { return cor_log_ratio_far({Real(1.3), Real(1e-17)}, x).hi; };
@@ -71,8 +70,8 @@ static void write_log_far(void)
     expect(last == 3 || last == 2, "cor_log_ratio_far: the last exponent");
 }
 
-/* The remainder of the quotient d of cor_log_ratio_near, before it is divided: within 2^-74 of difference - d x for d
- * and x from [1, 2]. Powers of two times d or x scale every operation. */
+/* The remainder of the quotient d of cor_log_ratio_near, before its division. It is within 2^-74 of difference - d x
+ * for d and x from [1, 2]. Powers of two in d or x scale every operation. */
 static void write_log_near(void)
 {
     start();
@@ -109,8 +108,8 @@ static void write_log_near(void)
 
 /* ---- t of q ---- */
 
-/* A rounded root p of the double t, and its correction c = (t + tl - p^2)/(2 p), where h and low are the square of p:
- * within 2^-70 for p from [1, 2]. Powers of four times t scale every operation. */
+/* A rounded root p of the double t, and its correction c = (t + tl - p^2)/(2 p); h and low are the square of p. c is
+ * within 2^-70 for p from [1, 2]. Powers of four in t scale every operation. */
 static void write_root_correction(const std::string &name, gappa g)
 {
     g.cut("p", "[1, 2]");
@@ -129,14 +128,14 @@ static void write_root_correction(const std::string &name, gappa g)
     g.write(name, {}, "|$c - R / (2 * $p)| in [0, 1b-70]");
 }
 
-/* The number of a constant's double */
+/* Returns the number of a constant's double. */
 static mpq_class rational(number x)
 {
     return mpq_class(x);
 }
 
-/* cor_lambert_t_pair for q.hi < 0.1, p = sqrt(2 q.hi): the rest of the series has a relative error below
- * COR_PROOF_SERIES, and the correction of p, for p from [1, 2], an error below 2^-70. */
+/* cor_lambert_t_pair for q.hi < 0.1, p = sqrt(2 q.hi). The rest of the series has a relative error below
+ * COR_PROOF_SERIES. The correction of p has an error below 2^-70 for p from [1, 2]. */
 static void write_series(void)
 {
     start();
@@ -158,7 +157,7 @@ static void write_series(void)
     write_root_correction("disk_series_correction", shape);
 }
 
-/* (q <= 3) the start 1 + p (1 + p (1/3 + p (1/36 - p/270))) has a relative error below 2^-48 */
+/* The start for q <= 3, 1 + p (1 + p (1/3 + p (1/36 - p/270))), has a relative error below 2^-48. */
 static void write_start(void)
 {
     start();
@@ -176,8 +175,8 @@ static void write_start(void)
     g.write("disk_start", {}, "($y - @y) / @y" + units(COR_PROOF_START));
 }
 
-/* The operations of both steps for y = 1 + t, by name: logarithms l, residuals r, u = y - 1. They must compute
- * y (1 + (r/u) (b + r)/(b + 2 r)) and y r/u. */
+/* Names the operations of both steps for y = 1 + t: logarithms l, residuals r, u = y - 1. They must compute y (1 +
+ * (r/u) (b + r)/(b + 2 r)) and y r/u. */
 static gappa steps_at(number place)
 {
     start();
@@ -198,13 +197,13 @@ static gappa steps_at(number place)
     return f;
 }
 
-/* A cell of y, and the numbers that log(y) and q.hi can then be */
+/* A cell of y, and the possible numbers for log(y) and q.hi */
 struct step_cell {
     number low;
     std::string y, log, q, index;
 };
 
-/* The residual r has the double L that log(y) returns, and y (1 + ...) is within COR_PROOF_STEP, relative. */
+/* With the double L that log(y) returns in the residual r, y (1 + ...) is within COR_PROOF_STEP, relatively. */
 static void write_first_step(gappa g, const step_cell &cell)
 {
     g.cut("y0", cell.y);
@@ -218,7 +217,7 @@ static void write_first_step(gappa g, const step_cell &cell)
 }
 
 /* Newton's step is within COR_PROOF_NEWTON y of y R/u, where R is the residual with the double L that log(y) returns.
- * u >= q, so that q - u is an exact sum: disk_bounds.cpp. */
+ * u >= q, so q - u is an exact sum: disk_bounds.cpp. */
 static void write_newton_step(gappa g, const step_cell &cell)
 {
     g.cut("y", cell.y);
@@ -238,10 +237,10 @@ static void write_newton_step(gappa g, const step_cell &cell)
 
 static void write_steps(void)
 {
-    for (const number place : {0.2, 3.1, 700.0}) /* with either start the steps are the same */
+    for (const number place : {0.2, 3.1, 700.0}) /* both starts have the same steps */
         steps_at(place);
     const gappa f = steps_at(1.1);
-    std::vector<number> ends; /* no cell has a power of two inside, which changes the unit of y */
+    std::vector<number> ends; /* no cell contains a power of two, which would change the unit of y */
     for (number power = 1; power < 2048; power *= 2)
         for (int k = power == 1 ? 4 : 0; k < 8; k += power < 4 ? 1 : 4)
             ends.push_back(power * (1 + k / 8.0));
@@ -260,8 +259,8 @@ static void write_steps(void)
 
 /* ---- sums ---- */
 
-/* cor_pair_plus(1, t) and cor_pair_plus(1/2, q): rounding errors of the low parts. t.lo is below 0.09 after the series,
- * and below 2^-31 y after Newton's step; q is a pair. */
+/* cor_pair_plus(1, t) and cor_pair_plus(1/2, q): rounding errors of the low parts. t.lo is below 0.09 after the series
+ * and below 2^-31 y after Newton's step. q is a pair. */
 static void write_sums(void)
 {
     static const struct {
@@ -301,7 +300,7 @@ static void write_pair_sqrt(void)
 }
 
 /* times: the number that is rounded last. square_times: the square and its product with f, both within 2^-70 by the
- * goals of pairs */
+ * goals for pairs */
 static void write_times(void)
 {
     start();
@@ -322,7 +321,7 @@ static mpq_class of_pair(const struct cor_inline_pair &x)
     return rational(x.hi.value) + rational(x.lo.value);
 }
 
-/* Newton's step from the root that the trace has, r: r + (x - r^2)/(2 r) */
+/* Returns Newton's step from the root r in the trace: r + (x - r^2)/(2 r). */
 static mpq_class newton_root(const mpq_class &x, const mpq_class &r)
 {
     return r + (x - r * r) / (2 * r);
@@ -337,13 +336,13 @@ struct law_formula {
     Real (*law)(Real x, Real nu, enum cor_disk_datum datum);
     enum quantity quantity;
     bool inverse; /* t of q, or t = q */
-    int multiple; /* of the logarithm */
+    int multiple; /* multiple of the logarithm */
     formula *of;
-    const struct cor_logarithm *constant; /* of a leading logarithm */
+    const struct cor_logarithm *constant; /* for a leading logarithm */
 };
 
-/* The function, without rounding, is its formula of t, whose q is slope nu + ln(limit at nu = 0) - ln(x), far from the
- * limit: at x = 0.75 2^exponent, with arbitrary numbers for the results of log and sqrt */
+/* Checks that the function, without rounding, is its formula in t. Its q is slope nu + ln(limit at nu = 0) - ln(x), far
+ * from the limit: at x = 0.75 2^exponent, with arbitrary numbers for the results of log and sqrt. */
 static void check_law_at(const law_formula &f, enum cor_disk_datum datum, int exponent)
 {
     start();
@@ -361,7 +360,7 @@ static void check_law_at(const law_formula &f, enum cor_disk_datum datum, int ex
     assignment known;
     known[x.node()] = arbitrary();
     known[nu.node()] = arbitrary();
-    mpq_class root; /* the last one is the law's */
+    mpq_class root; /* the last one belongs to the law */
     for (std::size_t i = 0; i < nodes.size(); i++) {
         const operation what = nodes[i].what;
         if (what == HEAD || what == SEED || what == LOG)
@@ -369,7 +368,7 @@ static void check_law_at(const law_formula &f, enum cor_disk_datum datum, int ex
         if (what == SQRT)
             known[(int)i] = root = arbitrary();
     }
-    if (f.law == law_load_of_energy && exponent < -900) /* the root of 2^200 times as much */
+    if (f.law == law_load_of_energy && exponent < -900) /* the root of the argument times 2^200 */
         root /= rational(0x1p100);
     const mpq_class slope = datum == COR_DISK_DATUM_DIAMETER  ? mpq_class(0)
                             : datum == COR_DISK_DATUM_PRINTED ? mpq_class(-1)
@@ -379,7 +378,7 @@ static void check_law_at(const law_formula &f, enum cor_disk_datum datum, int ex
     mpq_class q = of_pair(limit.at_zero.log) + moved - known[far] -
                   exponent * (rational(0.69314718055989033019) + rational(5.4979230187083711747e-14));
     q *= f.multiple;
-    /* Products and sums of constants are rounded in every trace; the goals of the logarithms cover them. */
+    /* products and sums of constants are rounded in every trace; the goals for logarithms cover them */
     const mpq_class rounding = rational(0x1p-75);
     mpq_class value = q;
     if (f.inverse) {
@@ -391,7 +390,7 @@ static void check_law_at(const law_formula &f, enum cor_disk_datum datum, int ex
     expect(abs(exact_value(result, known) - wanted) <= abs(wanted) * rounding, f.name);
 }
 
-/* A leading logarithm has neither nu nor a datum. */
+/* A leading logarithm depends neither on nu nor on a datum. */
 template <Real (*law)(Real)> static Real of_x(Real x, Real, enum cor_disk_datum)
 {
     return law(x);
@@ -421,12 +420,12 @@ static void check_law(void)
     for (const law_formula &f : laws)
         for (const enum cor_disk_datum datum :
              {COR_DISK_DATUM_CENTRE_OF_MASS, COR_DISK_DATUM_DIAMETER, COR_DISK_DATUM_PRINTED})
-            for (const int exponent : {-6, -949}) /* also where the functions scale their argument */
+            for (const int exponent : {-6, -949}) /* also where functions scale their argument */
                 check_law_at(f, datum, exponent);
 }
 
-/* Near the limit, log1p receives (limit - x)/x, where the limit, without rounding, is its number at nu = 0 times
- * (1 + s)^512 with ten terms of s = exp(slope nu/512) - 1. */
+/* Checks log1p near the limit: it receives (limit - x)/x. The limit, without rounding, is its number at nu = 0 times (1
+ * + s)^512, with ten terms of s = exp(slope nu/512) - 1. */
 static void check_limit(void)
 {
     start();

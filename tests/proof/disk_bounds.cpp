@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The bounds of the disk's contact law: the errors of the stages (errors.h), each times what the later stages make
- * of it, added up in interval (ball) arithmetic over cells that cover the domain. docs/theory.md, 18, has the
- * argument. Prints one line for each function. The exit status is 1 if a bound does not hold. */
+/* The bounds of the disk's contact law. The errors of the stages (errors.h), each amplified by the later stages, are
+ * added in interval (ball) arithmetic over cells that cover the domain. docs/theory.md, 18, has the argument. Prints
+ * one line for each function. The exit status is 1 if a bound does not hold. */
 #include "errors.h"
 
 #include <algorithm>
@@ -81,7 +81,7 @@ BALL_OF(size, (const ball &a), arb_abs(c.x, a.x))
 BALL_OF(from_to, (const ball &a, const ball &b), arb_union(c.x, a.x, b.x, bits))
 BALL_OF(pi_ball, (), arb_const_pi(c.x, bits))
 
-/* t(q), by W_-1 of a number that is not too near its branch point */
+/* Returns t(q) by W_-1 of a number that is not too close to its branch point. */
 static ball lambert_t(const ball &q)
 {
     ball w, z = ball(0) - exp(ball(-1) - q);
@@ -89,20 +89,20 @@ static ball lambert_t(const ball &q)
     return ball(-1) - w;
 }
 
-/* The interval from -a to a */
+/* Returns the interval from -a to a. */
 static ball around_0(double a)
 {
     return from_to(ball(-a), ball(a));
 }
 
-/* t - ln(1 + t), which grows with t > 0 */
+/* Returns t - ln(1 + t), which increases with t > 0. */
 static ball q_of(const ball &t)
 {
     const ball low(t.below()), high(t.above());
     return from_to(low - log1p(low), high - log1p(high));
 }
 
-/* The unit in the last place of a positive number */
+/* Returns the unit in the last place of a positive number. */
 static double ulp(double x)
 {
     int exponent;
@@ -124,12 +124,12 @@ static void require(bool yes, const char *what)
 static const double u = 0x1p-53;
 static const double series_end = SERIES_END;
 
-/* How many ulp the results of `log` and `log1p` may be off */
+/* Largest errors of `log` and `log1p` in ulp */
 struct library {
     double log, log1p;
 };
 
-/* A and 2 A + p A' of the rest p^2 A(p) of the series, for every p */
+/* Computes A and 2 A + p A' of the rest p^2 A(p) of the series, for every p. */
 static void series_factors(double *factor, double *slope)
 {
     const ball p = from_to(ball(0), ball(COR_PROOF_SERIES_MAX_P));
@@ -142,8 +142,8 @@ static void series_factors(double *factor, double *slope)
     *slope = size(b).above();
 }
 
-/* The error of t.hi + t.lo for q.hi < 0.1, t in [low, high], with respect to t of q.hi + q.lo; |q.lo| <= 1.01 2^-53
- * q.hi. P = sqrt(2 q), p = sqrt(2 q.hi) rounded, and delta = 2 q/p^2 - 1. */
+/* Returns the error of t.hi + t.lo for q.hi < 0.1, t in [low, high], with respect to t of q.hi + q.lo. |q.lo| <= 1.01
+ * 2^-53 q.hi. P = sqrt(2 q), p = sqrt(2 q.hi) rounded, and delta = 2 q/p^2 - 1. */
 static double series_error(double high)
 {
     static double factor, slope;
@@ -161,11 +161,10 @@ static double series_error(double high)
     return error.above();
 }
 
-/* The relative error e of y after the step of fourth order, 1 + t = y (1 + e), for t in [low, high], q.hi >= 0.1. The
- * step solves r = u e + w, w = e - ln(1 + e) = e^2 W, up to
+/* Returns the relative error e of y after the step of fourth order, 1 + t = y (1 + e), for t in [low, high],
+ * q.hi >= 0.1. The step solves r = u e + w, w = e - ln(1 + e) = e^2 W, up to
  *
- *     e^4 (u^2 V + W^2 (1 + 4 u/3))/(u (b + 2 r)),     2 W + (4/3) e W - 1 = e^2 V
- */
+ *     e^4 (u^2 V + W^2 (1 + 4 u/3))/(u (b + 2 r)),     2 W + (4/3) e W - 1 = e^2 V */
 static double step_error(double low, double high, const library &n)
 {
     const ball t = from_to(ball(low), ball(high)), y = ball(1) + t, q = q_of(t) * (ball(1) + around_0(1.1 * u));
@@ -207,7 +206,7 @@ static double step_error(double low, double high, const library &n)
     return worst;
 }
 
-/* The error of t.hi + t.lo for q.hi >= 0.1 */
+/* Returns the error of t.hi + t.lo for q.hi >= 0.1. */
 static double newton_error(double low, double high, const library &n)
 {
     enum { PARTS = 64 };
@@ -227,7 +226,7 @@ static double newton_error(double low, double high, const library &n)
     return total.above();
 }
 
-/* The error of t.hi + t.lo, for t in a cell */
+/* Returns the error of t.hi + t.lo for t in a cell. */
 static double pair_error(double low, double high, const library &n)
 {
     const ball q = q_of(from_to(ball(low), ball(high)));
@@ -243,7 +242,7 @@ static double pair_error(double low, double high, const library &n)
 
 /* ---- logarithms ---- */
 
-/* The error of q = ln(limit/x) for q in [low, high]; `limit` is the relative error of the limit as a pair. */
+/* Returns the error of q = ln(limit/x) for q in [low, high]. `limit` is the relative error of the limit as a pair. */
 static double depth_error(double low, double high, const library &n, double limit)
 {
     const double border = COR_LOG_RATIO_NEAR;
@@ -261,20 +260,20 @@ static double depth_error(double low, double high, const library &n, double limi
 
 /* ---- the limits ---- */
 
-/* |pair/exact - 1| */
+/* Returns |pair/exact - 1|. */
 static double off(const pair &x, const ball &exact)
 {
     return size((ball(x.hi) + ball(x.lo)) / exact - ball(1)).above();
 }
 
-/* cor_pair_plus(x, y) has two roundings, of sums of low parts below u |x|, u |y| and u |x + y|. */
+/* Returns the error of cor_pair_plus(x, y): two roundings, of sums of low parts below u |x|, u |y| and u |x + y|. */
 static ball plus_error(const ball &x, const ball &y, const ball &sum)
 {
     return ball(1.001 * u * u) * (2 * size(x) + 2 * size(y) + size(sum));
 }
 
-/* The relative error of pair_exp(x) for x between low and high, |x| < 2: of s = exp(x/512) - 1 by Horner's rule in
- * pairs, of s -> 2 s + s^2 nine times, and of 1 + s. */
+/* Returns the relative error of pair_exp(x) for x between low and high, |x| < 2. It comes from s = exp(x/512) - 1 by
+ * Horner's rule in pairs, from s -> 2 s + s^2 nine times, and from 1 + s. */
 static double exp_error(double low, double high)
 {
     const ball x = from_to(ball(low), ball(high)), r = size(x) / ball(512);
@@ -286,7 +285,7 @@ static double exp_error(double low, double high)
         e = (c * ball(0x1p-104) + s * e + plus_error(c, s, c + s)) / sum + ball(1.001 * COR_PROOF_PAIR_TIMES);
         s = (c + s) * r;
     }
-    e = e + ball(0x1p-105); /* the terms from r^11/11! on, r < 2^-8 */
+    e = e + ball(0x1p-105); /* the terms from r^11/11! onward, r < 2^-8 */
     for (int i = 0; i < 9; i++) {
         const ball value = expm1(x / ball(ldexp(512, -i)));
         const ball whole = size(ball(2) + value);
@@ -298,8 +297,8 @@ static double exp_error(double low, double high)
     return ((size(value) * e + plus_error(ball(1), value, whole)) / whole).above();
 }
 
-/* The pairs that the code has as numbers, and the limits: 4 exp(b - 1), 4 pi exp(b - 1), sqrt(8) exp(b - 1), 4 pi
- * exp(2 b - 2), with b - 1 = -2 + slope nu, or -1 - 2 ln 2 - 1/4 + slope nu. Returns the relative error of a limit. */
+/* Tests the pairs stored in the code, and the limits: 4 exp(b - 1), 4 pi exp(b - 1), sqrt(8) exp(b - 1), 4 pi exp(2 b -
+ * 2), with b - 1 = -2 + slope nu, or -1 - 2 ln 2 - 1/4 + slope nu. Returns the relative error of a limit. */
 static double limit_error(void)
 {
     const ball circle = pi_ball(), root = sqrt(ball(2));
@@ -331,7 +330,7 @@ static double limit_error(void)
 
 /* ---- sums over the domain ---- */
 
-/* The largest bound in ulp, for each of two assumptions about libm, and where it is reached */
+/* The largest bound in ulp, for each of two assumptions about libm, and its place */
 static const library libraries[2] = {{COR_PROOF_LOG_ULP, COR_PROOF_LOG1P_ULP},
                                      {COR_PROOF_LOG_NEAR_ULP, COR_PROOF_LOG1P_ULP}};
 
@@ -355,20 +354,20 @@ static void bound_report(const char *name, const bound &worst, double promised, 
     good = good && holds;
 }
 
-/* An error of `units` before the last rounding, in ulp of the exact value. If exact value and rounded sum lie on two
- * sides of a power of two, the sum may have the unit of the higher side. */
+/* Returns the error in ulp of the exact value, after the last rounding, from an error of `units` before it. If exact
+ * value and rounded sum are on two sides of a power of two, the sum may have the unit of the higher side. */
 static double rounded(double units)
 {
     return (units + (units > 1 ? 1 : 0.5)) * (1 + 1e-9);
 }
 
-/* A second rounding, where the result is subnormal: the argument, or its square, is below 2^-1022 times 4. */
+/* Returns the second rounding error, if the result is subnormal: the argument, or its square, is below 4 2^-1022. */
 static double subnormal(double q, double end)
 {
     return q > end ? 0.5 : 0;
 }
 
-/* The relative errors of the functions of 1 + t, before the last rounding, from the errors of t and of the sum 1 + t */
+/* Relative errors of the functions of 1 + t, before the last rounding, from the errors of t and of the sum 1 + t */
 static double of_load(double low, double, double t_error, double sum_error)
 {
     return (t_error + sum_error) / (1 + low) + 4 * COR_PROOF_PAIRS;
@@ -388,7 +387,7 @@ static double of_compression(double low, double high, double t_error, double sum
 
 static const struct {
     const char *name;
-    int multiple; /* q is that often the logarithm */
+    int multiple; /* q is this multiple of the logarithm */
     double (*relative)(double low, double high, double t_error, double sum_error);
 } t_laws[] = {{"load of a compression", 1, of_load},
               {"load of an energy", 1, of_root},
@@ -396,7 +395,7 @@ static const struct {
               {"largest compression", 2, of_compression}};
 enum { T_LAWS = sizeof t_laws / sizeof *t_laws };
 
-/* What an error of q makes of t: dt/dq = (1 + t)/t falls with t, and t(q (1 - rho)) >= (1 - rho) t(q). */
+/* Returns the error of t from an error of q: dt/dq = (1 + t)/t falls with t, and t(q (1 - rho)) >= (1 - rho) t(q). */
 static double t_of_error(double low, double q_error, double q)
 {
     const double rho = q_error / q;
@@ -404,7 +403,7 @@ static double t_of_error(double low, double q_error, double q)
     return q_error * (1 + low) / low / (1 - rho) * (1 + 1e-9);
 }
 
-/* The limit exceeds the argument by one part in 2^92 at least. */
+/* The limit exceeds the argument by at least one part in 2^92. */
 static const double least_depth = 0x1p-92;
 
 static bool has_power_of_two(double low, double high)
@@ -412,7 +411,7 @@ static bool has_power_of_two(double low, double high)
     return ulp(low * (1 - 1e-9)) < ulp(high * (1 + 1e-9));
 }
 
-/* t of q and the functions of t, for t from 2^-47 to 2000 */
+/* Adds the errors of t of q and of the functions of t, for t from 2^-47 to 2000. */
 static void sum_over_t(double limit)
 {
     bound t_of_q = {}, law[T_LAWS] = {};
@@ -426,7 +425,7 @@ static void sum_over_t(double limit)
             const double own = pair_error(low, high, libraries[i]);
             if (i == 1)
                 require(own <= 1.5 * 0x1p-52 * low && own <= u * (1 + low), "the pair t");
-            /* Above 1 ulp before the last rounding, the arguments beside a power of two have a check of their own. */
+            /* above 1 ulp before the last rounding, check_borders tests the arguments next to a power of two */
             const double own_ulp = own / ulp(low);
             require(i == 0 || own_ulp <= 1 || !has_power_of_two(low, high) || (low < 1.1 && high > 0.9) ||
                         (low < 0.51 && high > 0.49),
@@ -444,7 +443,7 @@ static void sum_over_t(double limit)
             }
         }
     }
-    /* below 2^-47 every part of the error of the series, relative to t, is smaller than there */
+    /* below 2^-47 every part of the error of the series, relative to t, is smaller than at 2^-47 */
     bound_take(&t_of_q, 1, series_error(0x1p-47) / 0x1p-47 / u + 0.51, 0);
     for (int f = 0; f < T_LAWS; f++)
         bound_report(t_laws[f].name, law[f], COR_DISK_LAW_MAX_ULP, 0);
@@ -453,7 +452,7 @@ static void sum_over_t(double limit)
 
 /* ---- the rows of the load ---- */
 
-/* R = y - 1 - ln(y) - q of y = pi/(c_0 + c_0' + c_1 t + ...) in powers of t - at, where q = 2^octave (node + t) */
+/* Expands R = y - 1 - ln(y) - q in powers of t - at. y = pi/(c_0 + c_0' + c_1 t + ...), q = 2^octave (node + t). */
 static void residual_series(arb_poly_t r, const double *c, double node, int octave, const ball &at, slong terms)
 {
     LOCAL(arb_poly, y, log);
@@ -472,7 +471,7 @@ static void residual_series(arb_poly_t r, const double *c, double node, int octa
     arb_poly_sub(r, r, y, bits);
 }
 
-/* The relative error of a row of the load in its cell |t| <= half: |R|/t_least, by Taylor's theorem */
+/* Returns the relative error of a row of the load in its cell |t| <= half: |R|/t_least, by Taylor's theorem. */
 static double row_defect(const double *c, double node, int octave, double half, double t_least)
 {
     enum { TERMS = 16 };
@@ -487,8 +486,8 @@ static double row_defect(const double *c, double node, int octave, double half, 
     return sum.above() / t_least * (1 + 1e-9);
 }
 
-/* The load by cor_inline_row_product: c_0 times both halves of the compression is exact. What is left is the row, at
- * most `share` of c_0: 12 roundings of each of its terms, and of t one that weighs at most 10 times a term's size. */
+/* Adds the errors of the load by cor_inline_row_product. c_0 times both halves of the compression is exact. The row is
+ * at most `share` of c_0: 12 roundings of each term, and one of t with at most 10 times a term's size. */
 static void sum_over_rows(void)
 {
     bound load = {};
@@ -520,7 +519,7 @@ static const struct {
     double constant, power;
     int square;
     double factor; /* of a leading logarithm: value = factor exp(-argument q) q^power */
-    double least;  /* of q */
+    double least;  /* least q */
 } q_laws[] = {{"compression of a load", 1, 1, 0, 0, least_depth},
               {"energy of a load", 0.5, 1, 1, 0, least_depth},
               {"leading log: compression", 0, 1, 0, 4, 0.999},
@@ -542,7 +541,7 @@ static void sum_over_q(double limit)
                 const double relative = fabs(f.power) * q / (f.constant + low) * (1 + 2 * q / (f.constant + low)) +
                                         4 * COR_PROOF_PAIRS + 0x1p-72;
                 double units = relative / u;
-                if (f.factor != 0 && high < 1) { /* a cell in which the value is known has known units */
+                if (f.factor != 0 && high < 1) { /* the units are known if the value is known */
                     const double power_low = std::pow(low, f.power), power_high = std::pow(high, f.power);
                     const double least = f.factor * exp(-(1 + f.square) * high) * std::min(power_low, power_high);
                     const double most = f.factor * exp(-(1 + f.square) * low) * std::max(power_low, power_high);
@@ -555,8 +554,8 @@ static void sum_over_q(double limit)
     }
 }
 
-/* The doubles beside the borders of a unit where the sums above leave more than 1 ulp before the last rounding: t = 1/2
- * and 1, with the library that is linked. */
+/* Tests doubles next to the borders of a unit, with the linked library. The sums above leave more than 1 ulp before the
+ * last rounding at t = 1/2 and 1. */
 static void check_borders(void)
 {
     enum { STEPS = 24 };

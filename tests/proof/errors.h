@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* What the proofs of rounding errors assume of the C library (docs/theory.md, 18), in units of the last place:
- * hypotheses of goals.cpp and disk_bounds.cpp, measured by tests/accuracy/test_libm.c. And errors of the stages of the
- * disk's contact law: goals.cpp states them as goals for Gappa, tests/accuracy/test_polynomials.c proves the one of the
- * series, and disk_bounds.cpp adds them up. */
+/* The assumptions of the proofs of rounding errors about the C library (docs/theory.md, 18), in units of the last
+ * place. They are hypotheses of goals.cpp and disk_bounds.cpp, and tests/accuracy/test_libm.c measures them. Also the
+ * errors of the stages of the disk's contact law. goals.cpp states them as goals for Gappa,
+ * tests/accuracy/test_polynomials.c proves the error of the series, and disk_bounds.cpp adds them. */
 #ifndef COR_TESTS_PROOF_ERRORS_H
 #define COR_TESTS_PROOF_ERRORS_H
 
@@ -13,7 +13,7 @@
 /* of log, where t(q) is within 2 ulp */
 #define COR_PROOF_LOG_NEAR_ULP 0.55
 
-/* ln(limit/x) far from the limit, beyond the error of log(m); |ln(m)| < 0.3466 */
+/* ln(limit/x) far from the limit, in addition to the error of log(m); |ln(m)| < 0.3466 */
 #define COR_PROOF_FAR 0x1p-80
 /* the remainder of the quotient near the limit, relative to the quotient */
 #define COR_PROOF_NEAR 0x1p-74
@@ -26,11 +26,11 @@
 #define COR_PROOF_SERIES_DEFECT 0x1p-55
 /* rounding in the polynomial that starts the iteration, relative */
 #define COR_PROOF_START 0x1p-48
-/* |r| in the first step, relative to y; tests/proof/disk_bounds.cpp shows it */
+/* |r| in the first step, relative to y; tests/proof/disk_bounds.cpp proves it */
 #define COR_PROOF_FIRST_RESIDUAL 0.009
 /* rounding in the first step, relative to y */
 #define COR_PROOF_STEP 0x1p-44
-/* |r| in Newton's step, relative to the lower end of the cell of y; tests/proof/disk_bounds.cpp shows it */
+/* |r| in Newton's step, relative to the lower end of the cell of y; tests/proof/disk_bounds.cpp proves it */
 #define COR_PROOF_SECOND_RESIDUAL 0x1p-32
 /* rounding in Newton's step, relative to y */
 #define COR_PROOF_NEWTON 0x1p-82

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* Writes one Gappa file for every piece of the sphere functions: an interval of arguments for which the evaluator
- * carries out the same list of operations. docs/theory.md, "Rounding errors, proved", says why this is a proof.
+ * executes the same list of operations. docs/theory.md, "Rounding errors, proved", says why this is a proof.
  *
  *     goals OUTPUT-DIRECTORY TABLES.h [PART PARTS [PATTERN...]]
  *
- * writes every goal, or those whose name fits a pattern of the shell and whose number is PART modulo PARTS.
- * TABLES.h is generated/sphere_rows.h, of which the proved errors of rows in beta^5 are read as text. The exit status
- * is 1 if the evaluator does not compute the formula of a row. */
+ * writes every goal, or those whose name fits a pattern of the shell and whose number is PART modulo PARTS. TABLES.h is
+ * generated/sphere_rows.h; the proved errors of rows in beta^5 are read from its text. The exit status is 1 if the
+ * evaluator does not compute the formula of a row. */
 #include "trace.h"
 
 #include <cstring>
@@ -22,7 +22,7 @@
 #include "cor/contact.h"
 #include "errors.h"
 
-/* The evaluator's source, with numbers that record their operations; cor/contact.h comes first, with real doubles */
+/* The source of the evaluator, with numbers that record their operations; cor/contact.h first, with real doubles. */
 namespace trace
 {
 #define double Real
@@ -60,7 +60,7 @@ static std::string within(number low, number high)
     return "[" + hex(low) + ", " + hex(high) + "]";
 }
 
-/* Of an error's absolute value, and of an error */
+/* Interval of an error's absolute value, and of an error */
 static std::string at_most(number error)
 {
     return " in [0, " + hex(error) + "]";
@@ -77,13 +77,13 @@ static std::string numbered(const std::string &name, int i)
     return name + digits;
 }
 
-/* ---- what the tables say ---- */
+/* ---- the contents of the tables ---- */
 
 struct table {
     const Real *(*rows)(int i);
     int count;
     number first, step;      /* nodes first + i step, or */
-    int octave, octave_bits; /* 2^octave_bits rows to each octave from this one on */
+    int octave, octave_bits; /* 2^octave_bits rows to each octave, from this octave onward */
 };
 #define GRID(name, NAME)                                                                                               \
     {                                                                                                                  \
@@ -130,7 +130,7 @@ static mpq_class polynomial(const Real *c, const mpq_class &s, const mpq_class &
 
 typedef std::map<int, mpq_class> assignment;
 
-/* One of the operations that both exact numbers and intervals know */
+/* Computes one of the operations that exist for both exact numbers and intervals. */
 template <class T> static T arithmetic(const node &n, const T &x, const T &y)
 {
     switch (n.what) {
@@ -161,7 +161,7 @@ static mpq_class exact_value(term id, assignment &known)
     return known[id] = arithmetic(n, x, y);
 }
 
-/* A rational number, another one at each of 4096 calls */
+/* Returns a rational number, a different one at each of 4096 calls. */
 static mpq_class arbitrary(void)
 {
     static std::uint64_t state = 1;
@@ -172,8 +172,8 @@ static mpq_class arbitrary(void)
     return value + 1 + calls++ % 4096;
 }
 
-/* The list of operations, if nothing is rounded, must be a formula: their sum at 24 arbitrary numbers, which the formula
- * gives to the variables. That proves it for polynomials of one variable and a degree below 24. */
+/* Checks that a list of operations, without rounding, is a formula. Compares their sum at 24 arbitrary numbers, which
+ * the formula gives to the variables. This is a proof for polynomials of one variable and a degree below 24. */
 static void check_formula(const std::string &what, std::initializer_list<term> operations,
                           const std::function<mpq_class(assignment &)> &formula)
 {
@@ -187,7 +187,7 @@ static void check_formula(const std::string &what, std::initializer_list<term> o
     }
 }
 
-/* ---- intervals, widened: only to know which binades a result can reach ---- */
+/* ---- intervals, widened: only for the binades that a result can reach ---- */
 
 struct interval {
     number low, high;
@@ -228,8 +228,8 @@ static word path_at(const function &f, number x)
     return path;
 }
 
-/* The pieces of [first, end). Every decision of the evaluator is a monotone function of the argument, so the arguments
- * of a piece are neighbours, and bisection finds the last one. */
+/* Returns the pieces of [first, end). Every decision of the evaluator is a monotone function of the argument, so the
+ * arguments of a piece are neighbours, and bisection finds the last one. */
 static std::vector<interval> pieces_of(const function &f, number first, number end)
 {
     std::vector<interval> all;
@@ -255,7 +255,7 @@ static std::vector<interval> pieces_of(const function &f, number first, number e
     return all;
 }
 
-/* The operand of an operand ... of an operation: "ab" is the second one of the first */
+/* Returns the operand of an operand ... of an operation: "ab" is the second operand of the first one. */
 static int at(term f, const char *operands)
 {
     int id = f;
@@ -269,7 +269,7 @@ static operation what_is(term id)
     return of(id).what;
 }
 
-/* The last operation that is wanted, or -1 */
+/* Returns the last operation that fits, or -1. */
 static int last_where(const std::function<bool(const node &)> &wanted)
 {
     int i = (int)nodes.size() - 1;
@@ -288,19 +288,19 @@ static void expect(bool yes, const std::string &what)
 
 static const char *output_directory;
 
-/* Of all files, those are written whose number is `part` modulo `parts`. */
+/* Only files whose number is `part` modulo `parts` are written. */
 static unsigned long part, parts = 1, files, written;
 
-/* Patterns of the names wanted, all if there are none */
+/* Patterns of the selected names; empty: all */
 static std::vector<std::string> patterns;
 
-/* The number of a constant, or NaN */
+/* Returns the number of a constant, or NaN. */
 static number constant_of(int id)
 {
     return of(id).what == CONSTANT ? of(id).value : NAN;
 }
 
-/* Whether the operations that lead to `id` fit what stands at p: gappa::match */
+/* True if the operations that lead to `id` fit the pattern at p: gappa::match. */
 static bool fits(int id, const char *&p, std::map<std::string, int> &names)
 {
     static const std::map<char, operation> signs = {{'+', ADD}, {'-', SUBTRACT}, {'*', MULTIPLY}, {'/', DIVIDE}};
@@ -323,9 +323,9 @@ static bool fits(int id, const char *&p, std::map<std::string, int> &names)
     return *p == ':' ? same && fits(id, ++p, names) : same;
 }
 
-/* The text of a Gappa file that is being written: rounded (n..) and exact (e..) versions of every operation. In what is
- * said, assumed, hinted and concluded, "$x" is the rounded version of the operation that `names` has as x, "@x" the
- * exact one, and "$x.ab" an operand, as at() has it. */
+/* The text of a Gappa file in progress: rounded (n..) and exact (e..) versions of every operation. Texts contain "$x"
+ * for the rounded version of the operation that `names` calls x, "@x" for the exact one, and "$x.ab" for an operand as
+ * in at(). */
 struct gappa {
     std::string text = "@rnd = float<ieee_64, ne>;\n@head = float<26, -2000, zr>;\n";
     std::map<int, bool> done;
@@ -390,15 +390,15 @@ struct gappa {
             names[f.first] = f.second;
     }
 
-    /* Names the operations that lead to one. They must fit the pattern: (x+y), -x, sqrt(x), 0.5, or a name, which is
-     * the same operation wherever it stands; name:pattern names what fits the pattern. */
+    /* Names the operations that lead to one. They must fit the pattern: (x+y), -x, sqrt(x), 0.5, or a name, which
+     * always means the same operation. name:pattern names the operation that fits the pattern. */
     void match(term id, const char *pattern)
     {
         const char *at = pattern;
         expect(fits(id, at, names), pattern);
     }
 
-    /* The same with names that may have been others, but for `known` ones */
+    /* Does the same, but names may get new operations, except `known` ones. */
     void match_anew(term id, const char *pattern, std::initializer_list<std::pair<std::string, term>> known)
     {
         gappa other;
@@ -408,7 +408,7 @@ struct gappa {
             names[f.first] = f.second;
     }
 
-    /* An operation whose text is given: the rounded version and, where it is another, the exact one */
+    /* Defines an operation by a text: the rounded version and, if different, the exact one. */
     void give(term id, const std::string &round, const std::string &precise = "")
     {
         text += rounded(id) + " " + filled(round) + ";\n";
@@ -417,7 +417,7 @@ struct gappa {
         done[id] = true;
     }
 
-    /* A double that the goal takes from `interval`; its exact value is the same. */
+    /* Makes an operation a double that the goal draws from `interval`. Its exact value is the same. */
     void cut(const char *name, const std::string &interval)
     {
         give(names.at(name), "= rnd(cut" + std::to_string(names.at(name)) + ")", "same");
@@ -429,7 +429,7 @@ struct gappa {
         cut(name, interval);
     }
 
-    /* A double in an interval; or a real number there, whose rounded version is the double next to it */
+    /* Makes an operation a double in an interval, or a real number there with the nearest double as rounded version. */
     void variable_in(term id, interval x, bool real = false)
     {
         const std::string v = "v" + std::to_string(id);
@@ -496,10 +496,9 @@ static std::string power_of_two(int k)
     return "1b" + std::to_string(k);
 }
 
-/* Goals: the last operation's result is within `ulp` units of the last place of the exact value, or of any number
- * within 2^-55 of it. A file for each binade that the exact value may reach, and for each side of the binade's borders
- * on which the sum may lie that is rounded last: a sum beside a power of two can round to another spacing than that of
- * the exact value. */
+/* Writes goals: the result of the last operation is within `ulp` units of the last place of the exact value, or of any
+ * number within 2^-55 of it. One file covers each binade that the exact value may reach, and each side of its borders
+ * on which the last sum may be. A sum next to a power of two can round to another spacing than the exact value. */
 static void write_goals(const std::string &name, gappa &g, term result, ranges &known, number ulp)
 {
     const node n = of(result);
@@ -538,7 +537,7 @@ static void write_goals(const std::string &name, gappa &g, term result, ranges &
 enum shape { IN_BETA, IN_ROOT, BY_OCTAVES, NEAR, NEAR_ROOT };
 
 struct evaluator {
-    const char *name; /* of the table, too */
+    const char *name; /* also of the table */
     function value;
     number first, end;
     shape kind;
@@ -547,7 +546,7 @@ struct evaluator {
     table rows;
 };
 
-/* The row for a number of a piece, according to the geometry of the table */
+/* Returns the row for a number of a piece, according to the geometry of the table. */
 static row row_for(const evaluator &f, number x)
 {
     for (int i = 0; i < f.rows.count; i++) {
@@ -567,15 +566,15 @@ static bool is_constant(term id, number value)
     return id >= 0 && of(id).what == CONSTANT && of(id).value == value;
 }
 
-/* The nodes of a piece that the goals need by name; -1 where there is none */
+/* The nodes of a piece that the goals need by name; -1: absent */
 struct landmarks {
     int x, root, significand, head, loss, place;
 };
 
-/* place: t of row 0, y - 0 - 0 step or y - 0 */
+/* Returns the landmarks. place: t of row 0, y - 0 - 0 step or y - 0 */
 static landmarks landmarks_of(int result)
 {
-    std::vector<bool> needed(nodes.size(), false); /* what the result depends on */
+    std::vector<bool> needed(nodes.size(), false); /* the nodes on which the result depends */
     needed[(std::size_t)result] = true;
     for (int i = result; i >= 0; i--)
         for (const int operand : {of(i).a, of(i).b})
@@ -603,8 +602,8 @@ static landmarks landmarks_of(int result)
     return l;
 }
 
-/* The evaluator computes exactly c_0 + c_0' + s (c_1 + c_2 t + ...) of the row that the table's macros assign to the
- * piece, times m, if nothing is rounded. */
+/* Checks that the evaluator, without rounding, computes exactly c_0 + c_0' + s (c_1 + c_2 t + ...), times m, for the
+ * row that the table's macros assign to the piece. */
 static void check_row(const evaluator &f, const row &r, const landmarks &l, int result)
 {
     const bool by_square = f.kind == IN_ROOT && f.rows.count == COR_ROWS_EPS_ZERO_FORCE_ROWS &&
@@ -637,7 +636,7 @@ static void write_row_piece(const evaluator &f, const interval &p, int index)
         const interval m = {std::ldexp(p.low, -r.octave), std::ldexp(p.high, -r.octave)};
         g.variable_in(l.significand, known[l.significand] = m);
     } else if (first) {
-        /* Scaling m by a power of two scales the result, so m = 1 to 2 stands for all; t is any number of the row. */
+        /* scaling m by a power of two scales the result, so m = 1 to 2 covers all cases; t is any number of the row */
         const int m = l.loss >= 0 ? l.loss : l.x;
         g.variable_in(m, known[m] = {1, 2});
         known[l.place] = {0, r.high};
@@ -652,9 +651,8 @@ static void write_row_piece(const evaluator &f, const interval &p, int index)
 
 /* ---- tails ---- */
 
-/* hi + lo of a pair whose sum cor_inline_sum(a, b) computes: s = a + b, z = s - a, lo = b - z. The hints say that lo is
- * the rounding error of s if z is exact, which Gappa then proves. Returns the text of hi + lo - (a + b) and gives
- * hi + lo a name. */
+/* Adds hints for the pair of cor_inline_sum(a, b): s = a + b, z = s - a, lo = b - z. They state that lo is the rounding
+ * error of s if z is exact, which Gappa then proves. Gives hi + lo a name and returns the text of hi + lo - (a + b). */
 static std::string hint_sum(gappa &g, const struct cor_inline_pair &pair, const char *name)
 {
     g.match_anew(pair.lo, "left:(small-cut:(sum:(large+small)-large))", {{"sum", pair.hi}});
@@ -666,8 +664,8 @@ static std::string hint_sum(gappa &g, const struct cor_inline_pair &pair, const 
 /* ln(2) to 31 digits, rounded down and up */
 static const char ln2[] = "LN2 in [0.693147180559945309417232121458, 0.693147180559945309417232121459]";
 
-/* |hi + lo - ln(beta)| <= 2^-53 if log(m) is within COR_PROOF_LOG_ULP ulp of its largest values, 2^-54 each, of ln(m).
- * One goal for each exponent e of beta = m 2^e, |ln(m)| < 0.3466. */
+/* |hi + lo - ln(beta)| <= 2^-53 if log(m) is within COR_PROOF_LOG_ULP ulp of ln(m); an ulp is at most 2^-54 there.
+ * Writes one goal for each exponent e of beta = m 2^e, |ln(m)| < 0.3466. */
 static void write_log(void)
 {
     for (int e = 2; e <= 1024; e++) {
@@ -693,8 +691,8 @@ static void write_log(void)
     }
 }
 
-/* The factors of the tails, as pairs: rows in u = ln(beta) up to u = 10, and three orders in mu = beta^(-5/3) beyond.
- * `error` is the relative error that the goals state, in units of 2^-53. */
+/* The factors of the tails, as pairs: rows in u = ln(beta) up to u = 10, then three orders in mu = beta^(-5/3). `error`
+ * is the relative error in the goals, in units of 2^-53. */
 struct tail {
     std::string name;
     number error, far_error;
@@ -715,7 +713,7 @@ static const tail tails[] = {
     TAIL(time_of_max_overlap, TIME_OF_MAX_OVERLAP, 0.6, 0.2),
 };
 
-/* u.hi and u.lo become variables with |hi + lo - U| <= 2^-53, which the goals of write_log prove; U is ln(beta). */
+/* Makes u.hi and u.lo variables with |hi + lo - U| <= 2^-53, which the goals of write_log prove. U is ln(beta). */
 static void cut_log(gappa &g, const struct cor_inline_pair &u, interval range)
 {
     g.call({{"hi", u.hi}, {"lo", u.lo}});
@@ -726,7 +724,7 @@ static void cut_log(gappa &g, const struct cor_inline_pair &u, interval range)
     g.assume("$hi - @hi in [-1b-53, 1b-53]");
 }
 
-/* |pair - E| <= error 2^-53 E for a row of a tail. The row may be used a little beyond its cell, because log is
+/* |pair - E| <= error 2^-53 E for a row of a tail. The row may be used slightly beyond its cell, because log is
  * rounded. */
 static void write_tail_row(const tail &f, int index)
 {
@@ -750,8 +748,8 @@ static void write_tail_row(const tail &f, int index)
     g.write(numbered("tail_" + f.name, index), {}, "|(pair - @sum) / @sum|" + at_most(std::ldexp(f.error, -53)));
 }
 
-/* hi + lo of a pair that cor_inline_product(x, y) computes: lo approximates x y - hi. Returns the text of hi + lo - x y
- * for the rounded x and y. */
+/* Returns the text of hi + lo - x y for a pair of cor_inline_product(x, y), with rounded x and y. lo approximates x y -
+ * hi. */
 static std::string product_error(gappa &g, term hi, term lo)
 {
     g.match_anew(lo, "off:(((((h1*h2)-product:(x1*x2))+(h1*t2))+(t1*h2))+(t1*t2))", {{"product", hi}});
@@ -765,7 +763,7 @@ static std::string product_error(gappa &g, term hi, term lo)
 /* The relative error of mu = 1/beta/(root root), from two roots and three operations */
 static const number mu_error = (2 * COR_PROOF_CBRT_ULP + 2) * 0x1p-52;
 
-/* The same for the three orders of a tail, where U lies in a binade and MU = exp(-5/3 U) */
+/* Writes the goal for the three orders of a tail, where U is in a binade and MU = exp(-5/3 U). */
 static void write_far_binade(const tail &f, interval range, int index)
 {
     start();
@@ -828,15 +826,15 @@ static void write_tails(void)
 
 /* ---- pairs, powers and roots ---- */
 
-/* Goals about functions of pairs. Arguments in [1, 2) stand for all: scaling an argument by a power of two scales every
- * operation, and no caller lets one overflow or underflow. */
+/* Goals about functions of pairs. Arguments in [1, 2) cover all cases: scaling an argument by a power of two scales
+ * every operation, and no caller lets one overflow or underflow. */
 
 static struct cor_inline_pair pair_variable(const std::string &name, number hi)
 {
     return {variable(name, hi), variable(name + "_lo", hi * 0x1p-54)};
 }
 
-/* hi in [1, 2], |lo| <= 2^-52, by the names `hi` and `lo` */
+/* Assumes hi in [1, 2] and |lo| <= 2^-52, with the names `hi` and `lo`. */
 static void pair_in(gappa &g, const struct cor_inline_pair &pair, const char *hi, const char *lo)
 {
     g.call({{hi, pair.hi}, {lo, pair.lo}});
@@ -844,7 +842,7 @@ static void pair_in(gappa &g, const struct cor_inline_pair &pair, const char *hi
     g.variable_in(pair.lo, {-0x1p-52, 0x1p-52});
 }
 
-/* The exact sum hi + lo of cor_inline_sum(a, b) if |a| >= |b| (Dekker's theorem: no rounding error remains) */
+/* Gives the exact sum hi + lo of cor_inline_sum(a, b) if |a| >= |b| (Dekker's theorem: no rounding error remains). */
 static void exact_sum(gappa &g, term hi, term lo)
 {
     g.match_anew(lo, "(s2-(sum:(s1+s2)-s1))", {{"sum", hi}});
@@ -852,8 +850,8 @@ static void exact_sum(gappa &g, term hi, term lo)
     g.give(lo, "= ($s1 + $s2) - $sum", "same");
 }
 
-/* cor_inline_product(x, y) for x and y from [1, 2): |hi + lo - x y| <= 2^-102. All its sums but the last are exact,
- * because the 27 lower bits of a factor are below 2^-25 - 2^-52. Returns the text of hi + lo - x y. */
+/* Returns the text of hi + lo - x y for cor_inline_product(x, y) with x and y from [1, 2): |hi + lo - x y| <= 2^-102.
+ * All its sums except the last are exact, because the 27 lower bits of a factor are below 2^-25 - 2^-52. */
 static std::string sharp_product(gappa &g, term hi, term lo)
 {
     g.match_anew(lo, "l:(((((xh*yh)-h:(x1*x2))+(xh*t2))+(t1*yh))+(t1:(x1-xh:head(x1))*t2:(x2-yh:head(x2))))",
@@ -939,8 +937,8 @@ static void write_pair_over(void)
     g.write("pair_over", {}, "|off| in [0, 1b-70]");
 }
 
-/* A real number S within `error` 2^-53 E of E, 1 <= E <= 2, is rounded last: |rnd(S) - E| <= ulp units of E's last
- * place, also for any number within 2^-57 of E. The final step of every tail. */
+/* If a real number S is within `error` 2^-53 E of E, 1 <= E <= 2, and is rounded last, |rnd(S) - E| <= ulp units of E's
+ * last place. This also holds for any number within 2^-57 of E. It is the final step of every tail. */
 static void write_rounding(const std::string &name, number error, number ulp)
 {
     gappa g;
@@ -954,7 +952,7 @@ static void write_rounding(const std::string &name, number error, number ulp)
     g.write(name + "_above", {"S >= 2"}, goal);
 }
 
-/* The head of a root, known only to lie in `interval` */
+/* Gives the head of a root, of which only `interval` is assumed. */
 static void give_head(gappa &g, term id, const char *of, const std::string &interval)
 {
     g.call({{"r", id}});
@@ -962,7 +960,7 @@ static void give_head(gappa &g, term id, const char *of, const std::string &inte
     g.assume("$r in " + interval);
 }
 
-/* beta^(2/3), m = beta 2^-k in [2^i, 2^(i + 1)], i = 0, 1, 2: the pair is within 2^-70 m^(2/3) of r^2 (1 + (2/3) D +
+/* beta^(2/3), m = beta 2^-k in [2^i, 2^(i + 1)], i = 0, 1, 2. The pair is within 2^-70 m^(2/3) of r^2 (1 + (2/3) D +
  * (5/9) D^2), where r is the head of cbrt(m) and r^3 = m (1 - D), |D| < 2^-23. */
 static void write_two_thirds(void)
 {
@@ -1003,7 +1001,7 @@ static void write_two_thirds(void)
     g.write("two_thirds_head", {}, "r in [0.99, 2] /\\ |D| in [0, 1b-23]");
 }
 
-/* The pair r + lo, by the names r and lo, is within `error` of r (1 + P), where P is the series of (1 + D)^(1/5). */
+/* The pair r + lo, with the names r and lo, is within `error` of r (1 + P), where P is the series of (1 + D)^(1/5). */
 static void write_fifth_root_pair(gappa &g, const char *name, number error)
 {
     g.say("P = D * ((0.2 - 0.08 * D) + (D * D) * (0.048 - 0.0336 * D));");
@@ -1014,8 +1012,8 @@ static void write_fifth_root_pair(gappa &g, const char *name, number error)
     g.write(name, {}, "|(pair - exact) / exact|" + at_most(error));
 }
 
-/* x^(1/5) = r (1 + D)^(1/5), r^5 (1 + D) = x, |D| <= 4e-4, which tests/proof/seeds.c shows for every x. The goals: head
- * and tail are within 0.41 2^-53 of r (1 + D/5 - ...) up to D^4. */
+/* x^(1/5) = r (1 + D)^(1/5), r^5 (1 + D) = x, |D| <= 4e-4, which tests/proof/seeds.c proves for every x. The goals:
+ * head and tail are within 0.41 2^-53 of r (1 + D/5 - ...) up to D^4. */
 static void write_fifth_root(void)
 {
     start();
@@ -1043,9 +1041,9 @@ static void write_fifth_root(void)
     write_fifth_root_pair(g, "fifth_root_parts", std::ldexp(0.41, -53));
 }
 
-/* cor_inline_fifth_root_of_pair, beta(eps) at zero overlap for small eps: head + tail are within 2^-58 of r (1 + D/5 -
- * ...), r^5 (1 + D) = x.hi + x.lo. The pair r5 becomes two variables within 2^-68 of r^5, as the goals of pairs
- * show. */
+/* cor_inline_fifth_root_of_pair, for beta(eps) at zero overlap and small eps. head + tail are within 2^-58 of r (1 +
+ * D/5 - ...), r^5 (1 + D) = x.hi + x.lo. The pair r5 becomes two variables within 2^-68 of r^5, by the goals for
+ * pairs. */
 static void write_fifth_root_of_pair(void)
 {
     start();
@@ -1086,7 +1084,7 @@ static void write_fifth_root_of_pair(void)
 }
 
 /* cor_inline_beta_force_far: the sum that is rounded last is within 2^-55 of R^3 (1 + e (r_1 + e r_2)). R = r + rest is
- * the fifth root of the goal above, e has a relative error below 2^-52, and v = -0.6 ln(e) an error below 2^-43. */
+ * the fifth root of the goal above. e has a relative error below 2^-52, and v = -0.6 ln(e) has an error below 2^-43. */
 static void write_beta_force_far(void)
 {
     start();
@@ -1131,7 +1129,7 @@ static void write_beta_force_far(void)
     h.write("beta_force_log", {}, "|V - exact| in [0, 1b-43]");
 }
 
-/* s, the sum that is rounded last, is within 2^-70 of x (f.hi + f.lo) */
+/* s, the sum that is rounded last, is within 2^-70 of x (f.hi + f.lo). */
 static void write_by_pair(const std::string &name, term s, const Real &x, const struct cor_inline_pair &f)
 {
     gappa g;
@@ -1154,7 +1152,7 @@ static void write_linear_tail(void)
     write_by_pair("linear_tail", cor_inline_linear_tail(b, factor), b, factor);
 }
 
-/* eps = h*^5/x with the first half of h*^5 only, 1 <= x <= 2 */
+/* eps = h*^5/x with only the first half of h*^5, 1 <= x <= 2 */
 static void write_far_root(void)
 {
     start();
@@ -1169,7 +1167,7 @@ static void write_far_root(void)
         g.say("S = $value.a / $x;");
         g.say("exact = (" + h + " + " + less + ") / $x;");
         g.hint("S - exact -> -(" + less + ") / $x");
-        const int k = side + 1; /* the exact value lies in [2^k, 2^(k + 1)] */
+        const int k = side + 1; /* the exact value is in [2^k, 2^(k + 1)] */
         for (const char *where : {"S <= 4", "S >= 4"})
             g.write("far_root_" + std::to_string(k) + (where[2] == '<' ? "_below" : "_above"),
                     {"exact in [" + power_of_two(k) + ", " + power_of_two(k + 1) + "]", where},
@@ -1193,7 +1191,7 @@ static void write_last_steps(void)
     g.say("eps = rnd(e);\nV = rnd(1 - eps);");
     g.hypotheses = {"eps in [0, 1b-8]", "eps - E in [-1b-60, 1b-60]"};
     g.write("last_loss", {}, "|V - (1 - E)|" + at_most(std::ldexp(0.51, -53)));
-    /* A normal number within 0.8 ulp of E, scaled to a subnormal number: 0.91 units of 2^-1074 */
+    /* a normal number within 0.8 ulp of E, scaled to a subnormal number: 0.91 units of 2^-1074 */
     gappa s;
     s.text += "@subnormal = fixed<-1074, ne>;\nV = subnormal(S);\n";
     s.hypotheses = {"S in [0, 1b-1022]", "S - E in [-0x1.ap-1076, 0x1.ap-1076]"};

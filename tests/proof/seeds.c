@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The start of the fifth root, cor_inline_fifth_root_parts: |x - r^5| <= 4e-4 r^5 for every normal x, where r is the
- * head. The seed of Halley's step depends on the upper 32 bits of x only. For each of their values the program
- * evaluates both ends of the interval of x, and asks for 3.99e-4; inside the interval, x changes by one part in 2^20
- * and r by a fifth of that, which changes the quotient by less than 1e-6, because Halley's error has a slope below
- * 0.01 in x. Without an option the program takes five exponents, after which the seeds repeat but for one part in
- * 2^20; --all takes the exponents -1000 to 1000. */
+/* Proves the start of the fifth root, cor_inline_fifth_root_parts: |x - r^5| <= 4e-4 r^5 for every normal x, where r is
+ * the head. The seed of Halley's step depends only on the upper 32 bits of x. For each of their values the program
+ * evaluates both ends of the interval of x and requires 3.99e-4. Within the interval, x changes by one part in 2^20 and
+ * r by a fifth of that. This changes the quotient by less than 1e-6, because Halley's error has a slope below 0.01 in
+ * x. Without an option the program uses five exponents, after which the seeds repeat up to one part in 2^20. --all uses
+ * the exponents -1000 to 1000. */
 #include "runtime/number/fifth_root.h"
 
 #include <stdio.h>
@@ -19,7 +19,7 @@ static double quotient(double x)
 int main(int argc, char **argv)
 {
     const int all = argc > 1 && strcmp(argv[1], "--all") == 0, first = all ? -1000 : 0, last = all ? 1000 : 5;
-    const uint64_t stride = all ? 16 : 1; /* of --all, every 16th seed of other exponents */
+    const uint64_t stride = all ? 16 : 1; /* --all: every 16th seed of other exponents */
     double worst = 0, at = 0;
     for (int e = first; e < last; e++) {
         const uint64_t start = cor_inline_bits(cor_inline_power_of_two(e)) >> 32;

@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* The functions of an impact speed (cor/contact.h): part of goals.cpp. They combine functions that other goals are
- * about: the errors add up here, and no sum may exceed the public bound. docs/theory.md, 4, bounds the derivatives
- * by which the error of beta enters. A contact counts as exact, as its user filled it. */
+/* The functions of an impact speed (cor/contact.h): part of goals.cpp. They combine functions with their own goals. The
+ * errors are added here, and no sum may exceed the public bound. docs/theory.md, 4, bounds the derivatives that
+ * multiply the error of beta. A contact counts as exact, as its user filled it. */
 
-/* Errors are relative and in units of 2^-53, half the distance of doubles beyond 1. n ulp are at most 2 n units. */
+/* Errors are relative, in units of 2^-53, half the distance of the doubles above 1. n ulp are at most 2 n units. */
 static const number units_per_ulp = 2;
 
-/* What docs/accuracy.md has proved, rounding and formula together, in ulp */
+/* The proved errors in docs/accuracy.md, rounding and formula together, in ulp */
 static const number eps_ulp = 0.96, far_root_ulp = 0.9 + 4.1e-17 * 0x1p52, duration_overlap_ulp = 1.35,
                     duration_force_ulp = 1.14, max_overlap_ulp = 0.84, inverse_ulp = 1.93;
 
-/* Of x^(1/5), rounded; and of the pair that is rounded last */
+/* Errors of x^(1/5), rounded, and of the pair that is rounded last */
 static const number fifth_root = 1.42, root_pair = 0.41;
 
-/* For products of errors, errors of pairs, 2^-70, and the change of kappa between two neighbours, below 2e-9 */
+/* Covers products of errors, errors of pairs, 2^-70, and the change of kappa between two neighbours, below 2e-9 */
 static const number small = 0.001;
 
 /* kappa = |d ln(eps)/d ln(beta)| >= 1/2 for beta >= 2, x = beta^5 */
@@ -28,7 +28,7 @@ static void expect_at_most(const std::string &what, number error, number bound)
         die(what + ": " + std::to_string(error) + " is above the bound " + std::to_string(bound));
 }
 
-/* -log2 of the proved errors of a table's rows, from the comment above it */
+/* Reads -log2 of the proved errors of a table's rows from the comment above the table. */
 static std::vector<number> bits_of_rows(const char *file, const std::string &name)
 {
     std::ifstream in(file);
@@ -42,8 +42,8 @@ static std::vector<number> bits_of_rows(const char *file, const std::string &nam
     return bits;
 }
 
-/* eps from a row in x. x has two rounding errors, 2/5 of a unit of beta. The bound grows faster with kappa than the
- * error does, so the least kappa decides. */
+/* Checks eps from a row in x. x has two rounding errors, 2/5 of a unit of beta. The bound grows faster with kappa than
+ * the error, so the least kappa decides. */
 static void check_rows_at_speed(const evaluator &f, const char *file)
 {
     const std::vector<number> bits = bits_of_rows(file, f.name);
@@ -57,7 +57,7 @@ static void check_rows_at_speed(const evaluator &f, const char *file)
     }
 }
 
-/* The other ways to eps, from x on */
+/* Checks the other ways to eps, for arguments from x onward. */
 static void check_eps_sums(void)
 {
     const struct {
@@ -76,9 +76,9 @@ static void check_eps_sums(void)
     }
 }
 
-/* scale overlap root^4 in ulp. A rounding error is at most 1/m units where the result's significand is m, and n units
- * of a number with the significand m are n m/2 ulp. `product` is an interval of the significands of the product so
- * far, `error` what it has before it is rounded. */
+/* Returns the error of scale overlap root^4 in ulp. A rounding error is at most 1/m units if the result has the
+ * significand m, and n units of a number with the significand m are n m/2 ulp. `product` is an interval of the
+ * significands of the product so far, `error` its error before rounding. */
 static number products_ulp(interval product, interval root, int factors, number error)
 {
     if (product.low >= 2)
@@ -94,8 +94,8 @@ static number products_ulp(interval product, interval root, int factors, number 
                         error + root_pair + 1 / root.low);
 }
 
-/* The largest such error. Cells of the significands of scale overlap and of the root cover all numbers. `error` is that
- * of scale overlap before it is rounded. */
+/* Returns the largest such error. Cells of the significands of scale overlap and of the root cover all numbers. `error`
+ * is the error of scale overlap before rounding. */
 static number overlap_ulp(number error)
 {
     enum { CELLS = 256 };
@@ -109,7 +109,7 @@ static number overlap_ulp(number error)
     return most;
 }
 
-/* The source has the operations that the sums count. */
+/* Checks that the source has the operations that the sums count. */
 static void check_operations(void)
 {
     start();
@@ -121,8 +121,8 @@ static void check_operations(void)
     shape.match(cor_contact_overlap_of(scale, root, y), "(((((scale*y)*root)*root)*root)*root)");
 }
 
-/* Durations, the largest overlap and A at a speed, in ulp. The derivatives, |d ln(y)/d ln(beta)|: 3/2 at most for the
- * duration at zero force, 1 + 5/1.74 for the one at zero overlap, 2/3 for the largest overlap. */
+/* Checks durations, the largest overlap and A at a speed, in ulp. Bounds of |d ln(y)/d ln(beta)|: 3/2 for the duration
+ * at zero force, 1 + 5/1.74 for the duration at zero overlap, 2/3 for the largest overlap. */
 static void check_seconds(void)
 {
     const number overlap = max_overlap_ulp * units_per_ulp + fifth_root * 2 / 3;
@@ -139,7 +139,7 @@ static void check_seconds(void)
         expect_at_most(s.what, s.ulp + small, COR_CONTACT_MAX_ULP);
 }
 
-/* cor_contact_beta_of_root: within 1.001 units of factor (hi + lo), where hi has 26 bits and lo is small */
+/* cor_contact_beta_of_root: within 1.001 units of factor (hi + lo), where hi has 26 bits and lo is small. */
 static void write_contact_beta(void)
 {
     start();

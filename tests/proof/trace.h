@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Numbers that record how they were computed. tests/proof/goals.cpp compiles the evaluator's own source with Real in
- * place of double and Bits in place of uint64_t. Running it at one argument gives the result and the list of its
- * operations: the proofs are about the shipped source, and nothing is typed twice.
+/* Numbers that record their computation. tests/proof/goals.cpp compiles the evaluator's own source with Real in place
+ * of double and Bits in place of uint64_t. A run at one argument gives the result and the list of its operations. So
+ * the proofs are about the shipped source, and nothing is typed twice.
  *
  * A decision (a comparison, a conversion to an integer, bits that select) depends on the argument but is not part of
- * the list. path tells two lists of operations apart by their decisions and constants. */
+ * the list. path distinguishes two lists of operations by their decisions and constants. */
 #ifndef COR_TESTS_PROOF_TRACE_H
 #define COR_TESTS_PROOF_TRACE_H
 
@@ -52,7 +52,7 @@ struct node {
 
 static std::vector<node> nodes;
 static word path;
-static bool recording = true; /* otherwise decisions alone: the search for pieces needs no operations */
+static bool recording = true; /* otherwise only decisions: the search for pieces needs no operations */
 
 inline const node &of(int id)
 {
@@ -85,7 +85,7 @@ inline number number_of(word bits)
     return x;
 }
 
-/* The index of a node; operations on the same operands share one node. */
+/* Returns the index of a node. Operations on the same operands share one node. */
 inline int node_of(operation what, int a, int b, number value, const std::string &name = "")
 {
     for (int i = (int)nodes.size(); i-- > 0;) {
@@ -150,11 +150,11 @@ inline Real variable(const std::string &name, number value)
     return Real(value, node_of(VARIABLE, -1, -1, value, name));
 }
 
-/* Of one operand or two */
+/* Returns the result of an operation with one operand or two. */
 inline Real result_of(operation what, Real x, number value, const Real *y = nullptr)
 {
     if (x.constant() &&
-        (!y || y->constant())) /* a compiler computes it; every double of it is exact or rounded alike */
+        (!y || y->constant())) /* the compiler computes it; each double of it is exact or rounded alike */
         return Real(value);
     return recording ? Real(value, node_of(what, x.node(), y ? y->node() : -1, value)) : Real(value, 0);
 }
@@ -207,7 +207,7 @@ REAL_FUNCTION(exp, EXP)
 REAL_FUNCTION(expm1, EXPM1)
 REAL_FUNCTION(fabs, ABSOLUTE)
 
-/* ---- the bits of a Real: which function of it they are ---- */
+/* ---- the bits of a Real, by their meaning ---- */
 
 struct Bits {
     enum meaning { NOTHING, ALL, TOP_26, FRACTION, ONE_TO_TWO, OTHER };
@@ -237,7 +237,7 @@ struct Bits {
     }
 };
 
-/* The result of an operation that has no meaning here, or of two constants */
+/* Returns the result of an operation without a meaning here, or of two constants. */
 inline Bits mixed(word value, Bits x, Bits y)
 {
     const Bits &one = x.what == Bits::NOTHING ? y : x;

@@ -46,8 +46,8 @@ static void note(struct law_case *c, int end, int what, double computed, const a
           at, at, computed);
 }
 
-/* beta < 1e-100, where 1 - eps = -C_1 beta and, at zero force, (a-b)/((a+1)(b+1)) beta^((a+1)/(a-b)) less
- * (docs/theory.md, 2 and 5); C_1 = -(2/(a+1)) X^(b+1) B((b+1)/(a+1), 3/2), X = ((a+1)/2)^(1/(a+1)). */
+/* Computes the loss for beta < 1e-100: 1 - eps = -C_1 beta and, at zero force, (a-b)/((a+1)(b+1)) beta^((a+1)/(a-b))
+ * less (docs/theory.md, 2 and 5); C_1 = -(2/(a+1)) X^(b+1) B((b+1)/(a+1), 3/2), X = ((a+1)/2)^(1/(a+1)). */
 static void first_order_loss(arb_t loss, const struct cor_exponents *law, int end, const arb_t beta)
 {
     const struct ratio a = law_elastic(law), b = law_damping(law);
@@ -73,7 +73,7 @@ static void check_first_order(struct law_case *c, double beta)
 
 static int case_solve(struct collision *s, const struct law_case *c, const arb_t beta)
 {
-    /* beyond the threshold, and far above it, zero force is all there is */
+    /* well above the threshold only zero force exists */
     if (law_force_ends(&c->law) && arf_cmp_d(arb_midref(beta), 2 * c->threshold) > 0) {
         const int status = collision_solve_force(s, beta, &c->law, BITS);
         arb_zero(s->eps_zero_overlap);
@@ -84,7 +84,7 @@ static int case_solve(struct collision *s, const struct law_case *c, const arb_t
     return collision_solve(s, beta, &c->law, BITS + (b < 1 ? (slong)-log2(b) : 0)); /* 1 - eps has BITS bits */
 }
 
-/* eps and the duration; with damping while approaching only, by the largest overlap and the rebound from there */
+/* Computes eps and the duration; with damping during approach only, from the largest overlap and the rebound. */
 static void end_values(arb_t eps, arb_t duration, const struct law_case *c, const struct collision *s, int end)
 {
     const struct ratio a = law_elastic(&c->law);
@@ -98,8 +98,8 @@ static void end_values(arb_t eps, arb_t duration, const struct law_case *c, cons
     LET(duration, PREC, "s->t_max + duration*eps^((1 - a)/(1 + a))", s->t_max, duration, eps, a);
 }
 
-/* The inverse at the double x near eps or the loss: beta + (x - eps)/(d eps/d beta), the slope by a difference of a
- * collision and another, at beta - step. */
+/* Checks the inverse at the double x near eps or the loss: beta + (x - eps)/(d eps/d beta). The slope comes from the
+ * difference to another collision, at beta - step. */
 static void check_inverse(struct law_case *c, double beta, const struct collision *s)
 {
     const double room = beta < c->threshold ? fmin(beta, c->threshold - beta) : beta, step = ldexp(room, -STEP_BITS);
@@ -120,7 +120,7 @@ static void check_inverse(struct law_case *c, double beta, const struct collisio
         LET(wanted, PREC, "of_loss + sign*eps", of_loss, sign, eps);
         const double given = arf_get_d(arb_midref(wanted), ARF_RND_NEAR);
         LET(exact, PREC, "beta + sign*(given - wanted)/slope", beta, sign, given, wanted, slope);
-        /* the slope has 20 bits: a shift of more than 2^-30 says nothing about the last place */
+        /* the slope has 20 bits, so a shift of more than 2^-30 does not determine the last place */
         LET(x, PREC, "1 - beta/exact", beta, exact);
         if (fabs(arf_get_d(arb_midref(x), ARF_RND_UP)) < 0x1p-38 && given > 0 && given < 1)
             note(c, end, of_loss ? CHECK_BETA_OF_LOSS : CHECK_BETA, inverse(given), exact, given);
@@ -194,11 +194,11 @@ void law_check_random(const struct law_functions *f, size_t count)
     print_worst(&c, "random");
 }
 
-/* Every border between tables is one of these, and one place of each list, at random, is looked at: a power of two
- * (near eps = 1), 8 (middle), beta_c - 2^k, beta_c (zero overlap), exp(u) for whole eighths of octaves of u (tails). */
+/* Returns a random border between tables from one of four lists: a power of two (near eps = 1), 8 (middle), beta_c -
+ * 2^k or beta_c (zero overlap), exp(u) for whole eighths of octaves of u (tails). No other borders exist. */
 static double border(struct law_case *c, struct random_state *r, size_t i)
 {
-    switch ((i + 3) % 4) { /* the border to the rows in beta_c - beta first, which a short run looks at, too */
+    switch ((i + 3) % 4) { /* first the border to the rows in beta_c - beta, which short runs also test */
     case 0:
         return ldexp(1, -(int)random_uniform(r, 1, 9));
     case 1:
@@ -290,7 +290,7 @@ void law_check_round_trip(const struct law_functions *f, size_t count)
             check(relative_error(loss_back, loss) < 8e-16, "%s: loss %.17g comes back as %.17g", f->name, loss,
                   loss_back);
             const double beta = f->beta[end](eps), back = f->eps[end](beta);
-            /* as ill-conditioned as eps is in beta; beyond the largest double there is no beta */
+            /* as ill-conditioned as eps is in beta; no beta exists above the largest double */
             const double step = 0x1p-20, slope = fabs((f->eps[end](beta * (1 - step)) / back - 1) / step);
             if (beta < 0x1p1000)
                 check(fabs(back / eps - 1) <= (2.5 * slope + 2) * DBL_EPSILON, "%s: eps %.17g comes back as %.17g, %g",

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The functions of one law, x'' + beta x^b x' + x^a = 0, against collisions enclosed for this test: eps, loss, times,
- * largest overlap at any beta, and the inverse at the eps of those. */
+/* The functions of one law, x'' + beta x^b x' + x^a = 0, against collisions enclosed for this test. At any beta: eps,
+ * loss, times and largest overlap; then the inverse at these eps. */
 #ifndef COR_TESTS_TABLE_LAW_CHECK_H
 #define COR_TESTS_TABLE_LAW_CHECK_H
 
@@ -11,7 +11,7 @@
 
 typedef double law_function(double x);
 
-/* Index 0 is zero overlap, 1 zero force, 2 zero force with damping while approaching only, which a law may not have. */
+/* Index 0 is zero overlap, 1 zero force, 2 zero force with damping during approach only, which may be absent. */
 enum { LAW_ENDS = 3 };
 
 struct law_functions {
@@ -38,13 +38,13 @@ struct law_functions {
             ends(prefix, duration), prefix##_max_overlap, prefix##_time_of_max_overlap, __VA_ARGS__                    \
     }
 
-/* Fails the test where a function misses its bound. Two print the worst errors found. */
+/* Fail the test if a function misses its bound. Two of them print the worst errors found. */
 void law_check_at(const struct law_functions *f, const double *beta, size_t n);
 void law_check_random(const struct law_functions *f, size_t points);
-void law_check_borders(const struct law_functions *f, size_t points); /* as many borders as that, chosen at random */
+void law_check_borders(const struct law_functions *f, size_t points); /* this number of borders, chosen at random */
 void law_check_special(const struct law_functions *f);
 
-/* e -> beta -> e over all sizes of e, and of 1 - e */
+/* Checks e -> beta -> e for all magnitudes of e and of 1 - e. */
 void law_check_round_trip(const struct law_functions *f, size_t points);
 
 #endif

@@ -7,7 +7,7 @@
 
 static struct law_functions functions = {"hertz_dashpot", "3/2", "0", .one_ulp = 1, .two_ulp = 2, .approach_ulp = 2};
 
-/* Fills the functions from the table, whose bounds are these. */
+/* Fills the functions from the table, with these bounds. */
 static int setup(void **state)
 {
     static const enum cor_end ends[LAW_ENDS] = {COR_END_ZERO_OVERLAP, COR_END_ZERO_FORCE, COR_END_APPROACH_ONLY};
@@ -46,7 +46,7 @@ TEST(test_borders)
     law_check_borders(&functions, points(4));
 }
 
-/* Where the rows of damping while approaching only meet: the series, the near rows, the octaves and the tail */
+/* Where the rows of damping during approach only meet: the series, the near rows, the octaves and the tail */
 TEST(test_approach_only)
 {
     leave_to_turn(1, 2);

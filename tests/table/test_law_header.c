@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* One header of `corgen law`, LAW_HEADER of the law (LAW_ELASTIC, LAW_DAMPING) with the name `law`, against enclosed
- * collisions. tests/law/run writes such headers and compiles
- * this for each. */
+/* A header of `corgen law` against enclosed collisions: LAW_HEADER of the law (LAW_ELASTIC, LAW_DAMPING) with the name
+ * `law`. tests/law/run writes such headers and compiles this file for each. */
 #include "law_check.h"
 
 #include "../unit/check.h"
@@ -34,7 +33,7 @@ TEST(test_round_trip)
 #ifdef LAW_IS_SPHERE
 #include "cor/sphere.h"
 
-/* Two roundings of one number: most are the same, and none is farther from the other than the bounds of both. */
+/* Compares two roundings of one number: most are equal, and their distance is at most the sum of both bounds. */
 static void compare(law_function *one, law_function *other, double from, double to, double most, const char *name)
 {
     struct random_state r = random_start();
