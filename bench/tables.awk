@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# The tables of a page from those of docs/speed, and from nothing else: prints the page, with each table renewed that
-# stands between <!-- NAME ARGUMENT... of docs/speed, by bench/run --> and <!-- end -->.
+# Prints a page with its tables renewed from the csv files of docs/speed. A table is between
+# <!-- NAME of docs/speed, by bench/run --> and <!-- end -->.
 #     awk -f bench/tables.awk docs/speed/*.csv docs/speed/README.md
 
 BEGIN { FS = "," }
@@ -12,22 +12,18 @@ csv { next }
 /^<!-- .* of docs\/speed, by bench\/run -->$/ {
     inside = 1
     split($0, argument, " ")
-    write(argument[2], argument[3], argument[4], argument[5])
+    write(argument[2])
 }
 
-function write(name, a, b, c) {
+function write(name) {
     if (name == "machine") machine()
     else if (name == "summary") summary()
     else if (name == "short") readme()
-    else if (name == "cheapest") decades(a, b, c)
     else if (name == "large") large()
-    else if (name == "floats") floats()
     else if (name == "energy") energy()
-    else if (name == "modes") modes()
     else if (name == "collision") collision()
     else if (name == "models") models()
     else if (name == "rigid") rigid()
-    else if (name == "generator") generator()
     else { print "bench/tables.awk: no table " name > "/dev/stderr"; exit 1 }
 }
 
@@ -65,36 +61,6 @@ function call_it(t, i,    text) {
     if (cell[t, i, 3] != "" && text != "cor") text = text " " cell[t, i, 3]
     if (text == "cor" && cell[t, i, 6] != "scalar") text = "cor array"
     return text (cell[t, i, 4] != "" ? ", " cell[t, i, 4] : "")
-}
-# The least time with error at most e, of all methods or of those that hold for every scene
-function cheapest(t, s, where, how, every, e,    i, best) {
-    for (i = 1; i <= rows[t]; i++)
-        if (is_row(t, i, s, where, how) && cell[t, i, 9] ~ /^[0-9]/ && cell[t, i, 9] + 0 <= e && !(every && cell[t, i, 2] ~ /^scene header/) \
-            && (!best || cell[t, i, 7] + 0 < cell[t, best, 7] + 0)) best = i
-    return best ? call_it(t, best) ", " plain(cell[t, best, 7]) : "none"
-}
-# One line for each decade, neighbours with the same answers together; where: an end, or both side by side
-function decades(t, s, where,    k, j, n, end, text, line, last, from, headers) {
-    t = "spheres_" t
-    headers = t == "spheres_speed" && s == "ordinary"
-    n = split(where == "both" ? "overlap force" : where, end, " ")
-    for (j = 1; j <= n; j++)
-        for (k = 0; k < 2; k++)
-            text = text (where == "both" ? "zero " end[j] ": " : "") (k ? "in loops and arrays" : "one at a time") ", ns |" \
-                (headers ? " without a header for the scene, ns |" : "") " "
-    sub(/ $/, "", text)
-    head("| error at most | " text)
-    for (k = 1; k <= 16; k++) {
-        line = ""
-        for (j = 1; j <= n && k <= 15; j++) line = line " | " decade(t, s, end[j], "scalar", headers, k) " | " decade(t, s, end[j], "array", headers, k)
-        if (line == last) continue
-        if (last != "") printf "| 1e-%d%s%s |\n", from, (from == k - 1 ? "" : " to 1e-" k - 1), last
-        from = k
-        last = line
-    }
-}
-function decade(t, s, where, how, headers, k) {
-    return (headers ? cheapest(t, s, where, how, 0, 10 ^ -k) " | " : "") cheapest(t, s, where, how, 1, 10 ^ -k)
 }
 # A method from a speed, at zero overlap unless given: its errors in the scenes, its time in the ordinary one
 function method(scenes, title, curve, what, end,    t, s, n, line, i, k) {
@@ -138,22 +104,6 @@ function large(    t, i) {
         if (cell[t, i, 6] == "large" && cell[t, i, 5] != "force") printf "| %s | %s |\n", call_it(t, i), plain(cell[t, i, 7])
 }
 
-# 1 quantity, 2 form, 3 instructions, 4 ns, 5 share of double, 6 error
-function floats(    i, k, t, q, ns, error, order) {
-    t = "floats"
-    for (i = 1; i <= rows[t]; i++) {
-        q = cell[t, i, 1]
-        if (!((q, "double array") in ns)) order[++k] = q
-        ns[q, cell[t, i, 2]] = sprintf("%.2f", cell[t, i, 4]) # the last set is the widest
-        error[q] = cell[t, i, 6]
-    }
-    head("| function | double array | float array | error |")
-    for (i = 1; i <= k; i++) {
-        q = order[i]
-        printf "| %s | %s | %s | %s |\n", q, ns[q, "double array"], ns[q, "float array"], error[q]
-    }
-}
-
 # ---- disks: 1 table, 2 method, 3 speed, 4 setting, 5 modes, 6 seconds, 7 error ----
 
 function disk(i, column) { return cell["disks", i, column] }
@@ -172,11 +122,6 @@ function energy(    e, i, k, m, names, best) {
         }
         printf "\n"
     }
-}
-function modes(    i) {
-    head("| v | cor |")
-    for (i = 1; i <= rows["disks"]; i++)
-        if (is_disk(i, "rayleigh", "cor")) printf "| %s | %s, %s |\n", short(disk(i, 3)), time(disk(i, 6)), short(disk(i, 7))
 }
 # The fastest run of a table within an error, and not by luck: it stays below for every smaller tolerance, or for every
 # larger number of modes.
@@ -218,13 +163,4 @@ function models(    i, k, errors) {
     for (i = 1; i <= rows["disks"]; i++)
         if (disk(i, 1) == "collision models" && disk(i, 2) != "cor")
             printf "| %s | %s | %s | %s |\n", (disk(i, 2) == "Rayleigh" ? "Rayleigh's energy" : "`cor_disk_eps`"), short(disk(i, 3)), short(disk(i, 7)), time(disk(i, 6))
-}
-
-# 1 command, 2 fixed, 3 varied, 4 value, 5 seconds, 6 megabytes, 7 step
-function generator(    i, t) {
-    t = "generator"
-    head("| corgen | fixed | | time | memory | most expensive step |")
-    for (i = 1; i <= rows[t]; i++)
-        printf "| %s | %s | %s %s | %s | %.0f MB | %s |\n", cell[t, i, 1], cell[t, i, 2], cell[t, i, 3], cell[t, i, 4], \
-            time(cell[t, i, 5]), cell[t, i, 6], cell[t, i, 7]
 }
