@@ -47,6 +47,15 @@ static int check_options(const struct contact_arguments *o, const struct contact
                            "--poisson 0.2 --radius 1e-3 --density 2500: their stiffness against sliding is Mindlin's");
     if (o->friction.text && (c->plastic || c->liquid_speed_m_s > 0))
         return usage_error("--friction has no answer for --law elastic-plastic or a contact in a liquid");
+    double spring, dashpot;
+    const int end = contact_end(contacts, 0);
+    if (o->tangential.text && end == COR_BOTH_ENDS)
+        return usage_error("--tangential-restitution needs --end zero-overlap or zero-force: the duration differs");
+    if (o->tangential.text &&
+        cor_scene_tangential(&spring, &dashpot, c, options_number(&o->tangential, NAN), end) != STATUS_OK)
+        return usage_error("--tangential-restitution needs --law linear with --stiffness or --duration and "
+                           "--effective-mass, bodies that part, and no --gravity, as --law linear --stiffness 1e5 "
+                           "--effective-mass 1e-3 --restitution 0.9");
     if (o->step_corrected && !o->simulator && contact_end(contacts, 0) == COR_BOTH_ENDS)
         return usage_error("--step-corrected needs --end zero-overlap or %s: the damping differs",
                            c->force_n > 0 ? "surface" : "zero-force");
@@ -82,7 +91,8 @@ static int print_tables(const struct contact_arguments *o, const struct contacts
             fprintf(out.file, "%s%s\n\n", contact_law_text(text, &contacts->contact[0]),
                     contacts->scene.plate ? ", a plate" : "");
         if (in_text || !rows) {
-            contact_summary(&summary, contacts, options_number(&o->friction, NAN), digits);
+            contact_summary(&summary, contacts, options_number(&o->friction, NAN), options_number(&o->tangential, NAN),
+                            digits);
             table_print(&summary, format, out.file);
             table_clear(&summary);
         }
@@ -90,6 +100,8 @@ static int print_tables(const struct contact_arguments *o, const struct contacts
             fputs("\n", out.file);
         if (rows)
             table_print(&table, format, out.file);
+        if (in_text)
+            contact_print_ranges(out.file, contacts, rows);
         status = output_commit(&out);
     }
     table_clear(&table);
@@ -191,6 +203,7 @@ static const char help[] =
     "  --simulator-version V   for this version, as '29 Sep 2021' or 3.8.1; list names the models\n"
     "  --friction MU    of spheres, without --speed, --for: kappa, the tangential velocity after over before\n"
     "                   an elastic impact without slip, and the angle up to which it sticks when they touch\n"
+    "  --tangential-restitution E   linear, without --speed, --for: tangential spring k_t and dashpot\n"
     "  --plot FILE      eps over the speed as .svg, .png or .pdf, by gnuplot\n"
     "  --format F       text (default), csv or json\n" HELP_COMMON
     "\nColumns: speed_m_s,beta,eps_zero_overlap,eps_zero_force,duration_s_zero_overlap,\n"
@@ -220,6 +233,8 @@ static const struct option_rule options[] = {
     OPTION("for", TEXT, simulator, .range.words = contact_simulator_names, .excludes = "format plot"),
     OPTION("simulator-version", TEXT, version, .needs = "for"),
     OPTION("friction", REAL, friction, .range.number = &option_not_negative, .excludes = "for speed"),
+    OPTION("tangential-restitution", REAL, tangential, .scene = &cor_scene_options[COR_SCENE_RESTITUTION],
+           .excludes = "for speed"),
     OPTION("plot", FILE, plot, .needs = "speed"),
     OPTION_FORMAT(option_formats),
     OPTION_COMMON,

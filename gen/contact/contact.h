@@ -42,8 +42,13 @@ enum { CONTACT_DIGITS = 12, CONTACT_DIGITS_TEXT = 6 };
 /* quantity,value,unit; two values, value_zero_overlap and value_zero_force, if the contact has one for each end at
  * which eps may have been measured. Quantities that are not known have no row. With friction, not NaN, of two spheres,
  * or a sphere and a wall: kappa, u'/u without slip, and the angle up to which they stick when they touch, in
- * degrees. */
-void contact_summary(struct table *table, const struct contacts *contacts, double friction, int digits);
+ * degrees. Spheres have Rayleigh's time step and, if they adhere, Tabor's number. `tangential`, not NaN: the spring and
+ * the dashpot of a linear contact with this tangential restitution. */
+void contact_summary(struct table *table, const struct contacts *contacts, double friction, double tangential,
+                     int digits);
+
+/* Prints the meaning of Rayleigh's time step, where rows have another one, and of Tabor's number. */
+void contact_print_ranges(FILE *file, const struct contacts *contacts, bool rows);
 
 /* A row for each contact and speed of the request, with its time step, in the columns of corgen contact. The last one,
  * measured_end, is there only where there are two contacts. Errors of the step have two columns, or, where the end of

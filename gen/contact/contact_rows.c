@@ -29,7 +29,41 @@ static const char *end_of(const struct contacts *contacts, int end)
     return cor_scene_end_name(&contacts->contact[0], end);
 }
 
-void contact_summary(struct table *table, const struct contacts *contacts, double friction, int digits)
+static double tabor_number(const struct contacts *contacts)
+{
+    return cor_scene_tabor_number(&contacts->contact[0], contacts->scene.number[COR_SCENE_ADHESION],
+                                  COR_TABOR_DISTANCE_M);
+}
+
+void contact_print_ranges(FILE *file, const struct contacts *contacts, bool rows)
+{
+    const double step = cor_scene_rayleigh_step_s(&contacts->scene), tabor = tabor_number(contacts);
+    if (rows && !isnan(step))
+        fprintf(
+            file,
+            "\nRayleigh's time step is %.6g s: a surface wave travels half around the smaller sphere. Codes for\n"
+            "particles limit their step to 0.1 to 0.3 of it at every speed; time_step_s follows from this contact.\n",
+            step);
+    if (!isnan(tabor))
+        fprintf(file,
+                "\nTabor's number is %.3g if %g m separate the surfaces: JKR holds above about %g, DMT below %g.\n",
+                tabor, COR_TABOR_DISTANCE_M, COR_TABOR_JKR, COR_TABOR_DMT);
+}
+
+/* Adds a quantity that is no quantity of cor/scene.h, for each contact, unless it is NaN. */
+static void add_number(struct table *table, const struct contacts *contacts, const char *name,
+                       const double value[COR_SCENE_ENDS], const char *unit, int digits)
+{
+    if (isnan(value[0]))
+        return;
+    table_add_text(table, name);
+    for (int k = 0; k < contacts->count; k++)
+        table_add_number(table, value[k], digits);
+    table_add_text(table, unit);
+}
+
+void contact_summary(struct table *table, const struct contacts *contacts, double friction, double tangential,
+                     int digits)
 {
     const bool one = contacts->count == 1;
     char text[HEADER];
@@ -51,6 +85,14 @@ void contact_summary(struct table *table, const struct contacts *contacts, doubl
             table_add_number(table, cor_scene_quantity(&contacts->contact[k], q->number), digits);
         table_add_text(table, q->unit);
     }
+    const double step = cor_scene_rayleigh_step_s(&contacts->scene), tabor = tabor_number(contacts);
+    double spring[COR_SCENE_ENDS], dashpot[COR_SCENE_ENDS];
+    for (int k = 0; k < contacts->count; k++)
+        cor_scene_tangential(&spring[k], &dashpot[k], &contacts->contact[k], tangential, contact_end(contacts, k));
+    add_number(table, contacts, "rayleigh_time_step", (double[]){step, step}, "s", digits);
+    add_number(table, contacts, "tabor_number", (double[]){tabor, tabor}, "1", digits);
+    add_number(table, contacts, "tangential_stiffness", spring, "N/m", digits);
+    add_number(table, contacts, "tangential_damping", dashpot, "N s/m", digits);
     if (isnan(friction))
         return;
     const struct cor_body body[2] = {cor_scene_body(&contacts->scene, 1), cor_scene_body(&contacts->scene, 2)};
@@ -64,12 +106,8 @@ void contact_summary(struct table *table, const struct contacts *contacts, doubl
     } row[] = {{"tangential_kappa", kappa, "1"},
                {"no_slip", cor_tangential_no_slip(kappa, 1.5), "1"},
                {"stick_angle", cor_tangential_stick_angle(kappa, friction) * degree, "degrees"}};
-    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
-        table_add_text(table, row[i].name);
-        for (int k = 0; k < contacts->count; k++)
-            table_add_number(table, row[i].value, digits);
-        table_add_text(table, row[i].unit);
-    }
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++)
+        add_number(table, contacts, row[i].name, (double[]){row[i].value, row[i].value}, row[i].unit, digits);
 }
 
 /* ---- the time step ---- */

@@ -205,6 +205,9 @@ int embed_contact_numbers(arb_t beta_per_root, arb_t force, arb_t yield_speed, a
         LET(beta_per_root, prec, "zeta*sqrt(2*(a + 1))", zeta, a);
     else if (embed_given(request, COR_SCENE_BETA))
         LET(beta_per_root, prec, law_is_linear(law) ? "beta" : "beta/at^q", beta, at, q);
+    else if (embed_given(request, COR_SCENE_DURATION))
+        return usage_error("a damping that follows from --duration is not exact; give --beta B --at G, --zeta Z or "
+                           "--restitution E --at G, which corgen contact prints for it");
     else { /* of the force K x^a + C x^b x': beta g^-q = (C/m) (m/K)^((b+1)/(a+1)), C given, or (3/2) A K */
         LET(A, prec, embed_given(request, COR_SCENE_DAMPING_COEFFICIENT) ? "C" : "A*K*3/2", C, A, K);
         LET(beta_per_root, prec, "(m/K)^((b + 1)/(a + 1))*A/m", m, K, a, b, A);

@@ -147,6 +147,22 @@ double cor_scene_elastic_overlap(const struct cor_scene_contact *contact, double
 double cor_scene_liquid_speed(const struct cor_scene_contact *contact, double viscosity_pa_s, double gap_outer_m,
                               double gap_inner_m);
 
+/* Tabor's number of spheres that adhere, (R w^2/(E*^2 z^3))^(1/3), where z is the distance of the surfaces in
+ * equilibrium, about COR_TABOR_DISTANCE_M: JKR holds from about COR_TABOR_JKR, DMT up to about COR_TABOR_DMT. Accuracy:
+ * 1e-14, relative. Special values: spheres whose effective radius is not known, numbers out of range -> NaN. */
+#define COR_TABOR_DISTANCE_M 3e-10
+#define COR_TABOR_JKR 5.0
+#define COR_TABOR_DMT 0.1
+double cor_scene_tabor_number(const struct cor_scene_contact *contact, double adhesion_j_m2, double distance_m);
+
+/* Computes the tangential spring and dashpot of solid spheres with the linear dashpot (LAW 1, 0): the contact point,
+ * of mass (2/7) m, reverses its tangential speed with the restitution tangential_eps, from 0 (not allowed) to 1, in the
+ * duration of the contact. At zero overlap k_t/K = (2/7) (pi^2 + ln^2 e_t)/(pi^2 + ln^2 e_n). It must not slip.
+ * Accuracy: COR_SCENE_MAX_ERROR. Returns COR_OK, or COR_FAULT_RANGE for another law, unknown mass or stiffness, a
+ * constant force, bodies that never part, or another tangential_eps; both results are NaN then. */
+int cor_scene_tangential(double *stiffness_n_m, double *damping_n_s_m, const struct cor_scene_contact *contact,
+                         double tangential_eps, int end);
+
 /* With force_n > 0 the equation is m x'' + C x^b x' + K x^a = force_n: gravity on a ball above a wall, or DMT adhesion.
  * For one contact eps is still a function of the speed, for every law, and no solver is needed. The two ends are then:
  *
@@ -262,7 +278,7 @@ enum cor_scene_number {
     COR_SCENE_LIQUID_VISCOSITY, /* Pa s, of a liquid between the bodies, with both gaps */
     COR_SCENE_GAP_OUTER,        /* m, distance of the surfaces at which the liquid begins to act */
     COR_SCENE_GAP_INNER,        /* m, distance at which the bodies touch: their roughness */
-    COR_SCENE_DURATION,         /* s, of the contact at the speed COR_SCENE_AT, instead of the stiffness */
+    COR_SCENE_DURATION, /* s, of the contact at the speed COR_SCENE_AT, instead of the stiffness or the damping */
     COR_SCENE_NUMBERS,
     COR_SCENE_BODY = COR_SCENE_YOUNG_2 - COR_SCENE_YOUNG
 };
@@ -334,7 +350,7 @@ enum cor_fault {
     COR_FAULT_NO_SECOND_BODY, /* number is that of a second viscoelastic body, and there is none */
     COR_FAULT_RANGE,          /* number, a number of the contact, or the speed is out of range */
     COR_FAULT_STEP,           /* of the functions of the time step, which have no yield, liquid or JKR adhesion */
-    COR_FAULT_NO_STIFFNESS,   /* no stiffness makes the contact last as long as the duration says */
+    COR_FAULT_NO_STIFFNESS,   /* no stiffness gives a contact of this damping its duration, or its C or A */
     COR_FAULT_PRESSED,        /* a constant force, and a damping too strong to be integrated */
     COR_FAULT_GRAVITY,        /* gravity needs a wall or a plate: it presses no free bodies together */
     COR_FAULT_ADHESION,       /* adhesion and an adhesion model go together */
@@ -343,7 +359,9 @@ enum cor_fault {
     COR_FAULT_NO_YIELD,       /* elastic-plastic spheres need a yield stress or a restitution */
     COR_FAULT_YIELD_DAMPING,  /* elastic-plastic spheres take no number */
     COR_FAULT_LIQUID,         /* number is missing: viscosity and both gaps go together */
-    COR_FAULT_GAPS            /* the outer gap is not larger than the inner one */
+    COR_FAULT_GAPS,           /* the outer gap is not larger than the inner one */
+    COR_FAULT_NO_DURATION,    /* no damping gives a contact of this stiffness, C or A the duration */
+    COR_FAULT_TWO_DURATIONS   /* a dissipation time and a duration at zero overlap, which two contacts can have */
 };
 struct cor_scene_fault {
     int fault;         /* enum cor_fault */
@@ -377,6 +395,11 @@ struct cor_body cor_scene_body(const struct cor_scene *scene, int body);
  * returned; then *fault says more, and *count is 0.
  * Accuracy of `damping`: 1e-14 relative, and of a stiffness from a duration 1e-11; sampled in
  * tests/gen/test_contact.c. */
+/* Rayleigh's time step of the bodies of a scene, s, the smaller of pi R sqrt(rho/G)/(0.1631 nu + 0.8766): the time in
+ * which a surface wave travels half around a sphere. Codes for particles commonly limit their step to 0.1 to 0.3 of it.
+ * NaN: a scene without bodies. Accuracy: 1e-14, relative. Source: [LIGGGHTS], fix check/timestep/gran. */
+double cor_scene_rayleigh_step_s(const struct cor_scene *scene);
+
 int cor_scene_contacts(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *count, struct cor_scene_fault *fault,
                        const struct cor_scene *scene);
 

@@ -17,7 +17,7 @@ from .contact import Body
 _NUMBERS = [string(option.name).replace("-", "_") for option in lib.cor_scene_options]
 _LAWS = [string(lib.cor_law_name(law)) for law in range(lib.COR_LAW_ELASTIC_PLASTIC + 1)]
 _ADHESION = ("none", "dmt", "jkr")
-_DAMPINGS = ("g_star", "beta", "zeta", "restitution", "damping_coefficient", "dissipation_time", "viscosity")
+_DAMPINGS = "g_star beta zeta restitution damping_coefficient dissipation_time viscosity duration".split()
 
 
 def raise_text(text: Any) -> None:
@@ -184,7 +184,10 @@ class Contact:
             value = lib.cor_scene_quantity(ffi.addressof(contact), known.number)
             name = string(known.name).replace("zero_overlap", self.ends[0]).replace("zero_force", self.ends[1])
             found.update({} if math.isnan(value) else {name: value})
-        return found
+        step, adhesion = lib.cor_scene_rayleigh_step_s(self._scene), self._scene.number[lib.COR_SCENE_ADHESION]
+        tabor = lib.cor_scene_tabor_number(ffi.addressof(contact), adhesion, 3e-10)  # COR_TABOR_DISTANCE_M
+        more = {"rayleigh_time_step": step, "tabor_number": tabor}
+        return {**found, **{name: value for name, value in more.items() if not math.isnan(value)}}
 
     def _rows(self, speed_m_s: ArrayLike, end: int) -> Tuple[Array, Array]:
         """Returns the speeds and a row of results for each: eps at one end or, with COR_BOTH_ENDS, all results."""

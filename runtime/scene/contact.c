@@ -430,6 +430,34 @@ double cor_scene_force_max_n(const struct cor_scene_contact *contact, double spe
     return impact.force_max;
 }
 
+double cor_scene_tabor_number(const struct cor_scene_contact *contact, double adhesion_j_m2, double distance_m)
+{
+    if (!cor_contact_is_sound(contact) || !isgreater(contact->radius_m, 0) || !cor_si_in_range(adhesion_j_m2) ||
+        !cor_si_in_range(distance_m))
+        return NAN;
+    const double modulus = 0.75 * contact->stiffness / sqrt(contact->radius_m),
+                 ratio = cor_quiet_quotient(adhesion_j_m2, cor_quiet_product(modulus, distance_m)),
+                 length = contact->radius_m / distance_m;
+    return cor_quiet_power(cor_quiet_product(cor_quiet_product(ratio, ratio), length), 1.0 / 3);
+}
+
+int cor_scene_tangential(double *stiffness_n_m, double *damping_n_s_m, const struct cor_scene_contact *contact,
+                         double tangential_eps, int end)
+{
+    struct cor_scene_impact impact;
+    *stiffness_n_m = *damping_n_s_m = NAN;
+    if (!cor_law_is(&contact->law, 2, 0) || contact->force_n + contact->adhesion_j_m2 + contact->liquid_speed_m_s > 0 ||
+        !isgreater(tangential_eps, 0) || !islessequal(tangential_eps, 1))
+        return COR_FAULT_RANGE;
+    const int status = cor_scene_impact(&impact, contact, 1);
+    const double loss = -log(tangential_eps), time = impact.duration_s[end], mass = 2 * contact->mass_kg / 7;
+    if (status != COR_FAULT_NONE || !isless(time, INFINITY))
+        return status != COR_FAULT_NONE ? status : COR_FAULT_RANGE;
+    *stiffness_n_m = cor_quiet_quotient(cor_quiet_quotient(mass * (COR_PI * COR_PI + loss * loss), time), time);
+    *damping_n_s_m = cor_quiet_quotient(2 * mass * loss, time);
+    return status;
+}
+
 /* ---- the damping from other quantities ---- */
 
 /* eps at a trial beta */

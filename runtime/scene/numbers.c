@@ -96,6 +96,9 @@ int cor_scene_check_bodies(struct cor_scene_fault *fault, const struct cor_scene
 #define BODY_RULE                                                                                                      \
     "a contact of bodies has --young, --poisson, --radius and --density or --mass, as --young 7e10 --poisson 0.17 "    \
     "--radius 1e-3 --density 1600; -2 for the second body, or --wall"
+#define PAIR_RULE                                                                                                      \
+    "With --effective-mass two of --stiffness, --damping-coefficient, --duration and one of the ratios "               \
+    "--restitution, --beta, --zeta determine a contact; two ratios do not"
 #define WAY_RULE                                                                                                       \
     "The dissipation is one of --dissipation-time A (s), --viscosity ETA1,ETA2 (Pa s), --g-star G (m/s), "             \
     "--restitution E --at SPEED (as --restitution 0.9 --at 1), --damping-coefficient C, --beta B --at SPEED, --zeta Z"
@@ -126,13 +129,13 @@ static const char *const sentences[] = {
     [COR_FAULT_TWO_CONTACTS] = "--stiffness with --effective-mass and bodies exclude each other; {bodies}",
     [COR_FAULT_SPRING] =
         "--{number} is missing: a spring has --stiffness K in N/m^a, or the --duration T of its contacts in s, and "
-        "--effective-mass m_1 m_2/(m_1 + m_2) in kg, as --stiffness 1e5 --effective-mass 1e-3",
+        "--effective-mass m_1 m_2/(m_1 + m_2) in kg, as --stiffness 1e5 --effective-mass 1e-3{more}",
     [COR_FAULT_NOT_HERTZ] = "two bodies have Hertz's force, x^(3/2); the law {law} needs --stiffness K in N/m^a and "
                             "--effective-mass M in kg, as --stiffness 1e5 --effective-mass 1e-3",
     [COR_FAULT_NO_WAY] = "no dissipation is given. A drop measures it: from the height H to H' on the rebound is "
                          "--restitution E --at G with E = sqrt(H'/H) and G = sqrt(2 g H), as --restitution 0.9 --at 1; "
                          "--dissipation-time 0 is elastic. " WAY_RULE,
-    [COR_FAULT_TWO_WAYS] = "--{number} and --{other} exclude each other. " WAY_RULE,
+    [COR_FAULT_TWO_WAYS] = "--{number} and --{other} exclude each other{more}. " WAY_RULE ". " PAIR_RULE,
     [COR_FAULT_NOT_SPHERE] = "--{number} is that of viscoelastic spheres, not of the law {law}: give --restitution "
                              "E{more} or --damping-coefficient C",
     [COR_FAULT_CONSTANT] =
@@ -147,8 +150,8 @@ static const char *const sentences[] = {
     [COR_FAULT_NO_SECOND_BODY] = "--{number} needs a second body that is viscoelastic",
     [COR_FAULT_RANGE] = "a number of this contact, or its speed, is out of range: numbers with units are from 1e-250 "
                         "to 1e250, and those of bodies and dissipation must not be too far apart",
-    [COR_FAULT_NO_STIFFNESS] = "no stiffness makes the contact last for the --duration: with this damping its bodies "
-                               "never part, or the stiffness is beyond a double",
+    [COR_FAULT_NO_STIFFNESS] = "no stiffness gives this contact both numbers: with this damping its bodies never part, "
+                               "or it has no damping, or the stiffness is beyond a double",
     [COR_FAULT_PRESSED] = "the damping of the law {law} is too strong to be integrated under gravity or adhesion",
     [COR_FAULT_GRAVITY] = "--gravity presses a ball to a --wall or a plate; two free bodies fall together, and their "
                           "contact knows nothing of it",
@@ -165,6 +168,12 @@ static const char *const sentences[] = {
     [COR_FAULT_LIQUID] = "--{number} is missing: a liquid has --viscosity-liquid ETA in Pa s and --gap-outer and "
                          "--gap-inner in m, as --viscosity-liquid 1e-3 --gap-outer 1e-4 --gap-inner 1e-6",
     [COR_FAULT_GAPS] = "--{number} is not larger than --{other}",
+    [COR_FAULT_NO_DURATION] =
+        "no damping makes this contact last for the --duration. Damping prolongs a contact that ends at zero overlap "
+        "and shortens one that ends at zero force: give --end, or a longer or shorter --duration",
+    [COR_FAULT_TWO_DURATIONS] =
+        "--dissipation-time and --duration do not determine a contact that ends at zero overlap: two stiffnesses can "
+        "have them, or none. Give --end zero-force, or --stiffness or --restitution in place of one of them",
 };
 
 static const char *more_of(const struct cor_scene_fault *fault)
@@ -175,6 +184,10 @@ static const char *more_of(const struct cor_scene_fault *fault)
         return number == COR_SCENE_DENSITY_2 ? ", --density-2" : "";
     case COR_FAULT_NOT_SPHERE:
         return fault->other == COR_SCENE_AT ? " --at SPEED" : "";
+    case COR_FAULT_SPRING:
+        return number == COR_SCENE_STIFFNESS ? ". " PAIR_RULE : "";
+    case COR_FAULT_TWO_WAYS:
+        return fault->other == COR_SCENE_DURATION ? ", where the stiffness is given, too" : "";
     case COR_FAULT_NO_BODIES:
         return number == COR_SCENE_ADHESION    ? ", whose radii multiply it"
                : number == COR_SCENE_VISCOSITY ? ", whose elasticity divides it"

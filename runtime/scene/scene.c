@@ -80,6 +80,21 @@ struct cor_body cor_scene_body(const struct cor_scene *scene, int body)
     return b;
 }
 
+double cor_scene_rayleigh_step_s(const struct cor_scene *scene)
+{
+    double least = INFINITY;
+    for (int k = 1; k <= (scene->wall || scene->plate ? 1 : 2); k++) {
+        const struct cor_body b = cor_scene_body(scene, k);
+        const double volume = cor_quiet_product(4 * COR_PI / 3, cor_quiet_power(b.radius_m, 3)),
+                     shear_modulus_pa = cor_quiet_quotient(b.young_modulus_pa, 2 * (1 + b.poisson_ratio)),
+                     square = cor_quiet_quotient(cor_quiet_product(shear_modulus_pa, volume), b.mass_kg),
+                     wave = (0.1631 * b.poisson_ratio + 0.8766) * (isgreater(square, 0) ? sqrt(square) : (double)NAN),
+                     step = cor_quiet_quotient(cor_quiet_product(COR_PI, b.radius_m), wave);
+        least = isless(step, least) || isnan(step) ? step : least;
+    }
+    return least;
+}
+
 /* Sets mass, stiffness and radius, and the damping that the materials themselves have. */
 static int set_materials(struct cor_scene_contact *contact, struct cor_scene_fault *fault,
                          const struct cor_scene *scene)
@@ -108,18 +123,36 @@ static int set_materials(struct cor_scene_contact *contact, struct cor_scene_fau
     return COR_FAULT_NONE;
 }
 
+/* The number that gives the stiffness of two bodies of known mass: C, A or the duration, each with another number that
+ * gives the damping. -1: the stiffness is given, or nothing gives it. */
+static int source_of_stiffness(const struct cor_scene *scene)
+{
+    static const int ratios[] = {COR_SCENE_G_STAR, COR_SCENE_RESTITUTION, COR_SCENE_BETA, COR_SCENE_ZETA};
+    const int timed = cor_scene_given(scene, COR_SCENE_DURATION);
+    int scaled = timed;
+    for (size_t i = 0; i < sizeof ratios / sizeof *ratios; i++)
+        scaled = scaled || cor_scene_given(scene, ratios[i]);
+    if (has_bodies(scene) || cor_scene_given(scene, COR_SCENE_STIFFNESS) || !scaled ||
+        !cor_scene_given(scene, COR_SCENE_EFFECTIVE_MASS))
+        return -1;
+    if (cor_scene_given(scene, COR_SCENE_DAMPING_COEFFICIENT))
+        return COR_SCENE_DAMPING_COEFFICIENT;
+    if (cor_law_is(&scene->law, 3, 1) && cor_scene_given(scene, COR_SCENE_DISSIPATION_TIME) &&
+        !cor_scene_given(scene, COR_SCENE_DISSIPATION_TIME_2))
+        return COR_SCENE_DISSIPATION_TIME;
+    return timed ? COR_SCENE_DURATION : -1;
+}
+
 static int set_scales(struct cor_scene_contact *contact, struct cor_scene_fault *fault, const struct cor_scene *scene)
 {
     const int bodies = has_bodies(scene), stiff = cor_scene_given(scene, COR_SCENE_STIFFNESS),
               massive = cor_scene_given(scene, COR_SCENE_EFFECTIVE_MASS),
               timed = cor_scene_given(scene, COR_SCENE_DURATION);
     const struct rule rules[] = {
-        {timed && (bodies || stiff), COR_FAULT_EXCLUDED, COR_SCENE_DURATION,
-         stiff ? COR_SCENE_STIFFNESS : COR_SCENE_YOUNG},
         {bodies && (stiff || massive), COR_FAULT_TWO_CONTACTS, COR_SCENE_STIFFNESS, COR_SCENE_YOUNG},
         {scene->plate && !bodies, COR_FAULT_PLATE_BODIES, COR_SCENE_YOUNG, COR_SCENE_PLATE_THICKNESS},
         {bodies && !cor_law_is_hertz(&scene->law), COR_FAULT_NOT_HERTZ, COR_SCENE_YOUNG, COR_SCENE_STIFFNESS},
-        {!bodies && (stiff || timed) != massive, COR_FAULT_SPRING,
+        {!bodies && (massive ? !stiff && source_of_stiffness(scene) < 0 : stiff || timed), COR_FAULT_SPRING,
          massive ? COR_SCENE_STIFFNESS : COR_SCENE_EFFECTIVE_MASS, 0},
         {0}};
     if (refuse_first(fault, rules) != COR_FAULT_NONE)
@@ -141,6 +174,7 @@ static int set_force(struct cor_scene_contact *contact, struct cor_scene_fault *
         {sticky != (scene->adhesion_model != COR_ADHESION_NONE), COR_FAULT_ADHESION, COR_SCENE_ADHESION, 0},
         {jkr && other_than_jkr, COR_FAULT_ADHESION_MODEL, COR_SCENE_ADHESION, heavy ? COR_SCENE_GRAVITY : 0},
         {cor_scene_given(scene, COR_SCENE_DURATION), COR_FAULT_EXCLUDED, COR_SCENE_DURATION, cause},
+        {source_of_stiffness(scene) >= 0, COR_FAULT_EXCLUDED, source_of_stiffness(scene), cause},
         {heavy && !scene->wall && !scene->plate, COR_FAULT_GRAVITY, COR_SCENE_GRAVITY, 0},
         {heavy && isnan(contact->mass_kg), COR_FAULT_NO_SCALES, COR_SCENE_GRAVITY, 0},
         {sticky && isnan(contact->radius_m), COR_FAULT_NO_BODIES, COR_SCENE_ADHESION, 0},
@@ -163,7 +197,7 @@ static int set_force(struct cor_scene_contact *contact, struct cor_scene_fault *
 
 /* The numbers that give the damping, in the order in which they are refused */
 static const int ways[] = {COR_SCENE_DISSIPATION_TIME,    COR_SCENE_VISCOSITY, COR_SCENE_G_STAR, COR_SCENE_RESTITUTION,
-                           COR_SCENE_DAMPING_COEFFICIENT, COR_SCENE_BETA,      COR_SCENE_ZETA};
+                           COR_SCENE_DAMPING_COEFFICIENT, COR_SCENE_BETA,      COR_SCENE_ZETA,   COR_SCENE_DURATION};
 enum { WAYS = sizeof ways / sizeof *ways };
 
 static int is_material(int way)
@@ -171,13 +205,14 @@ static int is_material(int way)
     return way == COR_SCENE_DISSIPATION_TIME || way == COR_SCENE_VISCOSITY;
 }
 
-/* Sets *found to a number of ways[], or to -1 where there is none. */
+/* Sets *found to a number of ways[] that does not give the stiffness, or to -1 if none is given. */
 static int find_way(int *found, struct cor_scene_fault *fault, const struct cor_scene *scene)
 {
     *found = -1;
     for (int i = 0; i < WAYS; i++) {
-        if (!cor_scene_given(scene, ways[i]) &&
-            !(is_material(ways[i]) && cor_scene_given(scene, ways[i] + COR_SCENE_BODY)))
+        if ((!cor_scene_given(scene, ways[i]) &&
+             !(is_material(ways[i]) && cor_scene_given(scene, ways[i] + COR_SCENE_BODY))) ||
+            ways[i] == source_of_stiffness(scene))
             continue;
         if (*found >= 0)
             return refuse_scene(fault, COR_FAULT_TWO_WAYS, *found, ways[i]);
@@ -216,19 +251,74 @@ static int check_way(struct cor_scene_fault *fault, const struct cor_scene *scen
     return refuse_first(fault, rules);
 }
 
-/* K for the duration: times are (m/K)^(1/(a+1)) times those of a contact with m = K = 1. */
-static int set_stiffness(struct cor_scene_contact *contact, double duration_s, double speed_m_s, int end)
+/* ---- two numbers of a contact give its stiffness and its damping ---- */
+
+/* (K/m)^(1/(a+1)) of a damping and of C = value, or A = value, from beta g^-q = (C/m) (m/K)^((b+1)/(a+1)) */
+static double rate_of_damping(const struct cor_scene_contact *contact, int source, double value)
+{
+    const double beta = cor_scene_beta(contact, 1), a = cor_elastic(&contact->law), b = cor_damping(&contact->law);
+    return source == COR_SCENE_DISSIPATION_TIME
+               ? cor_quiet_power(cor_quiet_quotient(beta, 1.5 * value), 1 / (a - b))
+               : cor_quiet_power(cor_quiet_quotient(value, cor_quiet_product(beta, contact->mass_kg)), 1 / (b + 1));
+}
+
+/* Sets *rate to (K/m)^(1/(a+1)) of a contact with this damping that lasts for duration_s: its times are 1/rate times
+ * those of a contact with m = K = 1. */
+static int rate_of_duration(double *rate, const struct cor_scene_contact *contact, double duration_s, double speed_m_s,
+                            int end)
 {
     struct cor_scene_contact unit = *contact;
     struct cor_scene_impact impact;
     unit.mass_kg = unit.stiffness = 1;
     impact.duration_s[end] = cor_scene_elastic_duration_s(&unit, speed_m_s);
     const int status = isgreater(contact->damping, 0) ? cor_scene_impact(&impact, &unit, speed_m_s) : COR_FAULT_NONE;
-    if (status != COR_FAULT_NONE)
-        return status;
-    const double ratio = cor_quiet_quotient(impact.duration_s[end], duration_s);
-    contact->stiffness = cor_quiet_product(contact->mass_kg, cor_quiet_power(ratio, cor_elastic(&contact->law) + 1));
+    *rate = cor_quiet_quotient(impact.duration_s[end], duration_s);
+    return status;
+}
+
+static int set_stiffness(struct cor_scene_contact *contact, double rate)
+{
+    contact->stiffness = cor_quiet_product(contact->mass_kg, cor_quiet_power(rate, cor_elastic(&contact->law) + 1));
     return cor_si_in_range(contact->stiffness) ? COR_FAULT_NONE : COR_FAULT_NO_STIFFNESS;
+}
+
+/* Sets the damping of a contact that lasts for duration_s and has C, A or, if source is -1, its stiffness, by the
+ * Illinois method on the logarithms. Damping prolongs a contact of given K or C. It shortens one of given K or A that
+ * ends at zero force. With A and the end at zero overlap two contacts can last equally long. */
+static int set_damping_of_duration(struct cor_scene_contact *contact, int source, double value, double duration_s,
+                                   double speed_m_s, int end)
+{
+    enum { MOST_STEPS = 400 };
+    const int falls = source == COR_SCENE_DISSIPATION_TIME ||
+                      (source < 0 && end == COR_END_ZERO_FORCE && cor_scene_ends_differ(contact));
+    const double given =
+        cor_quiet_power(cor_quiet_quotient(contact->stiffness, contact->mass_kg), 1 / (cor_elastic(&contact->law) + 1));
+    struct cor_bracket bracket = {0, 0, 0, 0, 0};
+    double needed, x = -2;
+    if (source == COR_SCENE_DISSIPATION_TIME && end == COR_END_ZERO_OVERLAP)
+        return COR_FAULT_TWO_DURATIONS;
+    contact->damping = 0;
+    if (source < 0) {
+        rate_of_duration(&needed, contact, duration_s, speed_m_s, end);
+        if (!(falls ? needed > given : needed < given))
+            return needed == given ? COR_FAULT_NONE : COR_FAULT_NO_DURATION;
+    }
+    for (int k = 0; k < MOST_STEPS; k++) {
+        contact->damping = exp(x);
+        const int status = rate_of_duration(&needed, contact, duration_s, speed_m_s, end);
+        if (status != COR_FAULT_NONE)
+            return status;
+        const double rate = source < 0 ? given : rate_of_damping(contact, source, value),
+                     ratio = cor_quiet_quotient(rate, needed), /* 0: they never part */
+            rest = (falls ? -1 : 1) * log(fmax(1e-300, fmin(1e300, ratio)));
+        if (isnan(ratio))
+            return COR_FAULT_RANGE;
+        if (!(fabs(rest) > 1e-15) ||
+            (cor_is_bracketed(&bracket) && bracket.high - bracket.low < 1e-15 * fmax(1, fabs(x))))
+            return source < 0 ? COR_FAULT_NONE : set_stiffness(contact, rate);
+        x = cor_next_place(&bracket, x, rest, rest > 0 ? x + 1 : x - 1);
+    }
+    return COR_FAULT_NO_DURATION;
 }
 
 /* ---- yield, and a liquid ---- */
@@ -304,14 +394,27 @@ static int set_damping(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *c
                          : way == COR_SCENE_RESTITUTION && (contacts[0].force_n > 0 || contacts[0].adhesion_j_m2 > 0)
                              ? (double)NAN
                              : 1;
-    const int any = scene->end == COR_BOTH_ENDS, timed = cor_scene_given(scene, COR_SCENE_DURATION);
+    const int any = scene->end == COR_BOTH_ENDS, timed = cor_scene_given(scene, COR_SCENE_DURATION),
+              source = source_of_stiffness(scene);
+    const double value = source < 0 ? (double)NAN : scene->number[source],
+                 duration_s = scene->number[COR_SCENE_DURATION];
     *count = (way == COR_SCENE_RESTITUTION || timed) && any && cor_scene_ends_differ(&contacts[0]) ? COR_SCENE_ENDS : 1;
     contacts[1] = contacts[0];
     for (int i = 0; i < *count && status == COR_FAULT_NONE; i++) {
         const int end = any ? i : scene->end;
+        double rate = NAN;
+        if (way == COR_SCENE_DURATION) {
+            status = set_damping_of_duration(&contacts[i], source, value, duration_s, speed, end);
+            continue;
+        }
         status = cor_scene_set_damping(&contacts[i], way, scene->number[way], speed, end);
-        if (status == COR_FAULT_NONE && timed)
-            status = set_stiffness(&contacts[i], scene->number[COR_SCENE_DURATION], speed, end);
+        if (status != COR_FAULT_NONE || source < 0)
+            continue;
+        if (source == COR_SCENE_DURATION)
+            status = rate_of_duration(&rate, &contacts[i], duration_s, speed, end);
+        else
+            rate = rate_of_damping(&contacts[i], source, value);
+        status = status == COR_FAULT_NONE ? set_stiffness(&contacts[i], rate) : status;
     }
     if (status > 0)
         refuse_scene(fault, status, way, COR_SCENE_AT);
