@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: MIT
-# The loops of array functions and disks: each <stem>_kernel.c is compiled once for each instruction set
-# (runtime/number/sets.h), with the part of the library that it belongs to. cor_defaults forbids contraction,
-# so that every set gives the same bits. The loops vectorise only where sqrt need not set errno and comparisons may be
-# evaluated ahead. -Wno-psabi: vectors are arguments of functions that are all inlined.
+# The loops of array functions and disks. Each <stem>_kernel.c is compiled once for each instruction set
+# (runtime/number/sets.h), in its part of the library. cor_defaults forbids contraction, so every set gives the same
+# bits. The loops vectorise only if sqrt need not set errno and comparisons may be evaluated ahead. -Wno-psabi:
+# vectors are arguments, but all these functions are inlined.
 set(cor_array_options $<IF:$<CONFIG:Debug>,-Og,-O3> -fno-math-errno -fno-trapping-math -Wno-psabi)
 set(avx2 -mavx2)
-# AVX-512 has fused operations, which gcc 12 takes where it vectorises straight code, whatever -ffp-contract says.
+# AVX-512 has fused operations, which gcc 12 uses when it vectorises straight code, in spite of -ffp-contract.
 set(avx512 -mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512 -fno-tree-slp-vectorize)
 
 set(cor_with_tables_kernels law/array sphere/array table/row)
 set(cor_disk_without_tables_kernels disk/mode_source disk/collision disk/hard_wall disk/rayleigh)
 set(sets portable)
-# The compiler knows the processor that it compiles for; CMAKE_SYSTEM_PROCESSOR is empty under many toolchain files.
+# The compiler identifies its target; CMAKE_SYSTEM_PROCESSOR is empty under many toolchain files.
 include(CheckCSourceCompiles)
 check_c_source_compiles("
 #ifndef __x86_64__

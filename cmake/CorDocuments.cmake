@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Completion of corgen's command lines in bash and zsh; and, where help2man is installed, the man pages of corgen. Both
-# come from the program's help texts and tables of options, so that a program for another machine has neither.
+# Completion of corgen's command lines in bash and zsh, and the man pages of corgen if help2man is installed. Both
+# come from the program's help texts and tables of options, so a program for another machine has neither.
 if(CMAKE_CROSSCOMPILING)
   return()
 endif()
@@ -22,7 +22,7 @@ if(HELP2MAN)
       -DOUTPUT=${pages} -P ${PROJECT_SOURCE_DIR}/cmake/ManPages.cmake
     DEPENDS corgen ${PROJECT_SOURCE_DIR}/cmake/ManPages.cmake
     VERBATIM)
-  # a build for tests leaves the pages, a second of work for each new corgen, to the test that installs them
+  # in a build for tests, the test that installs the pages makes them: a second of work for each new corgen
   if(COR_BUILD_TESTS)
     add_custom_target(man DEPENDS ${pages}/corgen.1)
   else()

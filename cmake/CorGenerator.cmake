@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# corgen, and corgen_core: all of it but main.c, so that tests can link it.
+# corgen, and corgen_core, which has everything except main.c so that tests can link it.
 
 set(COR_HAVE_GENERATOR FALSE)
 if(NOT COR_BUILD_GENERATOR MATCHES "^(AUTO|auto|OFF|off|FALSE|0|NO)$")
@@ -24,7 +24,7 @@ if(FLINT_FOUND)
   set(tables ${cor_with_tables_objects} ${cor_disk_with_tables_objects} $<TARGET_OBJECTS:cor_scene_with_tables>)
   file(GLOB COR_GENERATOR_SOURCES RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gen/*/*.c)
   list(REMOVE_ITEM COR_GENERATOR_SOURCES gen/cli/main.c)
-  if(COR_BOOTSTRAP) # without what calls the library with its tables
+  if(COR_BOOTSTRAP) # without the sources that call the library with its tables
     set(tables)
     list(FILTER COR_GENERATOR_SOURCES EXCLUDE REGEX "^gen/(contact|embed|plan|cli/(contact|embed|plan|sample)\\.c)")
   endif()
@@ -46,14 +46,15 @@ if(FLINT_FOUND)
   target_include_directories(corgen_core PUBLIC ${PROJECT_SOURCE_DIR}/gen ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include)
   target_compile_definitions(corgen_core PUBLIC _POSIX_C_SOURCE=200809L $<$<BOOL:${COR_BOOTSTRAP}>:COR_BOOTSTRAP>)
   target_link_libraries(corgen_core PUBLIC FLINT::FLINT m Threads::Threads PRIVATE cor_defaults)
-  # corgen's time is FLINT's: with -O2 its own code takes longer to compile and gains little
+  # FLINT needs most of corgen's time; with -O2 corgen's own code compiles longer and gains little
   target_compile_options(corgen_core PRIVATE $<$<AND:$<CONFIG:Release>,$<C_COMPILER_ID:GNU,Clang,AppleClang>>:-O1>)
-  # but for paths, which are computed in doubles, and formulas, which are read at each node of an integral
+  # except paths, which are computed in doubles, and formulas, which are read at each node of an integral
   file(GLOB of_corgen CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gen/enclosure/complex_*.c)
   set_source_files_properties(${of_corgen} ${PROJECT_SOURCE_DIR}/gen/support/formula.c PROPERTIES
     COMPILE_OPTIONS $<$<AND:$<CONFIG:Release>,$<C_COMPILER_ID:GNU,Clang,AppleClang>>:-O2>)
-  # FLINT's headers are half of a compilation. Left out: other options, and what asks the C library for more than POSIX.
-  # Not with clang, whose commands other tools read before anything is built.
+  # FLINT's headers are half of a compilation. Not precompiled: sources with other options, and sources that need
+  # more of the C library than POSIX. Not with clang, because other tools read its commands before anything is
+  # built.
   if(CMAKE_C_COMPILER_ID STREQUAL GNU)
     target_precompile_headers(corgen_core PRIVATE ${PROJECT_SOURCE_DIR}/gen/support/flint.h)
     set(other support/console.c support/formula.c support/output.c support/parallel.c tables/directory.c)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Libraries, headers, corgen with its man pages and completions, pkg-config files, CMake package, licence, examples.
-# The installed tree can be moved: the pkg-config files find their prefix from their own place. Documents go where Debian
-# has them, share/doc/cor.
+# The installed tree can be moved, because the pkg-config files find their prefix from their own place. Documents are
+# installed where Debian puts them, share/doc/cor.
 include(CMakePackageConfigHelpers)
 
 file(RELATIVE_PATH COR_PC_TO_PREFIX "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
@@ -9,7 +9,7 @@ set(COR_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/cor)
 if(BUILD_SHARED_LIBS AND WIN32)
   set(COR_PC_CFLAGS " -DCOR_SHARED")
 endif()
-# install_library(COR_PC_LIBRARY COR_PC_ABOUT [COR_PC_REQUIRES]): a library with its files for pkg-config and for CMake
+# install_library(COR_PC_LIBRARY COR_PC_ABOUT [COR_PC_REQUIRES]): a library with its pkg-config and CMake files
 function(install_library COR_PC_LIBRARY COR_PC_ABOUT)
   set(COR_PC_REQUIRES ${ARGN})
   string(REPLACE _ - COR_PC_NAME ${COR_PC_LIBRARY})
@@ -31,7 +31,7 @@ foreach(file LICENSE README.md CITATION.cff CHANGELOG.md CONTRIBUTING.md) # the 
   install(FILES ${PROJECT_SOURCE_DIR}/${file} DESTINATION ${CMAKE_INSTALL_DOCDIR})
 endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
-# A Fortran compiler reads module files of its own alone, so that users compile the module with their program.
+# Each Fortran compiler has its own format of module files, so users compile the module with their program.
 install(FILES ${PROJECT_SOURCE_DIR}/fortran/cor.f90 DESTINATION ${CMAKE_INSTALL_DATADIR}/cor)
 if(COR_HAVE_GENERATOR)
   install(TARGETS corgen RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# cpack -G TGZ and cpack -G DEB in the build directory make one package of what `cmake --install` installs. debian/ makes
-# the packages of a distribution.
+# cpack -G TGZ and cpack -G DEB in the build directory make one package of the files that `cmake --install` installs.
+# debian/ makes the packages of a distribution.
 set(CPACK_GENERATOR TGZ)
 if(UNIX AND NOT APPLE)
   list(APPEND CPACK_GENERATOR DEB)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-# FLINT with ball arithmetic, GMP and MPFR. FLINT 3 holds Arb itself (flint/arb.h); FLINT 2.9 has it as
-# a library of its own (arb.h), called flint-arb on Debian and arb elsewhere.
-#   FLINT::FLINT     everything to compile and link with; defines COR_FLINT_HAS_ARB for FLINT 3
+# FLINT with ball arithmetic, GMP and MPFR. FLINT 3 contains Arb (flint/arb.h). For FLINT 2.9, Arb is a
+# separate library (arb.h), called flint-arb on Debian and arb elsewhere.
+#   FLINT::FLINT     target to compile and link with; defines COR_FLINT_HAS_ARB for FLINT 3
 #   FLINT_FOUND      true or false
-#   FLINT_MISSING    what was not found, as a sentence part
-# FLINT_ROOT, GMP_ROOT, MPFR_ROOT and ARB_ROOT, as for any package, say where to look first.
+#   FLINT_MISSING    the missing parts, as a part of a sentence
+# FLINT_ROOT, GMP_ROOT, MPFR_ROOT and ARB_ROOT are searched first, as for any package.
 
 find_path(GMP_INCLUDE_DIR gmp.h HINTS ${GMP_ROOT} ENV GMP_ROOT PATH_SUFFIXES include)
 find_library(GMP_LIBRARY gmp HINTS ${GMP_ROOT} ENV GMP_ROOT PATH_SUFFIXES lib)

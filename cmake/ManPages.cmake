@@ -10,7 +10,7 @@ if(CORGEN)
   if(NOT status EQUAL 0)
     message(FATAL_ERROR "${CORGEN} --completion zsh failed: ${status}")
   endif()
-  string(REPLACE ";" "," completion "${completion}") # a list's separator
+  string(REPLACE ";" "," completion "${completion}") # the separator of a list
   string(REGEX MATCHALL "\n    '[a-z-]+:[^\n]*'" subcommands "${completion}")
 endif()
 
@@ -25,7 +25,7 @@ function(man_page name words summary see)
   if(NOT status EQUAL 0)
     message(FATAL_ERROR "help2man ${words} failed: ${status}")
   endif()
-  # no date, no hyphens within commands, and lists of columns that may break
+  # no date, no hyphens within commands, and columns of lists that can wrap
   string(REGEX REPLACE "(\\.TH [^ ]+ \"1\") \"[^\"]*\"([^\n]*\n)" "\\1 \"\"\\2.nh\n.ad l\n" text "${text}")
   string(REGEX REPLACE ",([a-z])" ",\\\\:\\1" text "${text}")
   file(WRITE "${page}" "${text}")

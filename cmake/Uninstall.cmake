@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Removes what the last installation of a build directory installed, and then its list.
+# Removes the files of the last installation from a build directory, and then its list.
 #   cmake -DMANIFEST=build/install_manifest.txt -P cmake/Uninstall.cmake
 if(NOT EXISTS "${MANIFEST}")
   message(FATAL_ERROR "Nothing was installed from here: there is no ${MANIFEST}")

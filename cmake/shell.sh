@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# For the bash scripts gen/run, tests/run, tests/*/run and bench/run, which source it from the root of the
-# repository: packages that are missing, and build directories.
+# For the bash scripts gen/run, tests/run, tests/*/run and bench/run, which source it in the root of the repository:
+# missing packages, and build directories.
 
 jobs=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 missing=()
@@ -17,7 +17,7 @@ has_header() {
     printf '#include <%s>\n' "$1" | cc -E - >/dev/null 2>&1
 }
 
-# want PACKAGE CHECK...: the Debian package is missing if the command CHECK fails.
+# want PACKAGE CHECK...: adds the Debian package to the missing ones if the command CHECK fails.
 want() {
     local package=$1
     shift
@@ -37,7 +37,7 @@ want_generator() {
     want libflint-dev has_header flint/fmpq_poly.h
 }
 
-# FLINT 3 has Arb inside, and its distributions have no package for it: to be asked only when FLINT is there.
+# FLINT 3 contains Arb, and its distributions have no package for Arb. Call this only after FLINT was found.
 want_arb() {
     has_header flint/arb.h || want libflint-arb-dev has_header arb.h
 }
@@ -54,7 +54,7 @@ as_root() {
     fi
 }
 
-# Installs what want() found missing. Fails after naming what is still to be installed by hand.
+# Installs the packages that want() found missing. Fails after it has named those to be installed by hand.
 install_missing() {
     [ ${#missing[@]} -eq 0 ] && return 0
     local packages=("${missing[@]}")
@@ -70,7 +70,7 @@ install_missing() {
     return 1
 }
 
-# The compilers gcc-N and clang-N above gcc and clang: those installed, and the newest that apt has.
+# Prints the compilers gcc-N and clang-N newer than gcc and clang: the installed ones, and the newest that apt has.
 newer_compilers() {
     local kind
     for kind in gcc clang; do
@@ -81,7 +81,7 @@ newer_compilers() {
     done
 }
 
-# What corgen is built from; stops where it cannot be had.
+# Installs the packages that corgen is built from. Ends the script if they are not available.
 install_generator() {
     want_generator
     install_missing >&2 || exit 1
@@ -89,16 +89,16 @@ install_generator() {
     install_missing >&2 || exit 1
 }
 
-# The version of FLINT that a build finds; what depends on it shows it first.
+# Prints the version of FLINT that a build finds, for scripts that depend on it.
 say_flint() {
     say "FLINT $(printf '#include <flint/flint.h>\nFLINT_VERSION\n' | cc -E -P - | sed -n '$s/.*"\(.*\)"/\1/p')"
 }
 
-# How tests/ builds: whole, and no warning passes.
+# The options for tests/: everything is built, and warnings are errors.
 build_options=(-DCOR_BUILD_GENERATOR=ON -DCOR_BUILD_TESTS=ON -DCOR_BUILD_EXAMPLES=ON -DCOR_BUILD_PAPER=ON
     -DCOR_WERROR=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON)
 
-# configure DIR OPTION...: a build directory made from another place or by another CMake is made anew.
+# configure DIR OPTION...: replaces a build directory that was made from another place or by another CMake.
 configure() {
     local dir=$1
     shift
@@ -108,7 +108,7 @@ configure() {
     cmake -S . -B "$dir" "$@"
 }
 
-# configure_tested CC DIR OPTION...: for the tests. Warnings of a compiler newer than those tested with are no errors.
+# configure_tested CC DIR OPTION...: for the tests. Warnings are not errors for compilers newer than the tested ones.
 configure_tested() {
     local warnings_pass=()
     [ "$(cmake/werror "$1")" ] || warnings_pass=(-DCOR_WERROR=OFF)
@@ -119,33 +119,33 @@ build() {
     cmake --build "$1" --parallel "$jobs" "${@:2}"
 }
 
-# msvc_reads FILE LANGUAGE: clang takes it in MSVC's language, with mingw-w64's headers in place of MSVC's own.
+# msvc_reads FILE LANGUAGE: clang accepts it in MSVC's language, with mingw-w64's headers in place of MSVC's own.
 msvc_reads() {
     clang --target=x86_64-pc-windows-msvc -fms-compatibility-version=19.30 -fsyntax-only -x "$2" -Wall -Wextra -Wpedantic \
         -Wno-pragma-once-outside-header -Wno-unused-function $(cmake/werror clang) -nostdinc -Iinclude -Igenerated \
         -isystem "$(clang -print-resource-dir)/include" -isystem /usr/share/mingw-w64/include "$1"
 }
 
-# turn_of N: which of the N parts of a long test a short run takes: the first, or with tests/run --turn K another.
+# turn_of N: prints which of N parts of a long test a short run does: the first, or another with tests/run --turn K.
 turn_of() {
     echo $((${COR_TEST_TURN:-0} % $1))
 }
 
-# some_in_turn N TURN: of the lines on standard input, each a name, perhaps with a tab and a text, those whose number is
-# TURN modulo N. Prints the text, or the name.
+# some_in_turn N TURN: selects lines of standard input whose number is TURN modulo N. A line is a name, or a name, a
+# tab and a text. Prints the text, or the name.
 some_in_turn() {
     awk -F '\t' -v n="$1" -v turn="$2" 'NR % n == turn { print $NF }'
 }
 
-# builds_whole CC [--long]: whether a test run builds everything with this compiler: with gcc always, with others in long
-# runs and in every fifth turn, when the part of tests/hygiene/run whose turn it is, valgrind, is the shortest.
-# Otherwise build_tested builds the library and its tests, and has the rest parsed.
+# builds_whole CC [--long]: true if a test run builds everything with this compiler: always with gcc, with others in
+# long runs and in every fifth turn. In that turn tests/hygiene/run does valgrind, its shortest part. Otherwise
+# build_tested builds the library and its tests, and parses the rest.
 builds_whole() {
     [ "$1" = gcc ] || [ "${2-}" = --long ] || [ "$(turn_of 5)" -eq 2 ]
 }
 
-# parse_rest DIR: of the sources that the target unit_tests does not need, but for those that a build writes, the
-# compiler reads a fifth in turn, with all warnings.
+# parse_rest DIR: parses a fifth in turn, with all warnings, of the sources that the target unit_tests does not need.
+# Skips those that a build writes.
 parse_rest() {
     sed -n 's/^ *"command": "\(.*\)",\{0,1\}$/\1/p' "$1/compile_commands.json" | sed 's/\\"/"/g; s/\\\\/\\/g' |
         grep -vE " [^ ]*/(runtime|tests/unit|$1)/[^ ]*\$" |
@@ -162,7 +162,7 @@ build_tested() {
     fi
 }
 
-# quietly COMMAND...: its output is shown only if it fails.
+# quietly COMMAND...: shows the output only if the command fails.
 quietly() {
     local log status=0
     log=$("$@" 2>&1) || status=$?

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-# Counting for the test scripts, which source it in the root of the repository and end with summary. What they leave in
-# $work is gone when they end.
+# Counting for the test scripts, which source this in the root of the repository and end with summary. The files in
+# $work are removed at the end.
 . cmake/shell.sh
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
 
-# needs FILE...: what a script tests is there, or it ends.
+# needs FILE...: ends the script if a file to be tested does not exist.
 needs() {
     local file
     for file in "$@"; do
@@ -33,7 +33,7 @@ pass() {
     printf 'ok    %s\n' "$1"
 }
 
-# bad NAME [WHAT WAS SEEN]
+# bad NAME [OUTPUT]
 bad() {
     failed=$((failed + 1))
     printf 'FAIL  %s\n' "$1"
@@ -45,7 +45,7 @@ skip() {
     printf 'skip  %s: %s\n' "$1" "$2"
 }
 
-# check NAME COMMAND...: passes if the command succeeds; a failure shows what it printed.
+# check NAME COMMAND...: passes if the command succeeds; a failure shows its output.
 check() {
     local seen
     if seen=$("${@:2}" 2>&1); then
@@ -55,7 +55,7 @@ check() {
     fi
 }
 
-# check_with PROGRAM NAME COMMAND...: check, where there is the program
+# check_with PROGRAM NAME COMMAND...: does check if the program is installed
 check_with() {
     if have "$1"; then
         check "${@:2}"
@@ -64,7 +64,7 @@ check_with() {
     fi
 }
 
-# count_of SCRIPT...: runs a script that ends with a summary of its own, and adds its counts.
+# count_of SCRIPT...: runs a script that ends with its own summary, and adds its counts.
 count_of() {
     local seen last
     seen=$("$@" 2>&1) || true
@@ -79,8 +79,8 @@ count_of() {
     fi
 }
 
-# check_ctest NAME DIR OPTION...: the tests that ctest knows in that directory, each counted. A failed test shows the
-# lines of its assertion first, then the end of its output.
+# check_ctest NAME DIR OPTION...: runs and counts the tests of ctest in that directory. A failed test shows the lines
+# of its assertion first, then the end of its output.
 check_ctest() {
     local log line seen
     log=$(ctest --test-dir "$2" --parallel "$jobs" --output-on-failure "${@:3}" 2>&1) || true
@@ -103,8 +103,8 @@ check_ctest() {
     [[ $log == *"tests passed"* ]] || bad "$1 ctest" "$log"
 }
 
-# stage NAME...: what follows, up to the next stage or summary, is this; summary shows the seconds that each took, and
-# those of the processor in what has ended by then.
+# stage NAME...: begins a stage, which lasts until the next stage or summary. summary shows the seconds of each, and
+# the processor seconds of the processes that ended in it.
 stages=()
 stage_name=
 stage() {
@@ -116,7 +116,7 @@ stage() {
     stage_name=$* stage_clock=$clock stage_cpu=$cpu
 }
 
-# The last line, and the exit status of the script.
+# Prints the last line. Its status is the exit status of the script.
 summary() {
     [ -z "$stage_name" ] || stage
     [ ${#stages[@]} -eq 0 ] || printf '%s\n' "${stages[@]}"

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
-# The examples of a page, run and compared with what the page shows. tests/count.sh has been sourced; corgen, work (a
+# Runs the examples of a page and compares the output with the page. tests/count.sh has been sourced; corgen, work (a
 # directory) and, for C, library (libcor.a) are set.
 #
 #         $ corgen ...         a command of corgen, cor or cc, its output indented below it; a line may end in \
-#     ```c                     a program, after a line <!-- NAME.c -->, or lines that take the place of the loop in
-#     ```                      the page's first program; its output, if it is shown, is the next indented block
+#     ```c                     a program, after a line <!-- NAME.c -->, or lines that replace the loop in the
+#     ```                      page's first program; its output, if shown, is the next indented block
 #
-# samples_of PAGE [NEW-PAGE]: one verdict for each example; NEW-PAGE is then the page with the outputs of today.
+# samples_of PAGE [NEW-PAGE]: one verdict for each example; NEW-PAGE becomes the page with the current outputs.
 
-# sample_output COMMAND: what the shell prints for it, where a reader of the page would stand.
+# sample_output COMMAND: prints the output of the shell for it, in a folder as a reader of the page has it.
 sample_output() {
     (cd "$work/samples" && PATH="$work/bin:$PATH" bash -c "$1" 2>&1 </dev/null)
 }
@@ -17,15 +17,15 @@ samples_prepare() {
     mkdir -p "$work/bin" "$work/samples"
     ln -sf "$corgen" "$work/bin/corgen"
     ln -sf "$PWD"/docs/data/*.csv "$PWD"/tests/audit/decks/* "$work/samples"
-    # by paths without a space: the shell splits what pkg-config prints
+    # paths without a space, because the shell splits the output of pkg-config
     ln -sfn "$PWD/include" "$work/include"
     [ -z "${library-}" ] || ln -sf "$library" "$work/libcor.a"
     printf '#!/bin/sh\necho "-I%s %s -lm"\n' "$work/include" "${library:+$work/libcor.a}" >"$work/bin/pkg-config"
     chmod +x "$work/bin/pkg-config"
 }
 
-# sample_program TEXT NAME: writes NAME.c, a whole program, or the first one of the page with these lines in its loop's
-# place.
+# sample_program TEXT NAME: writes NAME.c, a whole program, or the page's first one with these lines in place of its
+# loop.
 sample_program() {
     local body
     if [[ $1 == *"int main("* ]]; then
@@ -41,7 +41,7 @@ sample_program() {
     } >"$work/samples/$2.c"
 }
 
-# sample_verdict: judges the example at hand, and puts what it prints today into new.
+# sample_verdict: judges the current example, and appends its current output to new.
 sample_verdict() {
     local seen shown=$expected
     while [[ $shown == *$'\n' ]]; do shown=${shown%$'\n'}; done
