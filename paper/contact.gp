@@ -7,8 +7,8 @@ limit = dir."/rigid_wall.csv"
 
 # Columns: 1 speed; contact time: 2 centre of mass, 3 diameter, 4 as printed, 5 leading logarithm; largest compression:
 # 6 to 9 likewise
-# Of rigid_wall.csv: 2 speed, 6 contact time, 7 largest compression
-# Of collisions.csv: 1 nu, 2 modes, 3 alpha, 4 speed, 7 contact time, 8 largest compression
+# rigid_wall.csv: 2 speed, 6 contact time, 7 largest compression
+# collisions.csv: 1 nu, 2 modes, 3 alpha, 4 speed, 7 contact time, 8 largest compression
 chosen(nu, modes, alpha, speed) = nu == 0.33 && modes == 1800 && alpha*speed > 99
 
 set multiplot layout 1,2 title "a disk and a wall, ν = 0.33: the law by datum, and the dynamics of 1800 modes with α v ≥ 100 √(E/ρ)/R" \

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The collisions of the full dynamics that several figures share, docs/paper/collisions.csv; the two extrapolations of
-the paper's section 4 from them; and the limit that they look for, a disk of all its modes at a rigid wall."""
+"""The collisions of the full dynamics for several figures, docs/paper/collisions.csv; the paper's two extrapolations
+from them (section 4); and their limit, a disk with all its modes at a rigid wall."""
 import collections
 import concurrent.futures
 import ctypes
@@ -17,32 +17,32 @@ from library import MATERIALS, ROOT, constant, cor, judge
 COLLISIONS = ROOT / "docs" / "paper" / "collisions.csv"
 CSV_HEAD = "nu,modes,alpha,speed,converged,one_minus_eps2,contact_time,max_compression"
 TOLERANCE = 1e-8  # absolute error allowed in eps
-# Hardness of the wall in units of 1/speed: alpha v is the rate at which the wall's force grows on impact, beside which
-# omega of the modes stands. Those of every limit, and those of wall_limit beside them
+# Hardness of the wall in units of 1/speed: alpha v is the growth rate of the wall's force on impact, to be compared
+# with omega of the modes. First the values for every limit, then the further ones for wall_limit
 WALLS, OTHER_WALLS = (25, 50, 100), (10, 15, 200)
-# Numbers of modes of the limits, those of the paper, and those of the slow speeds, which the better limit takes
+# Numbers of modes: for the limits, for the paper's limits, and for the slow speeds, where the better limit uses them
 SIZES = (300, 400, 600, 940, 1300, 1800)
 FEW, LARGE = SIZES[:4], SIZES[3:]
-# Of 1 - eps^2: where a limit is given as a number, and where as a line in a picture
+# Tolerances of 1 - eps^2: for a limit given as a number, and for a line in a picture
 RIGID_TOLERANCE, RIGID_LINE_TOLERANCE = 2e-5, 1e-4
 
 
 def rounded(x):
-    """A double as the csv file has it"""
+    """Returns a double as it is in the csv file."""
     return float("%.5g" % x)
 
 
 def log_point(a, b, i, n):
-    """The i-th of n points from a to b, equal steps in the logarithm"""
+    """Returns number i of n points from a to b, with equal steps in the logarithm."""
     return a * (b / a)**(i / (n - 1))
 
 
 PAPER_SPEEDS = [rounded(v) for v in [0.005, 0.01] + [0.02 * i for i in range(1, 16)]]
-SLOW_SPEEDS = [rounded(log_point(1e-3, 0.1, i, 28)) for i in range(28)]  # of the oscillation
+SLOW_SPEEDS = [rounded(log_point(1e-3, 0.1, i, 28)) for i in range(28)]  # for oscillation
 
 Key = collections.namedtuple("Key", "nu modes alpha speed")
 Collision = collections.namedtuple("Collision", "converged one_minus_eps2 contact_time max_compression")
-table = {}  # Collision of Key; whether it converged: if not, a chaotic collision
+table = {}  # Collision of Key; converged: false for a chaotic collision
 
 
 def key_of(nu, modes, rate, speed):
@@ -50,7 +50,7 @@ def key_of(nu, modes, rate, speed):
 
 
 def find(nu, modes, rate, speed):
-    """None: not among them, a wall too soft or too hard"""
+    """Returns a collision, or None if it was not planned, because the wall is too soft or too hard."""
     return table.get(key_of(nu, modes, rate, speed))
 
 
@@ -67,7 +67,7 @@ def planned():
 
 
 def compute(keys):
-    """Those collisions, on every core, with progress on a terminal"""
+    """Computes these collisions on every core, with progress on a terminal."""
 
     def collide(key):
         out, converged, _, _ = MATERIALS[key.nu].collision(key.modes, key.alpha, key.speed, TOLERANCE)
@@ -93,13 +93,13 @@ def read_row(row):
 
 
 def make_table():
-    # What figures are made of is what the file has.
+    # Figures use exactly the numbers in the file.
     table.update(read_row(row_of(key, collision)) for key, collision in compute(planned()).items())
 
 
 def agree(old, new):
-    """A collision that did not converge, chaotic, has but its size to be compared; the others the digits printed. The
-    contact time ends where a load that trembles falls below its threshold, and knows fewer."""
+    """True if two collisions agree. For chaotic ones, which did not converge, only the size is compared, for others
+    the printed digits. The contact time ends where a trembling load falls below its threshold, and has fewer digits."""
     off = abs(old.one_minus_eps2 - new.one_minus_eps2)
     if not old.converged and not new.converged:
         return off <= 5e-3
@@ -109,8 +109,8 @@ def agree(old, new):
 
 
 def read_table(sample):
-    """The rows of collisions.csv, which have to be those planned; `sample` of them, which COR_SEED draws, or all if
-    None, are computed again. Returns whether they agree."""
+    """Reads collisions.csv, whose rows must be the planned ones. Computes `sample` of them again, which COR_SEED
+    draws, or all if None. Returns True if they agree."""
     head, *rows = COLLISIONS.read_text(encoding="ascii").splitlines()
     table.update(map(read_row, rows))
     if [head, *table] != [CSV_HEAD, *planned()] or rows != [row_of(*item) for item in table.items()]:
@@ -134,7 +134,7 @@ def fit_line(x, y):
 
 
 def wall_line(nu, modes, speed, walls=WALLS):
-    """1 - eps^2 against 1/alpha for so many modes: NaN where a collision is missing, here and below"""
+    """1 - eps^2 against 1/alpha for a number of modes; NaN, here and below, if a collision is missing"""
     keys = [key_of(nu, modes, rate, speed) for rate in walls]
     if not all(key in table for key in keys):
         return Line(math.nan, math.nan)
@@ -142,13 +142,13 @@ def wall_line(nu, modes, speed, walls=WALLS):
 
 
 def size_line(nu, speed, sizes, walls=WALLS):
-    """Its value at alpha = inf against 1/sqrt(N)"""
+    """The value of wall_line at alpha = inf, against 1/sqrt(N)"""
     return fit_line([1 / math.sqrt(n) for n in sizes], [wall_line(nu, n, speed, walls).at_zero for n in sizes])
 
 
 def limit_of(nu, speed):
-    """Both limits, the second from N = 940 on. uncertainty: the largest difference from what fewer or other points
-    give, each line without its first point and without its last, and the paper's N = 300 to 940 where there are such"""
+    """Returns the limit from N = 940 onward. uncertainty: the largest difference from other choices of points.
+    These are each line without its first or its last point and, if possible, the paper's N = 300 to 940."""
     best = size_line(nu, speed, LARGE).at_zero
     other = [size_line(nu, speed, LARGE[:-1]), size_line(nu, speed, LARGE[1:]), size_line(nu, speed, LARGE, WALLS[:-1]),
              size_line(nu, speed, LARGE, WALLS[1:]), size_line(nu, speed, FEW)]
@@ -157,7 +157,7 @@ def limit_of(nu, speed):
 
 @functools.lru_cache(maxsize=None)
 def hard_wall(nu, speed, tolerance=RIGID_TOLERANCE):
-    """All modes at a rigid wall"""
+    """Computes a collision with all modes at a rigid wall."""
     out, options = cor.struct.disk_hard_wall(), cor.struct.disk_hard_wall_options(tolerance, ctypes.c_size_t(-1).value)
     judge(cor.disk_hard_wall_nu(nu, ctypes.byref(options), speed, ctypes.byref(out)), "rigid wall, v = %g" % speed,
           "COR_TOLERANCE_NOT_REACHED")

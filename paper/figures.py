@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The figures of Gerl and Zippelius, Phys. Rev. E 59, 2361 (1999): each function gives the rows of docs/paper/NAME.csv,
-which NAME.gp, where there is one, draws as docs/paper/NAME.svg, and a paragraph on where the figure agrees with the
-paper, where not and why. paper/run starts this, and says how."""
+"""The figures of Gerl and Zippelius, Phys. Rev. E 59, 2361 (1999). Each function returns the rows of
+docs/paper/NAME.csv, which NAME.gp, if it exists, draws as docs/paper/NAME.svg. It also returns a paragraph on where
+the figure agrees with the paper, where not, and why. paper/run starts this and has its options."""
 import math
 import sys
 import textwrap
@@ -28,7 +28,7 @@ def figure(paper, subject):
 
 
 def cells(*values):
-    """More columns, with six digits, or nothing where a value is NaN"""
+    """Returns further cells with six digits, empty for NaN."""
     return "".join("," if math.isnan(value) else ",%.6g" % value for value in values)
 
 
@@ -82,15 +82,15 @@ def restitution():
 
 
 class Shape:
-    """Displacements of a free mode, (19), with A : B from the boundary conditions (22), (23) and the size from the
-    larger of C and S at the rim: u_r(r) cos(n phi), u_phi(r) sin(n phi). u_r and u_phi are those of (27), with kappa
-    and kappa' where (19) has them."""
+    """Displacements of a free mode, (19): u_r(r) cos(n phi), u_phi(r) sin(n phi). A : B comes from the boundary
+    conditions (22), (23), the size from the larger of C and S at the rim. u_r and u_phi are as in (27), but with
+    kappa and kappa' as in (19)."""
 
     def __init__(self, mode):
         self.mode, self.a, self.b = mode, 1, 0
         self.kappa = mode.omega * sqrt(1 - NU * NU), mode.omega * sqrt(2 * (1 + NU))
         if mode.n > 0:
-            # (22)/(1 - nu) and (23)/2: p A + q B = 0, of which that with the larger coefficients says more
+            # (22)/(1 - nu) and (23)/2: p A + q B = 0; the larger coefficients are more accurate
             n, diagonal = mode.n, mode.omega * mode.omega * (1 + NU) - mode.n * mode.n
             (a, a_slope), (b, b_slope) = self.bessel(1)
             pairs = (-(a_slope + diagonal * a), n * (b_slope - b)), (-n * (a_slope - a), b_slope + diagonal * b)
@@ -101,19 +101,19 @@ class Shape:
         self.a, self.b = self.a * scale, self.b * scale
 
     def bessel(self, r):
-        """J_n and its derivative times z, for both arguments z"""
+        """Returns J_n and z times its derivative, for both arguments z."""
         n = self.mode.n
         for z in (kappa * r for kappa in self.kappa):
             j = jn(n, z)
             yield j, -z * jn(1, z) if n == 0 else z * jn(n - 1, z) - n * j
 
     def displacement(self, r):
-        """u_r and u_phi, 0 < r <= 1"""
+        """Returns u_r and u_phi, 0 < r <= 1."""
         n, ((a, a_slope), (b, b_slope)) = self.mode.n, self.bessel(r)
         return (self.a * a_slope + n * self.b * b) / r, -(n * self.a * a + self.b * b_slope) / r
 
     def norm(self):
-        """int (u_r^2 + u_phi^2) r dr, (26), by Simpson's rule: 1, but 1/2 for n = 0. The integrand is 0 at r = 0."""
+        """int (u_r^2 + u_phi^2) r dr, (26), by Simpson's rule: 1, or 1/2 for n = 0. The integrand is 0 at r = 0."""
         steps = 2000
         terms = ((1 if i == steps else 4 if i % 2 else 2) * math.hypot(*self.displacement(i / steps))**2 * i / steps
                  for i in range(1, steps + 1))
@@ -121,8 +121,8 @@ class Shape:
 
 
 def drawing(point, circles, radii, angles, steps, stride):
-    """Lines of circles, the rim and radii of a distorted disk: name,x,y of each point, where point(r, phi) is
-    displaced, and a blank line after each line, as gnuplot wants it"""
+    """Returns lines of circles, the rim and radii of a distorted disk: name,x,y of each point, displaced by
+    point(r, phi). A blank line follows each line, for gnuplot."""
     rows = []
     for i in range(1, circles + 1):
         rows += ["%s,%.4f,%.4f" % ("circle" if i < circles else "rim", *point(i / circles, 2 * math.pi * k / angles))
@@ -143,8 +143,8 @@ def headed(head, rows):
 
 @figure("Fig. 2", "three simple modes: circles and radii, distorted")
 def shapes():
-    """C and S of the mode table come by another way, a closed form in omega, so that the displacements and the integral
-    (26) must agree."""
+    """C and S of the mode table come from another route, a closed form in omega, so the displacements and the
+    integral (26) must agree."""
     rows, lowest = ["n,l,omega,line,x,y"], [next(m for m in DISK.modes if (m.n, m.l) == (n, 0)) for n in (2, 1, 0)]
     for mode in lowest:
         shape = Shape(mode)
@@ -170,7 +170,7 @@ def shapes():
 
 @figure("Fig. 3", "frequencies of the free modes, radial and tangential")
 def spectrum():
-    """Radial where |C| > |S|, else tangential. The picture ends below the sentence, which is about all 1800 modes."""
+    """Radial if |C| > |S|, otherwise tangential. The picture omits the highest modes; the sentence covers all 1800."""
 
     def radial(mode):
         return abs(mode.c) > abs(mode.s)
@@ -196,9 +196,9 @@ def spectrum():
 
 @figure("Fig. 5", "shape of the disk in time")
 def sequence():
-    """Displacements are (37), at the rim (39), the amplitudes those of the full dynamics. Between steps motion is taken
-    as free: that is exact after the contact, and during it wrong by a hundredth of a step squared."""
-    modes, alpha, speed, frames, steps = 940, 500, 0.2, 10, 12  # a frame each unit of time
+    """Displacements are (37), at the rim (39), with the amplitudes of the full dynamics. Motion between steps is
+    treated as free: exact after the contact, and during it wrong by a hundredth of a step squared."""
+    modes, alpha, speed, frames, steps = 940, 500, 0.2, 10, 12  # one frame per unit of time
     film, closest = [None] * frames, (-2, nan)
 
     def expose(moment, q, q_dot):
@@ -246,7 +246,7 @@ def sequence():
 
 
 def energy_of(omega, q, q_dot, speed):
-    """Of a mode, as a fraction of (pi/2) v^2"""
+    """Returns the energy of a mode as a fraction of (pi/2) v^2."""
     return (omega * q * (omega * q) + q_dot * q_dot) / (speed * speed)
 
 
@@ -272,7 +272,7 @@ def energies():
         f"number of modes; those of Table 1 are used here.")
 
 
-PRINTED = {  # Table 1: average energy and that after the collision
+PRINTED = {  # Table 1: average energy, and energy after the collision
     (2, 0): (0.1594843, 0.0513636), (3, 0): (0.0480930, 0.0234695), (0, 0): (0.0231257, 0.0089346),
     (4, 0): (0.0220028, 0.0038760), (0, 1): (0.0128242, 0.0003144), (5, 0): (0.0114396, 0.0027244),
     (1, 1): (0.0110218, 0.0002610), (1, 0): (0.0066413, 0.0002548), (6, 0): (0.0059540, 0.0021365),
@@ -281,8 +281,8 @@ PRINTED = {  # Table 1: average energy and that after the collision
 
 @figure("Table 1", "the ten most important modes")
 def ranking():
-    """The ten modes with the largest average energy during the contact, beside those printed. The quadrupole's average
-    is also computed from the steps by the trapezoidal rule, a rough second way."""
+    """The ten modes with the largest average energy during the contact, next to the printed ones. The
+    quadrupole's average is also computed from the steps by the trapezoidal rule, as a rough check."""
     speed, steps = 0.1, []
 
     def record(moment, q, q_dot):
@@ -419,7 +419,7 @@ def load_dynamic():
         stride = 1 + (touching[-1] - touching[0]) // 400
         rows += ["%g,%.4f,%.5f,%.5f" % (speed, *row) for row in trace[touching[0]:touching[-1] + 1:stride]]
         rows += ["", ""] if speed == 0.1 else []
-        # loads on the way in and on the way out at half the largest compression
+        # loads during compression and during release, at half the largest compression
         half = out.max_compression / 2
         way_in, out_again = [a[2] + (b[2] - a[2]) * (a[1] - half) / (a[1] - b[1]) for a, b in zip(trace, trace[1:])
                              if (a[1] < half) != (b[1] < half)][:2]
@@ -435,7 +435,7 @@ def load_dynamic():
 
 @figure("Fig. 11", "contact time and largest compression against speed")
 def contact():
-    """From the contact law; contact.gp adds those of collisions.csv."""
+    """From the contact law; contact.gp adds the values of collisions.csv."""
 
     def tau(v, datum="printed"):
         return cor.disk_contact_time(v, NU, DATUM[datum])
@@ -497,7 +497,7 @@ def rayleigh():
     beyond = max(known(w for values in whole.values() for v, w in zip(speeds, values) if v > ends))
 
     def maximum(key):
-        """The place of the highest of the maxima inside the range of the theory"""
+        """Returns the index of the highest maximum inside the range of the theory."""
         values = whole[key]
         return max((i for i in range(1, len(speeds) - 1)
                     if speeds[i + 1] <= ends and values[i - 1] < values[i] >= values[i + 1]), key=lambda i: values[i])
@@ -535,7 +535,7 @@ def oscillation():
     """Not in the paper: energy left in the modes at small speed, from the full dynamics, against Rayleigh's curve"""
     limits = [limit_of(NU, v) for v in SLOW_SPEEDS]
     uncertain = [limit.uncertainty / limit.one_minus_eps2 for limit in limits]
-    # from where on every limit is known to 6 %
+    # the first speed from which on every limit has an uncertainty of at most 6 %
     first = max(i + 1 for i in range(len(limits)) if not uncertain[i] <= 0.06)
     dynamic = [wall_line(NU, SIZES[-1], v).at_zero for v in SLOW_SPEEDS]
     theory = [of_all_modes(v) for v in SLOW_SPEEDS]
@@ -546,7 +546,8 @@ def oscillation():
                                      *(wall_line(NU, n, v).at_zero for n in LARGE), theory[i]))
 
     def fall(values):
-        """Value and speed of the highest maximum inside, how far the lowest minimum is below it, and its speed"""
+        """Returns value and speed of the highest inner maximum, the relative depth of the lowest minimum below it,
+        and its speed."""
         inside = range(1, len(values) - 1)
         top = max((i for i in inside if values[i - 1] <= values[i] > values[i + 1]), key=lambda i: values[i])
         bottom = min((i for i in inside if values[i - 1] >= values[i] < values[i + 1]), key=lambda i: values[i])
@@ -565,7 +566,7 @@ def oscillation():
 
 @figure("Beyond the paper", "the limit of the paper's figures")
 def rigid_wall():
-    """What the others draw as a line, and how far from it extrapolations ended"""
+    """The line that the other figures draw, and the distance of the extrapolations from it"""
     rows = ["nu,speed,one_minus_eps2,uncertainty,eps,contact_time,max_compression"]
     for nu in MATERIALS:
         for v in [log_point(1e-6, 0.3, i, 56) for i in range(55)] + [0.3]:
@@ -575,8 +576,8 @@ def rigid_wall():
         rows += ["", ""] if nu == NU else []
 
     def miss(nu, speeds, limit=limit_of):
-        """The largest distance of the extrapolated from the limit, its speed, and as a part of the limit; how many are
-        farther off than their uncertainty and that of the limit allow, of how many"""
+        """Returns the largest distance of the extrapolations from the limit, its speed, and its part of the
+        limit. Also returns how many exceed their uncertainty plus that of the limit, and the number of all."""
         walls = [hard_wall(nu, v) for v in speeds]
         limits = [limit(nu, v) for v in speeds]
         off = [one.one_minus_eps2 - wall.one_minus_eps2 for one, wall in zip(limits, walls)]
@@ -598,9 +599,9 @@ def rigid_wall():
 
 @figure("Beyond the paper", "how Rayleigh's theory is approached")
 def approach():
-    """Not in the paper: down to v = 1e-300. The phases of the modes go like sqrt(ln(1/v))."""
+    """Not in the paper: down to v = 1e-300. The phases of the modes vary like sqrt(ln(1/v))."""
     rows, last, points = ["power,one_minus_eps2,rayleigh,ratio"], 300.0, 64
-    ends = [10, 30, 100, last]  # ranges of -log10(v), of which the differences are told
+    ends = [10, 30, 100, last]  # ranges of -log10(v) for which the text states the differences
     difference, whole = [0.0] * len(ends), [0.0] * len(ends)
     for i in range(points):
         root = sqrt(3) + (sqrt(last) - sqrt(3)) * i / (points - 1)
@@ -608,7 +609,7 @@ def approach():
         loss, theory = hard_wall(NU, 10**-power).one_minus_eps2, of_all_modes(10**-power)
         rows.append("%.4f,%.4g,%.4g,%.3f" % (power, loss, theory, loss / theory))
         k = next(k for k, end in enumerate(ends) if power <= end)
-        # both fall like 1/ln^2(1/v) beside their oscillation
+        # both decrease like 1/ln^2(1/v), apart from their oscillation
         difference[k] += (power * power * (loss - theory))**2
         whole[k] += (power * power * theory)**2
     part = [100 * sqrt(a / b) for a, b in zip(difference, whole)]

@@ -56,7 +56,7 @@ def constant(name):
 
 
 def judge(status, where, *passing):
-    """Ends the program unless the status is COR_OK or one of those named."""
+    """Ends the program unless the status is COR_OK or one of the given names."""
     if status not in [ENUM[name] for name in ("COR_OK",) + passing]:
         sys.exit("paper: %s: %s" % (where, cor.status_text(status).decode()))
     return status
@@ -73,15 +73,16 @@ class Material:
         self.omega = [mode.omega for mode in self.modes]
 
     def rayleigh(self, datum, speed, n_modes=1800):
-        """The result, and the fraction of each mode; None where the contact law has ended"""
+        """Returns the result and the fraction of each mode; None above the speed limit of the contact law."""
         out, fractions = cor.struct.disk_rayleigh(), (ctypes.c_double * n_modes)()
         status = judge(cor.disk_rayleigh(ctypes.byref(self.table), n_modes, datum, speed, ctypes.byref(out), fractions),
                        "v = %g" % speed, "COR_BEYOND_THEORY", "COR_ERROR_SPEED")
         return None if status == ENUM["COR_ERROR_SPEED"] else (out, fractions)
 
     def collision(self, n_modes, alpha, speed, tolerance, watch=None):
-        """One collision with the lowest modes: the result, whether it reached the tolerance, and the average energy of
-        each mode and that after it. watch(moment, q, q_dot) is called at each step, with arrays that change."""
+        """Computes one collision with the lowest modes. Returns the result, True if it reached the tolerance, and
+        the energy of each mode, average and after it. watch(moment, q, q_dot) is called at each step, with arrays
+        that change."""
         out, arrays = cor.struct.disk_collision(), [(ctypes.c_double * n_modes)() for _ in range(4)]
         average, after, q, q_dot = arrays
 
@@ -114,7 +115,7 @@ _press = _function("relaxed_disk_press", ctypes.c_double, ctypes.c_void_p, ctype
 
 
 class RelaxedDisk:
-    """A disk at rest against the wall, with the lowest modes of nu = 0.33, or all if n_modes is None"""
+    """A disk at rest against the wall, with the lowest modes of nu = 0.33, or all modes if n_modes is None"""
 
     def __init__(self, n_modes, alpha, points):
         self.disk = (_DISK_OF[1](0.33, alpha, points) if n_modes is None else

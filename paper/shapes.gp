@@ -3,7 +3,7 @@
 stem = "shapes"; home = "docs/paper"; width = 960; height = 370
 load "docs/style.gp"
 
-# before the ranges are set, which stats would heed
+# before the ranges are set, because stats would apply them
 array n[3]
 array omega[3]
 do for [i = 0:2] {

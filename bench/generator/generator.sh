@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-# The cost of corgen as the order, the digits and beta grow: bench/run sources this, with one_core, quick and results set,
+# The cost of corgen for growing order, digits and beta. bench/run sources this, with one_core, quick and results set,
 # and calls generator.
 
-# measure FIXED VARIED VALUE SUBCOMMAND OPTION...: a row with seconds, peak megabytes and the dearest step of a corgen
-# command, by its own --profile.
+# measure FIXED VARIED VALUE SUBCOMMAND OPTION...: prints a row with seconds, peak megabytes and the most expensive
+# step of a corgen command, by its own --profile.
 measure() {
     local label="$4,$1,$2,$3"
     shift 3

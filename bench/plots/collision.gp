@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Collisions of a disk, error against time: docs/speed/collision.svg from disks.csv. Left one disk and wall at
-# tolerances of 1e-2 to 1e-12, right what the modes left out and the softness of the wall cost.
+# Collisions of a disk, error against time: docs/speed/collision.svg from disks.csv. Left: one disk and wall at
+# tolerances of 1e-2 to 1e-12. Right: the errors from omitted modes and from the softness of the wall.
 stem = "collision"; home = "docs/speed"; width = 1060; height = 640
 if (!exists("dir")) dir = home
 csv = dir."/disks.csv"

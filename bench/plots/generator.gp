@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# corgen, time as the order and the digits grow: docs/speed/generator.svg from generator.csv.
+# corgen, time against the order and the digits: docs/speed/generator.svg from generator.csv.
 stem = "generator"; home = "docs/speed"; width = 960; height = 440
 load "docs/style.gp"
 

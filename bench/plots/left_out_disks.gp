@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-# What models of collisions of disks leave out: docs/speed/left_out_disks.svg, drawn by bench/plots/left_out from rows of
-# corgen plan --disks.
+# The errors of models of collisions of disks: docs/speed/left_out_disks.svg, drawn by bench/plots/left_out from rows
+# of corgen plan --disks.
 stem = "left_out_disks"; home = "docs/speed"; width = 1060; height = 560
 load "docs/style.gp"
 
-# Columns: 1 model, 2 speed, 3 error, 4 uncertainty of what it is compared with
+# Columns: 1 model, 2 speed, 3 error, 4 uncertainty of the reference
 of(name) = strcol(1) eq name ? column(3) : NaN
 band(name) = strcol(1) eq name ? column(4) : NaN
 array modes[4] = ["10", "100", "940", "3600"]

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-# What models of eps leave out, spheres: docs/speed/left_out_spheres.svg, drawn by bench/plots/left_out from rows of
+# The errors of models of eps for spheres: docs/speed/left_out_spheres.svg, drawn by bench/plots/left_out from rows of
 # corgen plan.
 stem = "left_out_spheres"; home = "docs/speed"; width = 960; height = 600
 load "docs/style.gp"
 
-# Columns: 1 model, 2 beta, 3 error. A model is the rows whose name begins like that.
+# Columns: 1 model, 2 beta, 3 error. A model consists of the rows whose name begins like it.
 of(name) = strcol(1)[1:strlen(name)] eq name ? column(3) : NaN
 set logscale xy
 set xrange [0.05:6]

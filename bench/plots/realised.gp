@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Restitution realised less the one asked for, by simulator: cor_realised curve.
+# Realised restitution minus the requested one, by simulator: cor_realised curve.
 #     gnuplot -e "csv = 'curve.csv'; svg = 'realised.svg'" bench/plots/realised.gp
 stem = "realised"; home = "docs/laws"; width = 960; height = 520
 load "docs/style.gp"
@@ -9,7 +9,7 @@ set title "simulators asked for ε realise another"
 set xlabel "ε asked"
 set xrange [0:1]
 
-# Columns: 1 model, 3 asked, 4 realised
+# Columns: 1 model, 3 requested, 4 realised
 off(part) = strstrt(strcol(1), part) > 0 ? column(4) - column(3) : NaN
 
 set ylabel "ε realised - ε asked"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# eps of spheres from an impact speed, error against time, what most users choose among: docs/speed/speed.svg from
+# eps of spheres from an impact speed, error against time, for the usual choices: docs/speed/speed.svg from
 # spheres_speed.csv.
 stem = "speed"; home = "docs/speed"; width = 960; height = 460
 if (!exists("dir")) dir = home

@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # The truncated series, Padés and two-point Padés of growing order that the report compares, as a header: one function
-# of z for each, z = beta at zero overlap and sqrt(beta) at zero force, and the list of all.
+# of z for each, with z = beta at zero overlap and sqrt(beta) at zero force, and the list of all.
 #     bench/spheres/approximants.sh CORGEN >HEADER
-# Of Padés the degrees that have no pole on beta > 0.
+# For Padés, only degrees without a pole on beta > 0.
 set -eu
 corgen=$1
 

@@ -3,7 +3,7 @@
 
     tests/cli/json_tables.py CORGEN      COR_SEED repeats a run
 
-Numbers are numbers with all their digits, texts are texts, and null stands for what csv shows as nan, inf or nothing.
+Numbers are numbers with all their digits, texts are texts, and null represents nan, inf and empty cells of csv.
 With --json-strings the columns that can exceed a double are texts."""
 import csv
 import decimal
@@ -18,7 +18,7 @@ MISSING = {"", "nan", "-nan", "inf", "-inf"}
 
 
 def cases(draw):
-    """(command line, columns of text, whether --json-strings is allowed)"""
+    """Returns (command line, columns of text, True if --json-strings is allowed)."""
     beta = [f"{draw.uniform(0, 20):.6g}", f"{draw.randint(0, 40)}/{draw.randint(1, 30)}", f".{draw.randint(1, 999)}",
             f"00{draw.randint(0, 9)}.", f"{draw.randint(1, 9)}E-{draw.randint(1, 400)}"]
     speed = f"{draw.uniform(1e-3, 10):.5g}"

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""terminal.py CORGEN [SEED]: progress on a terminal, of four slow commands, or of all for the seed "all". A line within a
-second, at most about a second between two, also between rows. Ctrl-C leaves no file."""
+"""terminal.py CORGEN [SEED]: progress on a terminal, of four slow commands, or of all for the seed "all". The first
+line appears within a second, and then about one per second or more, also between rows. Ctrl-C leaves no file."""
 import os
 import pty
 import random
@@ -44,7 +44,7 @@ class Terminal:
             os.execv(corgen, [corgen, *command.split()])
 
     def ended(self):
-        """Reads what is there."""
+        """Reads the available output."""
         self.times.append(time.monotonic())
         try:
             self.screen += os.read(self.file, 1 << 16).decode().replace("\r\n", "\n")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The compiler of C, by which tests see the headers and the library without the package.
+"""The compiler of C, by which tests reach the headers and the library without the package.
 
 COR_TEST_PREFIX names an installed cor, static.
 """
@@ -19,7 +19,7 @@ MODULES = (cor.contact, cor.disk, cor.law, cor.sphere, cor.status, cor.version)
 
 
 def module_of(c_name):
-    """The module that has a function of C, and its name there; found by names alone."""
+    """Returns the module that has a function of C, and its name there; found only by names."""
     for module in MODULES:
         for prefix in (f"cor_{module.__name__.split('.')[1]}_", "cor_"):
             if c_name.startswith(prefix) and c_name[len(prefix) :] in module.__all__:
@@ -33,13 +33,13 @@ class Compiler:
         self.count = 0
 
     def preprocessed(self):
-        """All public headers, macros expanded."""
+        """Returns all public headers with expanded macros."""
         command = ["cc", "-E", "-P", "-DCOR_WITH_DISK", f"-I{PREFIX}/include", "-x", "c", "-"]
         run = subprocess.run(command, input="#include <cor/cor.h>\n", stdout=subprocess.PIPE, text=True, check=True)
         return " ".join(run.stdout.split())
 
     def program(self, text):
-        """The path of a compiled program."""
+        """Returns the path of a compiled program."""
         self.count += 1
         path = self.folder / f"program_{self.count}"
         libraries = [str(next(PREFIX.glob(f"lib*/**/{name}.a"))) for name in ("libcor", "libcor_disk")]

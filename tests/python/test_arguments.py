@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Optional arguments, which all matter, and arguments of other kinds than numbers and arrays."""
+"""Optional arguments, each of which has an effect, and arguments of other kinds than numbers and arrays."""
 
 import _thread
 import inspect
@@ -25,7 +25,7 @@ LAMMPS, AT_ONE = ("lammps", BODY), {"speeds": 1.0}
 AUDITED = {"radius": 2e-3, "density": 1.0, "time_step": 1e-7, "tolerance": 0.9, "version": "2 Aug 2023"}
 CONTACT = cor.Contact(BODY, end="zero_force")
 
-# A function, what it is called with, and for each of its optional arguments another value
+# A function, the arguments of its call, and another value for each of its optional arguments
 OPTIONAL = [
     (simulators.lines, LAMMPS, {**MEASURED, **AT_ONE}, {"contact": SOFT, "speeds": 0.5, "version": "1 Jan 2020"}),
     (simulators.lines, LAMMPS, {**AT_ONE, "steps": 12}, {"steps": 30, "time_step": 1e-8, "step_corrected": True}),
@@ -118,7 +118,7 @@ def test_masks_stay():
     np.testing.assert_array_equal(both.mask, x.mask | [False, False, False, False, True])
     out = np.ma.zeros((4, 5))
     np.testing.assert_array_equal(cor.sphere.eps_zero_force(x, out=out).mask, x.mask)
-    speeds = np.ma.array([0.1, -1.0, 0.2], mask=[0, 1, 0])  # a masked speed is no error
+    speeds = np.ma.array([0.1, -1.0, 0.2], mask=[0, 1, 0])  # a masked speed is not an error
     for records in (disk.collision(TABLE, 10, COLLISION, speeds), disk.collision_array(TABLE, 10, COLLISION, speeds)):
         np.testing.assert_array_equal(records["eps"].mask, speeds.mask)
     np.testing.assert_array_equal(simulators.realised("lammps", "hertz-tsuji", speeds).mask, speeds.mask)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Shapes, dtypes, layouts and out=, as NumPy's own functions have them."""
+"""Shapes, dtypes, layouts and out=, as in NumPy's own functions."""
 
 import numpy as np
 import pytest
@@ -46,7 +46,7 @@ def test_layouts():
         result = cor.sphere.eps_zero_force(array)
         assert result.shape == array.shape and result.dtype == np.float64
         np.testing.assert_array_equal(result, eps(array))
-    # C reads no double at an odd address, though many processors would allow it
+    # C reads no double at an odd address, although many processors would allow it
     assert prepared_array(unaligned, np.dtype(np.float64)).flags.aligned
     assert prepared_array(X, np.dtype(np.float64)) is X
 
@@ -68,7 +68,7 @@ def test_dtypes():
 
 
 def test_numbers_alone():
-    """They go to C without arrays; test_bits.py has those of all functions of one and of two."""
+    """They go to C without arrays; test_bits.py tests them for all functions of one and of two numbers."""
     contact = cor.contact.sphere_contact_init(GLASS, GLASS)
     for function, count in (
         (lambda g: cor.contact.duration_s_zero_overlap(contact, g), 1),

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""cor audit: all decks of tests/audit, against what simulators gave, closed forms and the rows that are recorded.
+"""cor audit: all decks of tests/audit, against results of simulators, closed forms and the recorded rows.
 
-The first line of a deck names the public input that it is written after, its licence, and options of cor audit.
+The first line of a deck names the public input that it follows, its licence, and options of cor audit.
     python3 tests/python/test_audit.py     writes tests/audit/expected.csv and the table of docs/simulators.md
 """
 
@@ -36,7 +36,7 @@ PAGE = ROOT / "docs" / "simulators.md"
 
 
 def run(*arguments):
-    """Exit status, output and messages of cor."""
+    """Returns exit status, output and messages of cor."""
     out, messages = io.TextIOWrapper(io.BytesIO(), encoding="utf-8"), io.StringIO()
     with redirect_stdout(out), redirect_stderr(messages):
         status = main([str(a) for a in arguments])
@@ -45,7 +45,7 @@ def run(*arguments):
 
 
 def options_of(deck):
-    """The options in the first line of a deck."""
+    """Returns the options in the first line of a deck."""
     head = deck.read_text(encoding="utf-8").split("\n", 1)[0]
     assert re.search(r"SPDX-License-Identifier: MIT \| after .* \| .* \| ", head), deck
     words = []
@@ -56,7 +56,7 @@ def options_of(deck):
 
 
 def audit(deck):
-    """The exit status and the rows of a deck."""
+    """Returns the exit status and the rows of a deck."""
     status, out, _ = run("audit", deck, *options_of(deck), "--format", "csv")
     return status, list(csv.DictReader(io.StringIO(out)))
 
@@ -74,7 +74,7 @@ COLUMNS = "line,simulator,model,pair,asked,end,speed_m_s,realised,step_bias,step
 
 
 def expected_text(audited):
-    """What expected.csv records."""
+    """Returns the content of expected.csv."""
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow(["deck", "status", *COLUMNS.split(",")])
@@ -87,7 +87,7 @@ def expected_text(audited):
 
 
 def page_text(audited):
-    """docs/simulators.md with its examples, and with the table of the decks, each counted by its worst contact."""
+    """Returns docs/simulators.md with its examples and the table of the decks, each counted by its worst contact."""
     kinds = ("as asked", "something else", "not known", "no e asked for")
     counts = {}
     for deck, (status, rows) in audited.items():
@@ -103,7 +103,7 @@ def page_text(audited):
 
 
 def example(command):
-    """A command of the page with its output."""
+    """Returns a command of the page with its output."""
     before = os.getcwd()
     os.chdir(DECKS[0].parent)
     status, out, _ = run(*command[1].split())
@@ -138,8 +138,8 @@ def eps(z, end):
 
 
 def test_closed_forms(audited):
-    """eps of each requested e, by the formula that a paper or a page of the simulator has; Thornton's is within 3e-4 up
-    to 0.9 and 0.008 beyond."""
+    """eps of each requested e, by the formula in a paper or a page of the simulator. Thornton's is within 3e-4 up to
+    0.9 and within 0.008 above."""
     count = 0
     for deck, (_, rows) in audited.items():
         for row in rows:
@@ -165,7 +165,7 @@ def test_closed_forms(audited):
 
 
 def test_dashpots(audited):
-    """Where the deck gives a dashpot, by mass, stiffness and the closed form."""
+    """If the deck gives a dashpot: by mass, stiffness and the closed form."""
     pi = math.pi
     wanted = {
         ("lammps-pour.lmp", "1-1"): 25 * math.sqrt(pi / 12 / 2000),
@@ -202,7 +202,7 @@ VISCOUS = (
     ],
 )
 def test_reasons(tmp_path, old, new, reason):
-    """YADE: the number that is missing, the numbers of yade.math, and functors whose names end alike."""
+    """YADE: the missing number, the numbers of yade.math, and functors whose names have the same end."""
     loop = "InteractionLoop([],[Ip2_ViscElMat_ViscElMat_ViscElPhys()],[])"
     text = re.sub(old, new, VISCOUS.format("").replace("damping=0)", f"damping=0),{loop}"), flags=re.S)
     out = run("audit", write(tmp_path, "deck.py", text), "--format", "json", "--speed", "1")[1]
@@ -292,7 +292,7 @@ def test_hostile(tmp_path):
     "kind", ["yade", "lammps", "mfix", "mujoco"] if os.environ.get("COR_TEST_LONG") else ["lammps"]
 )
 def test_million_lines(tmp_path, kind):
-    """Within ten seconds of a processor and 500 MB, in a process of its own."""
+    """Within ten seconds of a processor and 500 MB, in a separate process."""
     line = {"yade": "x = 1\n", "lammps": "thermo 1\n", "mfix": "KN = 1\n", "mujoco": "<geom/>\n"}[kind]
     ends = {"mujoco": ("<mujoco><worldbody>\n", "</worldbody></mujoco>")}.get(kind, ("", ""))
     path = write(tmp_path, "long", ends[0] + line * 10**6 + ends[1])

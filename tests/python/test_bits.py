@@ -30,7 +30,7 @@ def prototypes(compiler):
 
 @pytest.fixture(scope="session")
 def c_values(prototypes, compiler):
-    """What a program in C prints: name -> bits."""
+    """Returns the output of a program in C: name -> bits."""
     unary, binary = prototypes
     lines = [f'row("{name}", {name}(x[i]));' for name in unary]
     lines += [f'for (int k = 0; k < 2; k++) row("{name}", {name}(x[i], y[k]));' for name in binary]

@@ -104,7 +104,7 @@ def by_name(result, name):
 
 
 def fly(launch, kappa, gravity=G, height=0.0):
-    """Duration, impact speed and greatest height of a flight, by an integrator"""
+    """Returns duration, impact speed and greatest height of a flight, by an integrator."""
 
     def rates(_t, y):
         return [y[1], -gravity * (1 + kappa * y[1] * abs(y[1]))]
@@ -131,7 +131,7 @@ def test_flights_agree_with_an_integrator(launch, kappa):
 
 
 def bouncing(height, kappa, gravity, eps=0.955, bounces=9):
-    """Times of the bounces after a drop, and the heights of all apexes"""
+    """Returns times of the bounces after a drop, and the heights of all apexes."""
     speed, time, at, apexes = fly(0.0, kappa, gravity, height)[1], 0.0, [], [height]
     for _ in range(bounces):
         at.append(time)
@@ -143,7 +143,7 @@ def bouncing(height, kappa, gravity, eps=0.955, bounces=9):
 
 @pytest.fixture(scope="module")
 def table_tennis():
-    """Drops of a ball of eps = 0.955 in air, with buoyancy"""
+    """Returns drops of a ball of eps = 0.955 in air, with buoyancy."""
     volume, area = math.pi / 6 * 0.04**3, math.pi / 4 * 0.04**2
     gravity = G * (1 - 1.204 * volume / 0.0027)
     kappa = 1.204 * 0.47 * area / (2 * 0.0027 * gravity)
@@ -206,7 +206,7 @@ def test_gravity_follows_from_a_drop_height():
 
 
 def trajectory_q(name, theta, data, ratio):
-    """Q with the determinants, by dense matrices of the whole trajectory: the first time and flight of each drop and
+    """Q with the determinants, by dense matrices of the whole trajectory. The first time and flight of each drop and
     the scatter of eps move all later times."""
     total, logs, n, record = 0.0, 0.0, 0, data.record
     for first, end in zip(record.start, record.start[1:]):
@@ -280,7 +280,7 @@ def test_a_grid_has_the_same_minimum_and_intervals(name, given):
 
 @pytest.mark.parametrize("kind", ["times", "drop height", "apexes"])
 def test_an_error_of_a_number_moves_its_bounces(kind):
-    """Of exact data with drag, an error of one time or height changes c r by its coefficients."""
+    """For exact data with drag, an error of one time or height changes c r by its coefficients."""
     kappa, theta = 0.03, np.array([-0.1, -0.05])
     speed, time, at, apexes = likelihood.impact_of_drop(np.array([1.0]), G, kappa), 0.0, [], [1.0]
     for _ in range(5):
@@ -356,7 +356,7 @@ def test_curves_by_other_routes():
 
 
 def _yield(eps):
-    """The yield speed of elastic-plastic spheres with eps at 1 m/s, by the formula of Thornton"""
+    """Returns the yield speed of elastic-plastic spheres with eps at 1 m/s, by the formula of Thornton."""
     brentq = pytest.importorskip("scipy.optimize").brentq
 
     def eps4(r):
@@ -366,7 +366,7 @@ def _yield(eps):
     return brentq(lambda r: eps4(r) - eps**4, 1e-6, 1)
 
 
-# value, low and high of 95 %, AIC and p of corgen fit, the program before cor.fit
+# value, low and high of 95 %, AIC and p of corgen fit, the predecessor of cor.fit
 STORED = [
     ("golf_ball_marble_heights", "viscoelastic zero-overlap", "g_star_m_s", 205461, 195593, 215918, 14.7784, 0.0051),
     ("ice_bridges_1984_formula", "power-law", "exponent", -0.234, -0.234012, -0.233988, -595.433, 0.25),
@@ -388,7 +388,7 @@ def test_stored_data(file, title, parameter, value, low, high, aic, p):
 
 
 def test_points_behind_the_drag_of_the_stored_times():
-    """p of a table tennis ball at C_d = 0.40, of independent points without buoyancy"""
+    """p of a table tennis ball at C_d = 0.40, from independent points without buoyancy."""
     record = cor.fit(DATA / "ping_pong_ball_parquet.csv", law="constant").data
     sample = likelihood.Sample(record)
     flights = sample.flights(G, 0.4 * 1.204 * math.pi / 4 * 0.04**2 / (2 * 0.0027 * G))
@@ -408,11 +408,11 @@ def test_many_bounces_are_reduced(monkeypatch):
         assert b.high_68 - b.low_68 == pytest.approx(width, rel=0.1) and b.rms == pytest.approx(a.rms, rel=1e-4)
 
 
-# ---- how often intervals hold the truth ----
+# ---- how often intervals contain the truth ----
 
 
 def is_likely(n, k, low, high):
-    """k of n draws with a probability from low to high are neither too few nor too many by chance."""
+    """True if k of n draws, with a probability from low to high, are neither too few nor too many."""
     return stats.binom.cdf(k, n, low) > 1e-6 and stats.binom.sf(k - 1, n, high) > 1e-6
 
 
@@ -518,7 +518,7 @@ def test_commands_give_the_fit(bodies):
 
 
 def test_parameters_of_materials():
-    """The parameter of the bodies, put into a contact of cor, gives eps of the fit."""
+    """The parameter of the bodies, used in a contact of cor, gives eps of the fit."""
     bodies = dict(young=7e10, poisson=0.24, radius=0.005, mass=1.3e-3)
     data = draw_points("viscoelastic zero-force", np.random.default_rng(12), n=10)
     result = cor.fit(data, wall=True, density_2=2500.0, viscosity_liquid=1e-3, **bodies)
@@ -596,7 +596,7 @@ def test_a_function_without_numbers_is_not_determined():
 
 
 def mean_of(eps, sigma, bend):
-    """Huber's mean of points or, with the bend at infinity, their weighted mean, and the sum of all weights"""
+    """Returns Huber's mean of points, or with the bend at infinity their weighted mean, and the sum of all weights."""
     mean, weight = np.median(eps), 1 / sigma**2
     for _ in range(200):
         part = weight * np.minimum(1, bend * sigma / np.maximum(np.abs(eps - mean), 1e-300))
@@ -605,7 +605,7 @@ def mean_of(eps, sigma, bend):
 
 
 def outliers_of_constant(eps, sigma):
-    """The rule of find_outliers for a constant with given errors, in closed forms"""
+    """Applies the rule of find_outliers for a constant with given errors, in closed forms."""
     n, out = eps.size, np.zeros(eps.size, bool)
     while out.sum() < 8 and (~out).sum() - 1 >= 3 * n // 4:
         z = np.where(out, 0, np.abs(eps - mean_of(eps[~out], sigma[~out], 1.345)[0]) / sigma)

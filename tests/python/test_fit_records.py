@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Measured bounces as laboratories record them: what is read, and what is refused with line, column and advice."""
+"""Measured bounces as laboratories record them: accepted files, and files refused with line, column and advice."""
 
 import io
 import json
@@ -50,7 +50,7 @@ READ = [
     ("run,t_s\na,0\na,1\na,1.8\nb,5\nb,6\nb,6.5\n", {}, Times, dict(start=[0, 3, 6], run=["a", "b"])),
     ("interval_ms\n800\n640\n", {}, Times, dict(time_s=[0, 0.8, 1.44], line=[2, 2, 3])),
     ("run,dt (s)\na,1\na,.8\nb,.9\nb,.8\n", {}, Times, dict(time_s=[0, 1, 1.8, 0, 0.9, 1.7], start=[0, 3, 6])),
-    # speed with eps wins over heights, heights over times
+    # speed with eps has priority over heights, heights over times
     ("h0_cm,h1_cm,speed_m_s,eps\n100,64,4.4,.81\n", {}, Points, dict(eps=[0.81])),
     ("t_s,h0_cm,h1_cm\n1,100,64\n", {}, Heights, dict(drop_m=[1])),
     ("run,speed_m_s,eps\na,1,.5\nb,2,.4\n", {}, Points, dict(run=["a", "b"])),
@@ -68,7 +68,7 @@ def test_read(text, form, kind, fields):
             np.testing.assert_allclose(getattr(record, name), values, rtol=1e-14)
 
 
-# the message behind the name of the file, as a regular expression; text; options
+# the message after the name of the file, as a regular expression; text; options
 REFUSED = [
     ("line 1: the file is empty; allowed: .*, as speed_m_s,eps", "", {}),
     ("line 1: no column speed_m_s; allowed: .* as speed_m_s,eps", "1,0.5\n2,0.4\n", {}),
@@ -297,7 +297,7 @@ def test_pictures(tmp_path, capfd):
     result = cor.fit(file, law="constant,power-law")
     upper, lower = result.plot(all=True).axes
     assert lower.get_xlabel() == "impact speed (m/s)" and upper.get_title() == r"a \$x\$.csv"
-    assert upper.get_xlim() == (1, 12)  # where the data end
+    assert upper.get_xlim() == (1, 12)  # the range of the data
     names = ", ".join(text.get_text() for text in upper.get_legend().get_texts())
     assert names == "measured, 95 % of the curve, power-law, constant"
     for form, begin in (("svg", b"<?xml"), ("pdf", b"%PDF"), ("png", b"\x89PNG")):

@@ -2,7 +2,7 @@
 """cor audit --run: the decks of tests/audit in the programs of their users, and the lines that the audit offers.
 
 A few decks are run by default, and all of them if COR_TEST_LONG is set. LMP, LIGGGHTS and YADE name the programs.
-    python3 tests/python/test_measure.py     runs all decks, and writes what was measured to tests/audit/judged.csv
+    python3 tests/python/test_measure.py     runs all decks, and writes the measured values to tests/audit/judged.csv
 """
 
 import csv
@@ -33,7 +33,7 @@ RUNNABLE = [deck for deck in DECKS if deck.suffix[1:] in PROGRAMS]
 
 
 def program_of(deck):
-    """The program that runs a deck; the test is skipped without it."""
+    """Returns the program that runs a deck. Skips the test without it."""
     program = PROGRAMS[deck.suffix[1:]]
     if not (importlib.util.find_spec("mujoco") if program == "mujoco" else shutil.which(program)):
         pytest.skip(f"no program {program}")
@@ -47,7 +47,7 @@ def measured(deck, options, program):
 
 @pytest.mark.parametrize("deck", [d for d in RUNNABLE if LONG or d.name in FEW], ids=lambda deck: deck.name)
 def test_measured(deck):
-    """Where a program runs the deck, it gives what cor computes."""
+    """If a program runs the deck, its eps agrees with cor's."""
     rows, messages = measured(deck, options_of(deck), program_of(deck))
     assert "executes this file" in messages
     for row in rows:
@@ -55,12 +55,12 @@ def test_measured(deck):
         assert row["measured_small_step"] or "Not measured" in row["advice"] or "clump" in row["advice"], row
     if deck.name in FEW:
         assert rows and all(row["measured_small_step"] for row in rows)
-    if deck.name == "yade-cohesive.py":  # cor does not know its law: an elastic spring, and NewtonIntegrator's damping
+    if deck.name == "yade-cohesive.py":  # cor does not have its law: an elastic spring, and NewtonIntegrator's damping
         assert abs(number(rows[0]["measured_small_step"]) - math.sqrt(0.9 / 1.1)) < 1e-5
 
 
 def rows_of(deck, options):
-    """The rows of the audit with the lines that it offers."""
+    """Returns the rows of the audit with the offered lines."""
     parser = Parser()
     command.add_arguments(parser)
     return physics.audit_text(
@@ -70,7 +70,7 @@ def rows_of(deck, options):
 
 @pytest.mark.parametrize("deck", DECKS, ids=lambda deck: deck.name)
 def test_paste_back(deck, tmp_path):
-    """A line that is offered, put into its place, realises what was requested; so does the program."""
+    """An offered line, put into its place, realises the requested e; so does the program."""
     options = options_of(deck)
     try:
         found = [row for row in rows_of(deck, options) if row.instead]
@@ -107,7 +107,7 @@ HEAD += "pair_coeff * *\ntimestep 1e-6\n"
 
 
 def test_left_out(tmp_path):
-    """Commands that execute others or write files are named and not executed, however they are written."""
+    """Commands that execute others or write files are named and not executed, in every notation."""
     program, bad = program_of(Path("x.lmp")), tmp_path / "bad"
     deck = tmp_path / "deck.lmp"
     text = (
@@ -125,7 +125,7 @@ def test_left_out(tmp_path):
 
 
 def test_difference(tmp_path):
-    """The advice states where a program gives another eps than cor computes, here for another version."""
+    """The advice states the difference between the program's eps and cor's, here for another version."""
     deck = tmp_path / "deck.lmp"
     model = "pair_style granular\npair_coeff * * hooke 1e4 0.5 tangential linear_nohistory 0 0 damping tsuji\n"
     deck.write_text(re.sub(r"pair_style.*\n.*\n", model, HEAD))

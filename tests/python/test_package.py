@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Structs, errors and warnings, modes, collisions with observers; that nothing public is missing."""
+"""Structs, errors and warnings, modes, collisions with observers; nothing public is missing."""
 
 import inspect
 import pickle
@@ -74,7 +74,7 @@ def test_docstrings_have_no_prototypes_of_c():
     assert docs["hunt_crossley_max_overlap"].startswith("Largest overlap")
 
 
-# ---- the parser: a header that grows, and one that it cannot read ----
+# ---- the parser: a header that grows, and an unreadable one ----
 
 
 def headers_with(tmp_path, text):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The interpreter of LAMMPS' scripts: against lmp where it is installed, and its bounds; the bodies and contacts of
-scripts. tests/audit has whole decks, which the simulators judged."""
+"""The interpreter of LAMMPS' scripts: against lmp if installed, and its bounds; the bodies and contacts of scripts.
+tests/audit has whole decks, which were compared with the simulators."""
 
 import math
 import random
@@ -20,7 +20,7 @@ HOOKE = "pair_style gran/hooke 1000 NULL 20 NULL 0 0\npair_coeff * *\n"
 
 
 class Printer(script.System):
-    """A system whose only command is print; it keeps the texts."""
+    """A system whose only command is print; it stores the texts."""
 
     def __init__(self):
         self.out = []
@@ -34,7 +34,7 @@ class Printer(script.System):
 
 
 def printed(text, monkeypatch, **options):
-    """The texts that a script prints, and the interpreter."""
+    """Returns the texts that a script prints, and the interpreter."""
     system, interpreter = Printer(), script.Script(Options(**options))
     system.interpreter, interpreter.worlds_now = interpreter, []
     run = script.World.run
@@ -45,7 +45,7 @@ def printed(text, monkeypatch, **options):
 
 
 def by_lammps(text, folder):
-    """The same by lmp."""
+    """Returns the texts that lmp prints for a script."""
     (folder / "in").write_text(text)
     done = subprocess.run(["lmp", "-log", "none", "-in", "in"], cwd=folder, capture_output=True, text=True, timeout=60)
     noise = ("LAMMPS", "OMP_", "  using", "Total", "Increment")
@@ -126,7 +126,7 @@ def test_bounds(monkeypatch):
 
 @pytest.mark.skipif(not shutil.which("lmp"), reason="no program lmp")
 def test_against_lammps(monkeypatch, tmp_path):
-    """Random formulas, within the four operands that LAMMPS' stack has, and random loops."""
+    """Random formulas, within the four operands of LAMMPS' stack, and random loops."""
     draw = random.Random(1)
 
     def formula(depth):
@@ -158,7 +158,7 @@ def test_against_lammps(monkeypatch, tmp_path):
 
 
 def rows(text, simulator="lammps", **options):
-    """The rows of a deck by pair, in their order."""
+    """Returns the rows of a deck by pair, in their order."""
     read = lammps.read_lammps if simulator == "lammps" else lammps.read_liggghts
     given = Options(speeds=(1.0,), tolerance=9e-5, **options)
     return [(row.pair, row) for row in physics.rows_of(read(text, "deck", given), given) if row.model]
@@ -200,7 +200,7 @@ def test_masses(more, pairs):
 
 
 def test_a_body_held_without_freeze():
-    """It damps with the mass of both bodies, and moves as if its mass were infinite."""
+    """Its damping uses the mass of both bodies, but it moves as if its mass were infinite."""
     moving = "group one type 1\nfix i one nve/sphere\n"
     mass = 1 / (1 / BALLS[1] + 1 / BALLS[2])
     found = dict(rows(ATOMS + moving + HOOKE))
@@ -239,7 +239,7 @@ def test_runs_loops_and_versions():
 
 
 def test_lines_to_write():
-    """A line keeps its variables, unless one of them holds several words."""
+    """A line keeps its variables, unless one of them contains several words."""
     head = BOX + "pair_style granular\nvariable m string 'hertz 1e7 0.5'\nvariable e equal 1/2\nvariable k index 1e7\n"
     for line, repaired in {
         "pair_coeff * * hertz $k ${e} damping tsuji": "pair_coeff * * hertz $k 0.366651 damping tsuji",

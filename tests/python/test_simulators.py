@@ -134,7 +134,7 @@ SPRING = {"stiffness": 1e7, "effective_mass": 1e-3}
 
 
 def options_of(row):
-    """The options of a contact as Python takes them, without speeds and simulator"""
+    """Returns the options of a contact in Python's form, without speeds and simulator."""
     made = {}
     for name, value in row["options"].items():
         if name == "viscosity":

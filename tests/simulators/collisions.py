@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Collisions in simulators that others wrote against corgen: in LAMMPS, which can end contact either way, in YADE,
+"""Collisions in other simulators, compared with corgen: in LAMMPS, which can end contact either way, in YADE,
 which ends it at zero force, in LIGGGHTS, and by REBOUND's callback. docs/simulators.md has the equations.
 
     tests/simulators/collisions.py [--long]    CORGEN, LMP, LIGGGHTS and YADE name the programs
@@ -20,13 +20,13 @@ from common import (CORGEN, HERE, LIGGGHTS, LMP, ROOT, YADE, extrapolated, first
                     output_of, run, script, skip, summary, verdict)
 
 # Largest |simulated/exact - 1| after extrapolation. Seen: 8e-8 at 1e-6 m/s, where doubles of positions have too few
-# digits for the overlap. What must not pass for right has to be MARGIN tolerances away.
+# digits for the overlap. A wrong model must differ by MARGIN tolerances.
 TOLERANCE, MARGIN = 3e-7, 100
 # The spheres of restitution/yade.py and lammps.in
 A, REFF, MEFF = 1.25e-3, 0.004, 0.0016
 K = 1e6 * math.sqrt(REFF)
 SPEEDS = ["1e-6", "1e-3", "0.1", "5"]
-# The relative error of the interpolation in the table of eps that YADE reads, and the speeds at which it is tried
+# The relative error of the interpolation in the table of eps that YADE reads, and the tested speeds
 TABLE_TOLERANCE, TABLE_SPEEDS = 1e-4, ["1e-3", "0.003", "0.03", "0.3", "0.9"]
 ENDS = ["zero_overlap", "zero_force"]
 YADE_STEPS = (16e-5, 8e-5, 4e-5)
@@ -34,7 +34,7 @@ SPHERES = "--young 1e7 --poisson 0.3 --radius 5e-3 --mass 2e-3".split()
 
 
 def beta_at(speed, factor=1):
-    """factor is one on A"""
+    """Returns beta at a speed, with A multiplied by factor."""
     return 1.5 * factor * A * (K / MEFF)**0.4 * float(speed)**0.2
 
 
@@ -43,20 +43,20 @@ def exact(end, beta, *options):
 
 
 def published(beta):
-    """(35), as the paper prints it"""
+    """Returns (35), as the paper prints it."""
     s = 1.1534488580953 * beta
     return (1 + 2.5839 * s) / (1 + s * (3.5839 + s * (2.9839 + s * (1.1487 + s * 0.3265))))
 
 
 def yade_pade(beta):
-    """YADE's Pade approximant, [3/6] in v* = sqrt(beta), from its pkg/dem/HertzMindlin.cpp"""
+    """Returns YADE's Pade approximant, [3/6] in v* = sqrt(beta), from its pkg/dem/HertzMindlin.cpp."""
     v = math.sqrt(beta)
     return (1 + v * (1.07232 + v * (0.574198 + v * 0.141552))) / (
         1 + v * (1.07232 + v * (1.72765 + v * (1.37842 + v * (1.19449 + v * (0.467273 + v * 0.235585))))))
 
 
 def judge(name, eps, right, wrong, tolerance=TOLERANCE, margin=MARGIN):
-    """eps agrees with what is right, and with nothing wrong."""
+    """Passes if eps agrees with the right value, and with no wrong one."""
     nearest = min(abs(eps / value - 1) for value in wrong)
     verdict(eps > 0 and abs(eps / right - 1) <= tolerance and nearest >= margin * tolerance,
             "%s: %.12g, exact %.12g, off by %.1e, the nearest wrong answer by %.1e" %
@@ -64,7 +64,7 @@ def judge(name, eps, right, wrong, tolerance=TOLERANCE, margin=MARGIN):
 
 
 def lines_of(command, word):
-    """The fields behind the word in each line that begins with it; all that the program says goes with a failure."""
+    """Returns the fields after the word in each line that begins with it. A failure shows all output of the program."""
     text = output_of(command)
     rows = [row.split()[1:] for row in text.splitlines() if row.startswith(word + " ")]
     if not rows:
@@ -74,13 +74,13 @@ def lines_of(command, word):
 
 
 def eps_of(rows, power):
-    """eps of three rows eps ... VALUE CHANGE, extrapolated; 0 where the velocity still changes"""
+    """Returns eps of three rows eps ... VALUE CHANGE, extrapolated; 0 where the velocity still changes."""
     values = [float(row[-2]) for row in rows if abs(float(row[-1])) < 1e-12]
     return extrapolated(power, values) if len(values) == 3 else 0
 
 
 def steps_of(duration, speed, steps=(8e-5, 4e-5, 2e-5)):
-    """Numbers of steps in a contact, for steps in units of T = (m/K)^(2/5) g^(-1/5)"""
+    """Returns numbers of steps in a contact, for steps in units of T = (m/K)^(2/5) g^(-1/5)."""
     return [int(duration * (K / MEFF)**0.4 * float(speed)**0.2 / step) for step in steps]
 
 
@@ -90,7 +90,7 @@ def duration_of(speed, end, *damping):
 
 
 def written(work, name, text):
-    """The path of a new file of this text"""
+    """Writes a new file with this text and returns its path."""
     path = os.path.join(work, name)
     with open(path, "w", encoding="utf-8") as file:
         file.write(text)
@@ -119,7 +119,7 @@ def lammps_head_on(work):
 
 def lammps_oblique():
     """With mindlin_rescale the displacement s, and with mindlin_rescale/force the force f, shrinks with the contact
-    radius c while this shrinks: s' = u + s c'/c, f' = k u + f c'/c. Their values are those of the classical Runge-Kutta
+    radius c while c shrinks: s' = u + s c'/c, f' = k u + f c'/c. The values come from the classical Runge-Kutta
     method with 10^6 steps."""
     integrated = {("mindlin_rescale", "0.3"): 0.623549276, ("mindlin_rescale", "0.45"): 0.352982377,
                   ("mindlin_rescale/force", "0.3"): 0.518992445, ("mindlin_rescale/force", "0.45"): 0.278008915}
@@ -152,8 +152,8 @@ def lammps_gravity():
 
 
 def lammps_jkr():
-    """Spheres that adhere. A speed at which they stick has eps 0 and surfaces that overlap. The force jumps when the
-    contact breaks, so that eps is known to a step: eps^2 to 1e-5."""
+    """Spheres that adhere. At a speed at which they stick, eps is 0 and the surfaces overlap. The force jumps when
+    the contact breaks, so the end is known only to a step: eps^2 to 1e-5."""
     for time in "0", "5e-9":
         spheres = ("--young 1e9 --poisson 0.25 --radius 1e-5 --density 2500 --adhesion 0.1 --adhesion-model jkr "
                    "--dissipation-time " + time).split()
@@ -169,12 +169,12 @@ def lammps_jkr():
 
 
 def yade(*runs):
-    """The command by which YADE runs dicts of restitution/yade.py"""
+    """Returns the command by which YADE runs dicts of restitution/yade.py."""
     return [YADE, "-x", "-n", "-j1", os.path.join(HERE, "restitution", "yade.py"), *map(repr, runs)]
 
 
 def yade_eps(work, power, runs):
-    """eps of each (text, duration, speed, numbers of steps)"""
+    """Returns eps of each (text, duration, speed, numbers of steps)."""
     given = [{"paste": written(work, "yade%d" % i, text), "duration": duration, "n": n, "speed": float(speed)}
              for i, (text, duration, speed, n) in enumerate(runs)]
     rows = lines_of(yade(*given), "eps")
@@ -196,7 +196,7 @@ def set_betan():
         O.interactions[0, 1].phys.betan = betan_of(0.025 - O.bodies[0].state.pos[2] + O.bodies[1].state.pos[2])
 before_step = ["set_betan()"]
 """
-# a linear spring whose dashpot is set at each first contact so that the pair rebounds with eps of the table
+# a linear spring whose dashpot is set at each first contact, so that the pair rebounds with eps of the table
 TABLE = """from math import acos, log, sqrt
 from numpy import interp
 exec(open(%r).read())
@@ -254,7 +254,7 @@ def yade_step_by_step(work):
 
 
 def yade_table(work):
-    """eps(v) read from a table of corgen sample: YADE interpolates it and realises it by a linear dashpot."""
+    """eps(v) read from a table of corgen sample: YADE interpolates it and uses a linear dashpot with this eps."""
     table = os.path.join(work, "table.py")
     output_of([CORGEN, "sample", "--stiffness", "%.17g" % K, "--effective-mass", str(MEFF),
                "--dissipation-time", str(A), "--tolerance", str(TABLE_TOLERANCE), "--output", table]
@@ -281,8 +281,8 @@ def yade_gravity(work):
 
 
 def yade_vn(work):
-    """The spheres' law: from en at vn it finds A by its Pade approximant. With en = eps the result misses eps by the
-    error of that approximant, mirrored, and by nothing else."""
+    """The spheres' law: YADE finds A from en at vn by its Pade approximant. With en = eps the result differs from
+    eps by the error of the approximant, mirrored, and by nothing else."""
     rights = [exact("zero_force", beta_at(speed)) for speed in SPEEDS]
     pades = [yade_pade(beta_at(speed)) for speed in SPEEDS]
     found = yade_eps(work, 1.5, [yade_sphere(MINDLIN % "en=%.17g, vn=%s" % (en, speed), speed, YADE_STEPS)
@@ -299,7 +299,7 @@ def yade_vn(work):
 
 
 def rebound(work):
-    """The lines of corgen contact --for rebound, with the header that they ask for, in a program. If REBOUND names a
+    """The lines of corgen contact --for rebound, with the header that they need, in a program. If REBOUND names a
     source tree of REBOUND, the program is linked to it."""
     contact = [CORGEN, "contact", *SPHERES, "--restitution", "0.5", "--at", "1", "--end", "zero-force"]
     callback = output_of(contact + ["--for", "rebound"])
@@ -344,15 +344,15 @@ def luding(host, work):
             "%s, Luding's contact realises %.6f: %s" % (host.upper(), eps, " ".join("%.8g" % value for value in seen)))
 
 
-# ---- two unlike bodies: the text of corgen contact --for, pasted whole after a user's own lines ----
+# ---- two unlike bodies: the whole text of corgen contact --for, pasted after a user's own lines ----
 
-UNLIKE_STEPS = 300  # in the shortest contact, as asked for by --steps
-# Body, other body, whether the other is a wall, and whether the body falls on it
+UNLIKE_STEPS = 300  # in the shortest contact, as requested by --steps
+# Body, other body, 1 if the other is a wall, and 1 if the body falls on it
 PAIR, LIKE, WALLS, FALL = (0, 1, 0, 0), [(0, 0, 0, 0), (1, 1, 0, 0)], [(0, 1, 1, 0), (1, 0, 1, 0)], (0, 1, 1, 1)
 
 
 def unlike_options(host, bodies, kind, e, gravity="0"):
-    """corgen contact for body i and body j, or a wall of its material"""
+    """Returns the options of corgen contact for body i and body j, or for a wall of its material."""
     names = ["young", "poisson", "radius", "density"]
     words = ["--%s=%.6g" % pair for pair in zip(names, bodies[kind[0]])]
     words += ["--%s-2=%.6g" % pair for pair in zip(names[:2] if kind[2] else names, bodies[kind[1]])]
@@ -363,8 +363,8 @@ def unlike_options(host, bodies, kind, e, gravity="0"):
 
 
 def unlike_paste(host, texts, kind):
-    """A user's own lines for like pairs, and the text of corgen; where the format allows no two such lines, that text
-    with the user's numbers"""
+    """Returns a user's own lines for like pairs, and the text of corgen. If the format allows only one such line,
+    returns that text with the user's numbers."""
     if host == "lammps":
         like = [re.search("^(pair_coeff) . .( .*)", texts[k].replace("* *", "1 1"), re.M) for k in LIKE]
         own = ["pair_style granular"] + ["%s %d %d%s" % (m[1], i + 1, i + 1, m[2]) for i, m in enumerate(like)]
@@ -398,7 +398,7 @@ def unlike(host, work, seed):
         dt = float(re.search(r"^(?:timestep|O\.dt =) (\S+)", texts[own], re.M)[1])
         elastic, damped = duration(kind, 1, gravity) / dt, duration(kind, e[kind], gravity) / dt
         steps[kind] = max(elastic, damped)
-        n = int(0.95 * damped if falls else 1.25 * steps[kind])  # a ball that falls is soon back
+        n = int(0.95 * damped if falls else 1.25 * steps[kind])  # a falling ball returns soon
         paste = written(work, "unlike%d" % number, unlike_paste(host, texts, kind) + "\n")
         shared = {"paste": paste, "wall": wall, "duration": dt * (n + 0.5), "g": float(gravity) if falls else 0}
         radii = [bodies[k][2] for k in (i, j)]
@@ -426,7 +426,7 @@ def main():
         sys.exit("collisions.py: no program %s; build it, or name it by CORGEN" % CORGEN)
     seed = int(os.environ.get("COR_SEED", random.randrange(10**6)))
     with tempfile.TemporaryDirectory() as work:
-        os.environ["HOME"] = work  # YADE and what it loads may write there
+        os.environ["HOME"] = work  # YADE and its libraries may write there
         rebound(work)
         for title, program in ("LAMMPS", LMP), ("YADE", YADE), ("LIGGGHTS", LIGGGHTS):
             host = title.lower()
@@ -441,7 +441,7 @@ def main():
                 luding(host, work)
             if host == "yade":
                 tests = [yade_constant, yade_step_by_step, yade_table]
-                if "--long" not in sys.argv:  # one of them, another in every turn
+                if "--long" not in sys.argv:  # one of them, a different one in every turn
                     tests = [tests[int(os.environ.get("COR_TEST_TURN", "0")) % len(tests)]]
                 for test in tests + [yade_gravity]:
                     test(work)

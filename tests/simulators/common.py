@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the scripts here share: the programs, verdicts and their counts, and pages whose marked part is renewed."""
+"""Shared by the scripts here: the programs, verdicts and their counts, and pages with a marked part to renew."""
 import csv
 import io
 import os
@@ -37,13 +37,13 @@ def run(command, **options):
 
 
 def output_of(command, **options):
-    """What the program prints, and says where it fails"""
+    """Returns the output of the program, or prints where it fails."""
     done = run(command, **options)
     return done.stdout + (done.stderr if done.returncode else "")
 
 
 def script(program, name, **variables):
-    """The command by which LAMMPS or LIGGGHTS runs a script of this folder with variables"""
+    """Returns the command by which LAMMPS or LIGGGHTS runs a script of this folder with variables."""
     command = [program, "-log", "none", "-in", os.path.join(HERE, name), "-var", "here", HERE]
     for variable, value in variables.items():
         values = value if isinstance(value, list) else [value]
@@ -52,19 +52,19 @@ def script(program, name, **variables):
 
 
 def first_row(*options):
-    """The first row of corgen's csv, by column"""
+    """Returns the first row of corgen's csv, by column."""
     return next(csv.DictReader(io.StringIO(output_of([CORGEN, *options, "--format", "csv"]))))
 
 
 def numbers_of(*options):
-    """{quantity: value} of corgen contact without a speed"""
+    """Returns {quantity: value} of corgen contact without a speed."""
     rows = csv.DictReader(io.StringIO(output_of([CORGEN, "contact", *options, "--format", "csv"])))
     return {row["quantity"]: float(row["value"]) for row in rows if row["value"]}
 
 
 def extrapolated(power, values):
-    """To step 0 from the steps 4 h, 2 h and h. Simulators take the velocity of half a step ago, an error of h; damping
-    like x^b adds one of h^(1+b), the power."""
+    """Extrapolates to step 0 from the steps 4 h, 2 h and h. Simulators use the velocity of half a step earlier, an
+    error of order h. Damping like x^b adds an error of order h^(1+b), the power."""
     first = [2 * fine - coarse for coarse, fine in zip(values, values[1:])]
     return (2**power * first[1] - first[0]) / (2**power - 1)
 

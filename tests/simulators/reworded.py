@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Rewording every label, sentence and template of runtime/scene changes no number: a build in which their letters are
-other letters prints, except for letters, the same lines and the same maps of every model. A build in which a label
+"""Rewording every label, sentence and template of runtime/scene changes no number. In a test build their letters are
+other letters; it prints the same lines and the same maps of every model, except for letters. A build in which a label
 decides a number does not.
 
     tests/simulators/reworded.py    CORGEN names the program, next to libcor_scene.a
@@ -46,8 +46,8 @@ int main(void)
 
 
 def reword(source):
-    """Other letters in every literal, except in words of templates, formats, escapes, names of simulators, includes,
-    tables of words and arguments of the functions of string.h"""
+    """Returns the source with other letters in every literal, except in words of templates, formats, escapes, names
+    of simulators, includes, tables of words and arguments of the functions of string.h."""
     def literal(found):
         before = source[source.rfind(";", 0, found.start()) + 1:found.start()]
         if re.search(r"(\b(str|mem)\w+\([^()]*|SIMULATOR\(\w+, |#include |\{)$|static const char\b", before):
@@ -59,7 +59,7 @@ def reword(source):
 
 
 def scenes(simulators):
-    """Options of contacts of every law, of both kinds of bodies, at both ends, with and without a wall"""
+    """Returns options of contacts of every law, of both kinds of bodies, at both ends, with and without a wall."""
     spring = ["stiffness=1e5", "effective-mass=2e-3"]
     bodies = ["young=1e8", "poisson=0.3", "radius=5e-3", "density=2500"]
     for simulator, law, wall, end, measured in itertools.product(
@@ -72,7 +72,7 @@ def scenes(simulators):
 
 
 def printed(work, name, change, given):
-    """What the driver prints where `change` was applied to the files of runtime/scene, with x for every letter"""
+    """Returns the output of the driver after `change` of the files of runtime/scene, with x for every letter."""
     scene, program = os.path.join(ROOT, "runtime", "scene"), os.path.join(work, name)
     sources = [program + "_driver.c"]
     with open(sources[0], "w", encoding="utf-8") as file:

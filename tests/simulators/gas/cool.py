@@ -30,22 +30,22 @@ from common import CORGEN, LMP, ROOT, first_row, numbers_of, renew, run, skip, s
 PAGE = os.path.join(ROOT, "docs", "gas.md")
 PICTURES = os.path.join(ROOT, "docs", "gas")
 
-# Spheres of silicone rubber, 10 mm; eps = 0.85 at 0.1 m/s when contact ends at zero overlap
+# Spheres of silicone rubber, 10 mm; eps = 0.85 at 0.1 m/s if contact ends at zero overlap
 YOUNG, POISSON, RADIUS, DENSITY = "1e6", "0.49", "5e-3", "1100"
 SPHERES = ["--young", YOUNG, "--poisson", POISSON, "--radius", RADIUS, "--density", DENSITY, "--end", "zero-overlap"]
 RESTITUTION = ["--restitution", "0.85", "--at", "0.1"]
 FRACTION = "0.03"  # of volume
-SPEED = 0.1  # sqrt(T/m) at first
+SPEED = 0.1  # initial sqrt(T/m)
 COARSE = 12  # time steps in the shortest contact, at 4 sqrt(2 T/m)
 STAGES = 20  # 1 + t/t_1 grows by 1.1 in each; t_1 is `unit` of in.gas
 SHORT_STAGES = 12
 
-# The gases whose scatter is the statistical error, and the scatter of ln T that they had, times sqrt(N)
+# The gases whose scatter gives the statistical error, and their scatter of ln T times sqrt(N)
 SCATTER_LATTICE, SCATTER_SEEDS = "20x10x10", range(101, 109)
 SCATTER = 0.45
 ALLOWED = 4.5  # standard errors
-ENDS_APART = 100000  # spheres that tell the two ends of contact apart
-# Change of 1 - eps^2 by the time step: with the corrected damping the scatter of eps, squared, is 2e-5 of the loss
+ENDS_APART = 100000  # spheres that suffice to distinguish the two ends of contact
+# Change of 1 - eps^2 by the time step: with the corrected damping the squared scatter of eps is 2e-5 of the loss
 STEP_ALLOWED, UNCORRECTED_ALLOWED = 2e-4, 4e-3
 
 State = collections.namedtuple("State", "time steps temperature kurtosis shear density")
@@ -75,17 +75,17 @@ def dissipation_time(*restitution):
 
 
 def contact_at(time, speed, *options):
-    """{column: value} at an impact speed, m/s"""
+    """Returns {column: value} at an impact speed, m/s."""
     return first_row("contact", *SPHERES, "--dissipation-time", time, "--speed", speed, *options)
 
 
 def lammps_lines(time):
-    """Lines of which those that end contacts at zero overlap are active"""
+    """Returns lines, of which those that end contacts at zero overlap are active."""
     return contact("--dissipation-time", time, "--for", "lammps")
 
 
 def impact_of(temperature):
-    """The impact speed of the collisions that lose most energy"""
+    """Returns the impact speed of the collisions that lose most energy."""
     return "%.6g" % (2.5 * math.sqrt(temperature))
 
 
@@ -106,24 +106,24 @@ class Gas:
         self.duration = contact_at(self.time, "1")["duration_s_zero_overlap"]
 
     def lammps(self, script, ranks, **variables):
-        """The text that LAMMPS prints"""
+        """Returns the text that LAMMPS prints."""
         variables = dict(pair="pair", duration=self.duration, radius=RADIUS, density=DENSITY, **variables)
         command = [LMP, "-log", "none", "-in", os.path.join(HERE, script)]
         for name, value in variables.items():
             command += ["-var", name, str(value)]
         if ranks > 1:
             command = ["mpirun", "-np", str(ranks), "--bind-to", "none"] + command
-        # Open MPI asks for the first two where the user is root; a rank that waits lets other programs run
+        # Open MPI needs the first two if the user is root; a rank that waits lets other programs run
         mpi = dict.fromkeys(
             ("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "OMPI_MCA_mpi_yield_when_idle"), "1")
         return output_of(command, cwd=self.folder, env=dict(os.environ, **mpi))
 
     def step(self, temperature, steps):
-        """The time step at this T/m"""
+        """Returns the time step at this T/m."""
         return float(self.duration) * (4 * math.sqrt(2 * temperature))**-0.2 / steps
 
     def factor(self, temperature, steps):
-        """What the damping is multiplied by for this time step"""
+        """Returns the factor of the damping for this time step."""
         if steps != COARSE:
             return 1
         row = contact_at(self.time, impact_of(temperature), "--time-step", "%.12g" % self.step(temperature, steps),
@@ -131,7 +131,7 @@ class Gas:
         return float(row["damping_correction"])
 
     def gas(self, lattice, ranks, steps, **variables):
-        """1 less the factor is nearly a power of T."""
+        """1 minus the factor is nearly a power of T."""
         first, last = SPEED**2, SPEED**2 / 25
         correction = 1 - self.factor(first, steps)
         power = math.log(correction / (1 - self.factor(last, steps))) / math.log(first / last) if correction else 0
@@ -140,13 +140,13 @@ class Gas:
                            damping=self.damping, correction=correction, power=power, **variables)
 
     def pairs(self, impact, step, eta, centre=0):
-        """Means of 1 - eps^2, eps and (eps - centre)^2 over places of first touch"""
+        """Returns means of 1 - eps^2, eps and (eps - centre)^2 over places of first touch."""
         text = self.lammps("in.pairs", 1, impact=impact, dt=step, eta=eta, centre=centre)
         return [float(x) for x in re.search(r"^loss \S+ (\S+) (\S+) (\S+)$", text, re.M).groups()]
 
     def step_error(self, state, steps):
-        """1 - eps^2 of contacts with the time step and damping that the gas has in this state, over the exact value,
-        less 1"""
+        """Returns 1 - eps^2 of contacts with the time step and damping of the gas in this state, divided by the
+        exact value, minus 1."""
         impact = impact_of(state.temperature)
         loss = self.pairs(impact, self.step(state.temperature, steps),
                           float(self.damping) * self.factor(state.temperature, steps))[0]
@@ -154,7 +154,7 @@ class Gas:
         return loss / (1 - eps * eps) - 1
 
     def cooled(self, lattice, seed, stages, ranks, steps=COARSE):
-        """The states of a gas at the ends of the stages"""
+        """Returns the states of a gas at the ends of the stages."""
         name = os.path.join(self.folder, "gas.%s.%d.%d" % (lattice, seed, steps))
         if not os.path.exists(name):
             part = name + ".part"
@@ -174,7 +174,8 @@ class Gas:
 
 
 def cost_of(text):
-    """The ranks of a text of LAMMPS, and the time of all steps in nanoseconds of a processor per sphere and step"""
+    """Returns the ranks in an output of LAMMPS, and the processor time of all steps in nanoseconds per sphere and
+    step."""
     loop = r"Loop time of (\S+) on (\d+) procs for (\d+) steps with (\d+) atoms\s+([\d.]+)% CPU use"
     loops = [[float(x) for x in row] for row in re.findall(loop, text) if int(row[2]) > 0]
     _, ranks, _, spheres, _ = loops[0]
@@ -195,7 +196,8 @@ class Predictor:
                    os.path.join(HERE, "theory.c"), library, "-lgsl", "-lgslcblas", "-lm"])
 
     def __call__(self, states, model="zero_overlap", factor=1.0, loss=1.0):
-        """Theory at the times of the states, from the temperature of the first; factor multiplies A, loss 1 - eps^2"""
+        """Returns theory at the times of the states, from the temperature of the first. factor multiplies A, loss 1
+        - eps^2."""
         command = [self.program, model, "%.17g" % loss, YOUNG, POISSON, RADIUS, DENSITY,
                    "%.17g" % (float(self.time) * factor), FRACTION, "%.17g" % states[0].temperature]
         text = output_of(command, input="\n".join("%.17g" % state.time for state in states))
@@ -203,7 +205,7 @@ class Predictor:
 
 
 def deviations(states, theory):
-    """ln(T/theory) at the ends of the stages"""
+    """Returns ln(T/theory) at the ends of the stages."""
     return [math.log(s.temperature / t.temperature) for s, t in zip(states, theory)][1:]
 
 
@@ -216,13 +218,13 @@ def root_mean_square(values):
 
 
 def slope(states, unit, temperatures):
-    """d ln T/d ln(t + unit) over the last half of the stages, by least squares"""
+    """Returns d ln T/d ln(t + unit) over the last half of the stages, by least squares."""
     half = len(states) // 2
     return statistics.linear_regression([math.log(s.time + unit) for s in states[half:]],
                                         [math.log(value) for value in temperatures[half:]]).slope
 
 
-# ---- judging ----
+# ---- verdicts ----
 
 
 def judge(spheres, states, predictor, scatter):
@@ -246,7 +248,7 @@ def judge_limit(predictor, states):
 
 
 def judge_steps(gas):
-    """Bias and scatter of eps that corgen states for a step, and its correction, against 40 pairs in LAMMPS"""
+    """Compares bias and scatter of eps that corgen states for a step, and its correction, with 40 pairs in LAMMPS."""
     time, impact = dissipation_time("--restitution", "0.5", "--at", "0.1"), "0.1"
     step = "%.12g" % (gas.step(SPEED**2 / 16, COARSE))
     row = contact_at(time, impact, "--time-step", step, "--step-corrected")
@@ -275,12 +277,12 @@ Result = collections.namedtuple(
 
 
 def scatter_of(rows):
-    """Root mean square over the columns of the standard deviation within each"""
+    """Returns the root mean square over the columns of the standard deviation within each."""
     return root_mean_square([statistics.stdev(column) for column in zip(*rows)])
 
 
 def slope_difference(states, predictor):
-    """(slope of the gas, slope of the theory)"""
+    """Returns (slope of the gas, slope of the theory)."""
     step = 1e-4
     first, second = predictor([states[0], states[0]._replace(time=step)])
     unit = step / math.log(first.temperature / second.temperature)  # T/|dT/dt| at time 0
@@ -342,7 +344,7 @@ def write_csv(result):
 
 
 def column(result, log):
-    """{row of the table: what it says of a gas}"""
+    """Returns {row of the table: its text for a gas}."""
     s, error = result.states, result.error
     d = deviations(s, result.theory)
     rows = {
@@ -376,7 +378,7 @@ def column(result, log):
 
 
 def numbers(results, logs):
-    """The table of docs/gas.md"""
+    """Returns the table of docs/gas.md."""
     columns = [column(result, log) for result, log in zip(results, logs)]
     table = "| spheres | %s |\n|---|%s\n" % (" | ".join("%d" % r.spheres for r in results), "---|" * len(results))
     columns = [{"time steps in the shortest contact": "%d, %s" % (r.steps, "corrected" if r.steps == COARSE else
@@ -388,7 +390,7 @@ def numbers(results, logs):
 
 
 def comparisons(results, logs):
-    """A sentence for each lattice with two time steps: the same gas at the ends of the stages that both have"""
+    """Returns a sentence for each lattice with two time steps: the same gas at the ends of their common stages."""
     text = ""
     for (fine, fine_log), (coarse, log) in itertools.permutations(zip(results, logs), 2):
         if coarse.lattice != fine.lattice or coarse.steps >= fine.steps:

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The restitution that simulators realise: with the number e that a user asks for, and with the lines of
-corgen contact --for HOST, which the simulators read as they are. Two bodies meet head-on at 1 m/s.
+"""The restitution that simulators realise: with the number e that a user requests, and with the unchanged lines of
+corgen contact --for HOST. Two bodies meet head-on at 1 m/s.
 
     tests/simulators/restitution/measure.py            CORGEN, LMP, LIGGGHTS and YADE name the programs
     tests/simulators/restitution/measure.py --short    only two restitutions
@@ -26,23 +26,23 @@ from common import (CORGEN, LIGGGHTS, LMP, YADE, extrapolated, first_row, output
                     summary, verdict)
 
 RESTITUTIONS = ["0.1", "0.3", "0.5", "0.7", "0.9", "0.99"]
-# Those that are also wished with --end, at a wall, and in the short run
+# Restitutions that are also tested with --end, at a wall, and in the short run
 FEW = ["0.5", "0.9"]
 LAWS = ["linear", "tsuji", "viscoelastic", "hertz-dashpot", "hunt-crossley"]
-# The exponent b of the damping: time steps h leave errors of the orders h and h^(1+b), h^2 where b = 0.
+# The exponent b of the damping: time steps h leave errors of the orders h and h^(1+b), or h^2 if b = 0.
 DAMPING_EXPONENT = {"linear": 1, "tsuji": 0.25, "viscoelastic": 0.5, "hertz-dashpot": 1, "hunt-crossley": 1.5}
-# Numbers of time steps within the contact; each is twice the one before.
+# Numbers of time steps within the contact; each is twice the previous one.
 COUNTS = [5000, 10000, 20000]
 # Largest |eps - e| with the lines of corgen, and between a simulator's map and runtime/scene/simulators.c
 TOLERANCE = 1e-5
-# The bodies of the drivers: effective mass 1.6 g, effective radius 4 mm; at a wall the first of them
+# The bodies of the drivers: effective mass 1.6 g, effective radius 4 mm; at a wall only the first one
 SPRING = ["--stiffness", "1e5", "--effective-mass"]
 BODY = "--young 1e7 --poisson 0.3 --radius 5e-3 --mass 2e-3".split()
 SECOND = "--radius-2 2e-2 --mass-2 8e-3".split()
 # Impact speeds, m/s, for Bullet's contact callback
 CALLBACK_SPEEDS = [0.01, 0.1, 1, 10]
 
-# FEW restitutions, and nothing that is not pasted
+# only FEW restitutions, and only pasted text
 SHORT = "--short" in sys.argv[1:]
 
 # ---- corgen ----
@@ -52,7 +52,7 @@ if SHORT:
 
 
 def contact_of(law, e, wall=False):
-    """The options of corgen contact for a restitution at 1 m/s"""
+    """Returns the options of corgen contact for a restitution at 1 m/s."""
     if law == "linear":
         bodies = SPRING + (["2e-3", "--wall"] if wall else ["1.6e-3"])
     else:
@@ -69,12 +69,12 @@ def duration_s(law, e, end, wall=False):
 
 
 class Case:
-    """One collision: the text that a simulator reads, and the restitution that is expected"""
+    """One collision: the text that a simulator reads, and the expected restitution"""
 
     def __init__(self, block, law, e, duration, expected, own=False, wall=False):
         self.model, self.end, self.lines = block.model, block.end, block.lines
         self.law, self.e, self.duration, self.expected, self.own, self.wall = law, e, duration, expected, own, wall
-        self.eps = self.eps_most = None  # the same where the place within a time step does not matter
+        self.eps = self.eps_most = None  # equal if the place within a time step does not matter
         self.change = 0.0
 
 
@@ -82,8 +82,8 @@ HEADING = r"(Instead, [^:]*: |For eps = [^:]*: )?[^:,]*, (.*) \(([^()]*)\): cont
 
 
 class Block:
-    """A model in the text of corgen contact --for. The active one has the whole text for its lines: the others are
-    comments there. The lines of another one are what its comments hold."""
+    """A model in the text of corgen contact --for. The active model has the whole text for its lines, in which the
+    other models are comments. The lines of another model are the content of its comments."""
 
     def __init__(self, rows, text):
         found = re.fullmatch(HEADING, rows[0])
@@ -91,7 +91,7 @@ class Block:
         said = next((re.match(r"realises eps = (\S+) at ", row) for row in rows if row.startswith("realises")), None)
         self.realised = float(said[1]) if said else math.nan
         cure = next((re.search(r" takes e = (\S+) for it", row) for row in rows if " takes e = " in row), None)
-        self.given = float(cure[1]) if cure else None  # the e that the lines hold, None where they hold e or no e
+        self.given = float(cure[1]) if cure else None  # e in the lines, or None: the requested e, or no e
         self.lines = text.split("\n") if self.active else [row for row in rows[1:] if not is_prose(row)]
 
 
@@ -110,21 +110,21 @@ OWN_MAP = r"If e = \S+ is set by hand: (.*) \(([^()]*)\) "  # model and version
 
 
 def own_maps_of(text):
-    """{model: restitution realised for e}, nan where the simulator refuses e"""
+    """Returns {model: restitution realised for e}, nan if the simulator refuses e."""
     maps = {m[1]: float(m[3]) for m in re.finditer(OWN_MAP + r"realises ([-+.e\d]+)\.", text)}
     maps.update({m[1]: math.nan for m in re.finditer(OWN_MAP + "refuses it", text)})
     return maps
 
 
 def with_number(lines, old, new):
-    """The lines with the number that has the six digits of `old` replaced"""
+    """Returns the lines with the number with the six digits of `old` replaced."""
     return [re.sub(r"\d+\.?\d*(e[-+]?\d+)?", lambda m: new if abs(float(m[0]) - old) <= 2e-6 * old else m[0], line)
             for line in lines]
 
 
 @functools.lru_cache()
 def version_options(host):
-    """The installed version of a simulator whose models differ between versions"""
+    """Returns the option for the installed version of a simulator whose models differ between versions."""
     asked = {"lammps": ([LMP, "-h"], r" - (\d+ \w{3})\w* (\d{4})"),
              "yade": ([YADE, "-x", "-n", os.devnull], r"Welcome to Yade (\S+)()")}
     found = re.search(asked[host][1], output_of(asked[host][0])) if host in asked else None
@@ -137,7 +137,7 @@ def text_for(host, law, e, *options, wall=False):
 
 
 def ends_of(law, e, end, wall):
-    """eps at both ends of a contact that has e at `end`"""
+    """Returns eps at both ends of a contact that has e at `end`."""
     if not end:
         return []
     row = first_row(*contact_of(law, e, wall), *["--end", end, "--speed", "1"])
@@ -145,8 +145,8 @@ def ends_of(law, e, end, wall):
 
 
 def pasted_cases(host, law, wall):
-    """With the text of corgen, whole, and with each alternative that it has as comments; at a wall and with --end for
-    few restitutions"""
+    """Yields cases with the whole text of corgen, and with each alternative in its comments; at a wall and with
+    --end for few restitutions."""
     seen = set()
     for e in RESTITUTIONS:
         for end in ((None, "zero-overlap", "zero-force") if e in FEW else (None, )):
@@ -158,7 +158,7 @@ def pasted_cases(host, law, wall):
                 if block.active and tuple(block.lines) in seen:
                     continue
                 seen.add(tuple(block.lines))
-                # what the text says: e, or the restitution of the same contact at the other end
+                # the eps in the text: e, or the restitution of the same contact at the other end
                 expected = next((eps for eps in known if abs(eps - block.realised) < 1e-6), math.nan)
                 if math.isnan(expected):
                     verdict(False, "%s, %s: realises %g of %s" % (host, block.model, block.realised, known))
@@ -168,12 +168,12 @@ def pasted_cases(host, law, wall):
 
 
 def cases_of(host, laws=LAWS, walls=(False, True)):
-    """All cases of a simulator: with the text of corgen, and with e itself where corgen gives another number"""
+    """Returns all cases of a simulator: with the text of corgen, and with e itself if corgen gives another number."""
     cases = []
     for law in laws:
         for wall in walls:
             cases += pasted_cases(host, law, wall)
-        # The lines for e = 0.7 exist for every model; the number in them becomes e.
+        # The lines for e = 0.7 exist for every model; their number is replaced by e.
         for block in blocks_of("" if SHORT else text_for(host, law, "0.7")):
             lines = block.lines
             for e in RESTITUTIONS:
@@ -191,7 +191,7 @@ def cases_of(host, laws=LAWS, walls=(False, True)):
 def file_of(case, work, number):
     path = os.path.join(work, "paste%d" % number)
     with open(path, "w", encoding="utf-8") as file:
-        # of like pairs LAMMPS gets the lines that are comments
+        # for like pairs LAMMPS gets the lines that are comments
         file.write("\n".join(re.sub(r"^# (?=pair_coeff (1 1|2 2) )", "", line) for line in case.lines) + "\n")
     return path
 
@@ -222,7 +222,7 @@ def stepped(commands_of):
 
 
 def read_pairs(case, text, name):
-    """Two values: of two accuracies, or the least and the most"""
+    """Reads two values: with two accuracies, or the least and the most."""
     rows = [row.split() for row in text.split("\n") if row.startswith("eps %s " % name)]
     if not rows:
         case.eps = case.eps_most = math.nan
@@ -235,7 +235,7 @@ def read_pairs(case, text, name):
 
 
 def compiled(source, work, options):
-    """Compiles a driver; returns what the compiler says, nothing if it succeeds"""
+    """Compiles a driver. Returns the messages of the compiler, nothing if it succeeds."""
     compiler = ["cc", "-O1"] if source.endswith(".c") else ["c++", "-O0", "-w"]
     program = os.path.join(work, os.path.splitext(source)[0])
     return output_of(compiler + ["-I" + work, os.path.join(HERE, source), "-o", program] + options)
@@ -247,8 +247,8 @@ BULLET_FLAGS = ["-DBT_USE_DOUBLE_PRECISION", "-I/usr/include/bullet", "-lBulletD
 
 
 def callback_lines(lines, work):
-    """File scope and calls of the contact callback: the text names the command that writes the header, and has what is
-    called once as comments."""
+    """Returns file scope and calls of the contact callback. The text names the command that writes the header. Its
+    comments contain the lines for calls made once."""
     command = next(line for line in lines if "corgen embed" in line)
     subprocess.run([CORGEN] + command.split("corgen ")[1].split(), cwd=work, check=True, capture_output=True)
     calls = [re.sub(r"^// ((once|each body): )?", "", line) for line in lines if line.startswith("// ")]
@@ -256,7 +256,7 @@ def callback_lines(lines, work):
 
 
 def run_compiled(host, flags, signature, lines_of, cases, work):
-    """A driver with a function of the lines of each case"""
+    """Runs a driver with a function of the lines of each case."""
     functions, rows = [], []
     for number, case in enumerate(cases):
         scope, lines = lines_of(case, number == [c.model for c in cases].index(case.model), work)
@@ -281,7 +281,7 @@ def bullet_lines(case, first, work):
 
 
 def liggghts_cases():
-    """From a Young's modulus and a characteristic velocity, of 1 m/s, LIGGGHTS computes the stiffness of `hooke`."""
+    """LIGGGHTS computes the stiffness of `hooke` from a Young's modulus and a characteristic velocity of 1 m/s."""
     cases = cases_of("liggghts")
     for case in cases:
         if case.law == "linear" and "coefficientRestitution" in case.model:
@@ -309,7 +309,7 @@ def bullet_cases():
     cases = []
     for case in cases_of("bullet", ["linear"], walls=(False, )):
         case.speed = 1.0
-        # Bullet's defaults; the number is the same
+        # Bullet's defaults; the number does not change
         own = copy.copy(case)
         own.model, own.own = "setRestitution of both bodies, product e, Bullet's defaults", True
         own.lines = [line for line in case.lines if "setRestitution(" in line]
@@ -334,7 +334,7 @@ def has_header(name, options, language):
     return not output_of(command + options + ["-include", name, os.devnull])
 
 
-# present says whether it is installed, build compiles its driver
+# present: True if installed; build: compiles its driver
 Host = collections.namedtuple("Host", "name package present cases run build", defaults=(None, ))
 
 
@@ -362,7 +362,7 @@ def hosts_of(work):
     ]
 
 
-# ---- judgement ----
+# ---- verdicts ----
 
 
 def judge(host, cases):
@@ -376,7 +376,7 @@ def judge(host, cases):
             print(getattr(broken[0], "log", "the velocity changes after the contact, e = %s" % broken[0].e)[-2000:])
             verdict(False, name)
         elif "defaults" in model:
-            # the overlap of the first step is pushed out by erp2 = 0.2 of it in each step
+            # in each step Bullet pushes out erp2 = 0.2 of the overlap of the first step
             good = all(case.expected - TOLERANCE < case.eps and case.expected + 0.15 < case.eps_most <
                        case.expected + 0.2 + TOLERANCE for case in group)
             verdict(good, "%s: from e to e + %.4f" % (name, error))

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
 # Head-on collisions in YADE with the text of corgen contact --for yade: of two spheres, or of one with a wall.
 #     yade -x -n -j1 yade.py RUN [RUN]...
-# Each RUN is a dict of Python: paste, the file of the text; duration, s; n, numbers of steps; and, where they differ
-# from those of collide, wall, speed, g (the speed is then that of a ball that flies back to the wall), radius and
+# Each RUN is a dict of Python: paste, the file of the text; duration, s; n, numbers of steps. Optional, if they differ
+# from the defaults in collide: wall, speed, g (the speed then belongs to a ball that returns to the wall), radius, and
 # material, the numbers of the two materials. It prints for each n, with duration/(n + 1/2) as the time step,
 #     eps PASTE N VALUE CHANGE
 # CHANGE of the velocity after the contact must be 0. SI units. The text may define before_step, commands for each step,
-# and knows `step`. Without arguments the script prints whether this YADE has vn.
+# and may use `step`. Without arguments the script prints whether this YADE has vn.
 import ast
 import atexit
 import os
@@ -23,7 +23,7 @@ def collide(text, step, steps, wall=0, speed=1, g=0, radius=None, material=(0, 1
     exec(text, names)
     globals().update(names)
     materials = [cor_material, names.get("cor_material_2", cor_material)]
-    # the numbers of ViscElMat hold for two equal bodies
+    # the numbers of ViscElMat are valid for two equal bodies
     equal = isinstance(cor_material, ViscElMat) and not wall
     mass = () if radius else (0.0032, 0.0032) if equal else (0.002, 0.008)
     radius = radius or ((0.008, 0.008) if equal else (0.005, 0.02))
@@ -43,7 +43,7 @@ def collide(text, step, steps, wall=0, speed=1, g=0, radius=None, material=(0, 1
     values = []
     for length in (int(1.3 * steps), int(0.1 * steps)):
         O.run(length, True)
-        up = O.bodies[0].state.vel[2] - O.bodies[1].state.vel[2] - g * step / 2  # of half a step before
+        up = O.bodies[0].state.vel[2] - O.bodies[1].state.vel[2] - g * step / 2  # half a step earlier
         height = O.bodies[0].state.pos[2] - radius[0]
         values.append(((up**2 + 2 * g * height)**0.5 if g else up) / speed)
     return values
