@@ -163,7 +163,7 @@ struct ratio_text ratio_power(struct ratio x)
     return t;
 }
 
-/* "x^(3/2)", "sqrt(x)", "x" or "1" */
+/* Returns "x^(3/2)", "sqrt(x)", "x" or "1". */
 static struct ratio_text power_of_overlap(struct ratio e)
 {
     struct ratio_text t;

@@ -8,8 +8,8 @@
  * multiply faster. */
 enum { ROW_BITS = 2 };
 
-/* Rows 0..rows-1 of f g, complete in s if both have at most `length` coefficients. One long product of the concatenated
- * rows computes them (Kronecker substitution). */
+/* Computes rows 0..rows-1 of f g, complete in s if both have at most `length` coefficients. It concatenates the rows
+ * and computes one long product (Kronecker substitution). */
 static void rows_mul(arb_poly_struct *product, const arb_poly_struct *f, const arb_poly_struct *g, slong rows,
                      slong length)
 {
@@ -40,8 +40,8 @@ static void row_drop_error(arb_poly_struct *row)
         mag_zero(arb_radref(row->coeffs + j));
 }
 
-/* V = 1/f, cut after `rows` rows and `length` coefficients, by Newton's iteration in u. The proof allows any V, so the
- * errors of V are dropped. */
+/* Computes V = 1/f, cut after `rows` rows and `length` coefficients, by Newton's iteration in u. Drops the errors of V,
+ * because the proof allows any V. */
 static void inverse_rows(arb_poly_struct *v, const arb_poly_struct *f, slong rows, slong length)
 {
     arb_poly_struct *defect = jet_new(rows);
@@ -50,7 +50,7 @@ static void inverse_rows(arb_poly_struct *v, const arb_poly_struct *f, slong row
     row_drop_error(v);
     for (slong known = 1; known < rows;) {
         const slong next = FLINT_MIN(2 * known, rows);
-        /* V <- V - V (f V - 1); only the rows from `known` on are new */
+        /* V <- V - V (f V - 1); only rows `known` and above are new */
         rows_mul(defect, f, v, next, length);
         for (slong k = 0; k < next; k++) {
             arb_poly_truncate(defect + k, length);
@@ -107,7 +107,7 @@ void power_bounds_clear(struct power_bounds *b)
     FOR_ALL(arb, clear, b->inverse, b->error[0], b->error[1], b->size[0], b->size[1], b->last_column);
 }
 
-/* column[j] = rho^j sum_k U^k |f_kj|, j < length, but for the first `block_rows` rows of the first columns */
+/* Computes column[j] = rho^j sum_k U^k |f_kj|, j < length, without the block_rows x block_length block. */
 static void columns_of(mag_ptr column, slong length, const arb_poly_struct *f, slong rows, slong block_rows,
                        slong block_length, const mag_t U, const mag_t rho)
 {
@@ -129,7 +129,7 @@ static void columns_of(mag_ptr column, slong length, const arb_poly_struct *f, s
     }
 }
 
-/* |f|, or |th(f)| with theta = 1, from the norms of the columns of f */
+/* Computes |f|, or |th(f)| with theta = 1, from the norms of the columns of f. */
 static void columns_norm(arb_t y, mag_srcptr column, slong length, int theta)
 {
     LOCAL(mag, sum, term);
@@ -140,8 +140,8 @@ static void columns_norm(arb_t y, mag_srcptr column, slong length, int theta)
     arb_set_upper(y, sum);
 }
 
-/* (3.1): nu = |V|/(1 - |1 - B V| - |Z - B| |V|), with room for columns. With a divisor below 1/2 the bound would be
- * useless. */
+/* (3.1): computes nu = |V|/(1 - |1 - B V| - |Z - B| |V|). `column` is work space. Returns false if the divisor is not
+ * above 1/2, because the bound would be useless. */
 static bool bound_inverse(arb_t nu, mag_ptr column, const struct power_evidence *e, const mag_t U, const mag_t rho)
 {
     LOCAL(arb, defect, outer, divisor);
@@ -156,11 +156,11 @@ static bool bound_inverse(arb_t nu, mag_ptr column, const struct power_evidence 
     return HOLDS(NORM_BITS, "2*divisor > 1", divisor);
 }
 
-/* (3.2): |N| <= sum over i + j > J of (j + p i) |Z^(i)| |P^(j)|. The coefficients of N up to s^J vanish, and the factor
- * of Z^(i) P^(j) in N is j - p i. */
+/* (3.2): computes |N| <= sum over i + j > J of (j + p i) |Z^(i)| |P^(j)|. The coefficients of N up to s^J vanish, and
+ * the factor of Z^(i) P^(j) in N is j - p i. */
 static void bound_defect(arb_t y, mag_srcptr z, mag_srcptr power, slong J, struct ratio p)
 {
-    LOCAL(mag, exponent, sum, theta_sum, term, norm); /* sum of |P^(j)|, and of j |P^(j)|, j > J - i */
+    LOCAL(mag, exponent, sum, theta_sum, term, norm); /* sum of |P^(j)| and of j |P^(j)| over j > J - i */
     LOCAL(arb, ratio);
     LET(ratio, NORM_BITS, "p", p);
     arb_get_mag(exponent, ratio);
@@ -178,7 +178,7 @@ static void bound_defect(arb_t y, mag_srcptr z, mag_srcptr power, slong J, struc
     arb_set_upper(y, norm);
 }
 
-/* (3.2): |E| <= nu |N|/(J + 1 - p nu |th(Z)|) and |Z^p| <= |P| + |E| for power i. */
+/* (3.2): computes |E| <= nu |N|/(J + 1 - p nu |th(Z)|) and |Z^p| <= |P| + |E| for power i. */
 static bool bound_power(struct power_bounds *b, int i, const struct power_evidence *e, mag_srcptr z, mag_srcptr power)
 {
     const struct ratio p = e->exponent[i];

@@ -5,7 +5,7 @@
 #include "support/console.h"
 #include "support/local.h"
 
-/* z = x^e for a series with x(0) > 0 and a rational e of either sign. */
+/* Computes z = x^e for a series with x(0) > 0 and a rational e of either sign. */
 static void series_pow(arb_poly_t z, const arb_poly_t x, struct ratio e, slong n, slong prec)
 {
     LOCAL(arb, exponent);
@@ -39,8 +39,8 @@ void restitution_power(arb_poly_t z, const arb_poly_t eps, struct ratio power, c
 void restitution_zero_overlap(arb_poly_t c, const arb_poly_t y, slong order, const struct cor_exponents *law,
                               slong prec)
 {
-    /* With Z = E^(2/(1+a)) the equation is F(Z) = Z Y(-beta Z^p) - Y(beta) = 0, p = q (1+a)/2, and
-     * F' = Y(v) + p v Y'(v) at v = -beta Z^p. Newton's iteration on the series of Z. */
+    /* With Z = E^(2/(1+a)) the equation is F(Z) = Z Y(-beta Z^p) - Y(beta) = 0, p = q (1+a)/2, and F' = Y(v) + p v
+     * Y'(v) at v = -beta Z^p. Newton's iteration on the series of Z solves it. */
     const struct ratio half_a1 = RATIO("(law->a + 1)/2", law), p = RATIO("law->b - (law->a - 1)/2", law);
     const slong n = order + 1;
     LOCAL(arb_poly, z, v, value, slope, step, y_prime);
@@ -73,9 +73,9 @@ void restitution_zero_overlap(arb_poly_t c, const arb_poly_t y, slong order, con
     restitution_power(c, c, (struct ratio){1, 1}, law, n, prec);
 }
 
-/* sum_(k,j) c[k][j] A^k B^j with A = -w T^(b+1), B = w T^(a+1), up to w^(n-1): The sum is X in backward time. With the
- * weights e + 1, e = k (b+1) + j (a+1), it is the velocity V = X + D X. The function applies Horner's rule in B to each
- * row, and in A to the rows. A and B are O(w), so a factor that is multiplied more often needs fewer terms. */
+/* Computes sum_(k,j) c[k][j] A^k B^j with A = -w T^(b+1), B = w T^(a+1), up to w^(n-1). The sum is X in backward time.
+ * With velocity, the weights e + 1, e = k (b+1) + j (a+1), turn it into V = X + D X. Horner's rule in B sums each row,
+ * and in A all rows. A and B are O(w), so a factor that is multiplied more often needs fewer terms. */
 static void backward_sum(fmpq_poly_t f, const fmpq_poly_struct *row, bool velocity, const fmpq_poly_t T, slong n,
                          const struct cor_exponents *law)
 {
@@ -111,8 +111,8 @@ static void backward_sum(fmpq_poly_t f, const fmpq_poly_struct *row, bool veloci
 
 void restitution_zero_force_exact(fmpq_poly_t G, fmpq_poly_t T, slong order, const struct cor_exponents *law)
 {
-    /* In backward time, with beta -> -h, x = t X and x' = V, the force vanishes where x^(a-b) = h x', which is T = (V /
-     * X^(a-b))^(1/(a-b)). Each pass makes one more coefficient right, because T enters V and X with a factor w. */
+    /* In backward time, beta -> -h, x = t X and x' = V. The force vanishes where x^(a-b) = h x', that is at
+     * T = (V/X^(a-b))^(1/(a-b)). T enters V and X with a factor w, so each pass makes one more coefficient correct. */
     const slong n = order + 1;
     const struct ratio m = RATIO("law->a - law->b", law);
     fmpq_poly_one(G);
@@ -140,7 +140,7 @@ void restitution_zero_force_exact(fmpq_poly_t G, fmpq_poly_t T, slong order, con
     trajectory_exact_free(row, n);
 }
 
-/* The exponent (a+1)/(a-b) of h in w, a > b */
+/* Returns (a+1)/(a-b), the exponent of h in w, for a > b. */
 static struct ratio force_exponent(const struct cor_exponents *law)
 {
     return RATIO("(law->a + 1)/(law->a - law->b)", law);

@@ -13,23 +13,23 @@ enum {
     ROW_BITS = 2,
     /* The radii of row k grow about as 2^(COLUMN_BITS j). Without this factor, doubles would underflow. */
     COLUMN_BITS = 1,
-    /* Outputs per task of the error bound. The partition does not depend on the number of threads. */
+    /* Number of outputs per task of the error bound. The partition does not depend on the number of threads. */
     ERROR_BLOCK = 64,
     WORD_BITS = 62,
-    /* of a row that is zero, far below every other */
+    /* exponent of a row that is zero, far below every other */
     ZERO_EXPONENT = -100000000
 };
 
 /* The transforms of the rows modulo one prime p = 1 mod 2^depth */
 struct row_prime {
     ulong p;
-    ulong *root, *shoup; /* powers of a root of unity of order 2^depth, and their quotients */
+    ulong *root, *shoup; /* powers of a root of unity of order 2^depth, and their precomputed quotients */
     ulong *factor[2];    /* the transforms of X_i and P_i, 2^depth numbers for each row */
     slong known;
-    ulong *sum; /* of the current row, `length` numbers */
+    ulong *sum; /* sum for the current row, `length` numbers */
 };
 
-/* Upper bounds of one row: bound[j] 2^(exponent + COLUMN_BITS j) >= |f_j|, and the same of the error of its integers */
+/* Upper bounds of one row: size[j] 2^(size_exponent + COLUMN_BITS j) >= |f_j|. radius bounds the integers' errors. */
 struct row_bound {
     double *size, *radius;
     slong size_exponent, radius_exponent;
@@ -40,7 +40,7 @@ static ulong power_mod(ulong x, ulong e, ulong p)
     return n_powmod2_ui_preinv(x, e, p, n_preinvert_limb(p));
 }
 
-/* An element of order 2^depth: the power of a number that is not a square */
+/* Returns an element of order 2^depth, a power of a quadratic non-residue. */
 static ulong root_of_unity(ulong p, int depth)
 {
     ulong g = 2;
@@ -77,7 +77,7 @@ static void row_prime_clear(const struct row_prime *m)
         flint_free(words[i]);
 }
 
-/* The discrete Fourier transform modulo p, with the results in bit-reversed order */
+/* Computes the discrete Fourier transform modulo p. The results are in bit-reversed order. */
 static void transform_row(ulong *f, const struct row_prime *m, int depth)
 {
     const slong n = WORD(1) << depth;
@@ -91,7 +91,7 @@ static void transform_row(ulong *f, const struct row_prime *m, int depth)
             }
 }
 
-/* The inverse of transform_row() times 2^depth. The inverse of root k > 0 is minus root n/2 - k. */
+/* Computes 2^depth times the inverse of transform_row(). The inverse of root k > 0 is minus root n/2 - k. */
 static void transform_back(ulong *f, const struct row_prime *m, int depth)
 {
     const slong n = WORD(1) << depth;
@@ -124,8 +124,8 @@ static void row_prime_catch_up(struct row_prime *m, const struct row_sums *s)
         }
 }
 
-/* The sum for row k modulo the prime. A block of points stays in the cache while i runs over the rows. The weighted
- * factor has at most WORD_BITS bits, and the products of all rows fit in two words. */
+/* Computes the sum for row k modulo the prime. A block of points stays in the cache while i runs over the rows. The
+ * weighted factor has at most WORD_BITS bits, and the sum of the products of all rows fits in two words. */
 static void row_prime_sum(struct row_prime *m, const struct row_sums *s, slong k)
 {
     enum { POINTS = 256 };
@@ -182,8 +182,8 @@ void row_sums_clear(struct row_sums *s)
     flint_free(s->error);
 }
 
-/* New numbers with y[j] 2^(exponent + COLUMN_BITS j) >= m[j], the largest near 1. Bounds that would underflow become
- * the smallest number. */
+/* Returns new numbers y with y[j] 2^(exponent + COLUMN_BITS j) >= m[j], the largest near 1. The smallest number is
+ * DBL_MIN. */
 static double *bounds_of(slong *exponent, mag_ptr m, slong length)
 {
     double *const y = flint_calloc((size_t)length, sizeof *y);
@@ -200,7 +200,7 @@ static double *bounds_of(slong *exponent, mag_ptr m, slong length)
     return y;
 }
 
-/* Cuts the midpoints of row k to integers, and bounds what is cut. */
+/* Cuts the midpoints of row k to integers. Bounds the row, and its radii plus the cut digits. */
 static void row_store(struct row_sums *s, int f, const arb_poly_struct *row, slong k)
 {
     fmpz *integer = s->integer[f] + k * s->length;
@@ -220,7 +220,7 @@ static void row_store(struct row_sums *s, int f, const arb_poly_struct *row, slo
     _mag_vec_clear(radius, s->length);
 }
 
-/* Makes the product of the primes larger than twice the sum for row k. */
+/* Adds primes until their product is larger than twice the absolute value of the sum for row k. */
 static void primes_grow(struct row_sums *s, slong k)
 {
     slong bits = 0;
@@ -240,8 +240,8 @@ static void primes_grow(struct row_sums *s, slong k)
     }
 }
 
-/* The error of the sum in outputs start..end-1, in units of 2^(s->exponent + COLUMN_BITS j). With the integers x~, p~:
- * |x p - x~ p~| <= |x - x~| |p| + |x~| |p - p~|, and |x~| <= |x|'s bound. */
+/* Bounds the error of outputs start..end-1 of the sum in units of 2^(s->exponent + COLUMN_BITS j). With the integers
+ * x~, p~: |x p - x~ p~| <= |x - x~| |p| + |x~| |p - p~|, and |x~| is at most the bound of |x|. */
 static void error_block(struct row_sums *s, slong start, slong end)
 {
     for (slong n = start; n < end; n++)
@@ -257,7 +257,7 @@ static void error_block(struct row_sums *s, slong start, slong end)
                 s->error[n] += x_radius * y->size[n - j] + x_size * y->radius[n - j];
         }
     }
-    /* more than the rounding errors of the sum and its underflows */
+    /* exceeds the rounding errors of this sum and its underflows */
     for (slong n = start; n < end; n++)
         s->error[n] = s->error[n] * (1 + 1e-6) + 0x1p-900;
 }
@@ -274,7 +274,7 @@ static void sum_part(void *context, slong task)
     }
 }
 
-/* Reads the sum from its residues and its error bound. */
+/* Builds the balls of the sum from its residues and its error bound. */
 static void sum_collect(arb_poly_struct *sum, const struct row_sums *s)
 {
     ulong *residue = words_new(2 * s->primes), *prime = residue + s->primes;
@@ -316,7 +316,7 @@ void row_sums_next(arb_poly_struct *sum, struct row_sums *s, const arb_poly_stru
         return;
     primes_grow(s, k);
     s->row = k;
-    s->exponent = WORD_MIN; /* the largest of the products of bounds, so that their sum does not overflow */
+    s->exponent = WORD_MIN; /* the largest exponent of the products; it prevents overflow of their sum */
     for (slong i = 1; i < k; i++) {
         const struct row_bound *x = s->bound[0] + i, *y = s->bound[1] + k - i;
         s->exponent = FLINT_MAX(s->exponent, x->radius_exponent + y->size_exponent);

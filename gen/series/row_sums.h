@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 /* Sums of products X_i P_(k-i) of rows, which are power series in s:
  *
- *   S_k = p.den sum_{0<i<k} ((p+1) i - k) X_i P_(k-i),
+ *   S_k = p.den sum_{0<i<k} ((p+1) i - k) X_i P_(k-i).
  *
- * from which a power P = X^p of a trajectory takes its next row (trajectory.c).
+ * They give the next row of a power P = X^p of a trajectory (trajectory.c).
  *
- * Every row is a factor of many products. row_sums.c therefore transforms every row only once, modulo many primes, and
- * a product costs one multiplication per prime and point. The sums of the midpoints, cut to integers, are exact. Sums
- * of upper bounds bound the radii. */
+ * Every row is a factor of many products. row_sums.c therefore transforms every row only once, modulo many primes. A
+ * product then costs one multiplication per prime and point. The sums of the midpoints, cut to integers, are exact.
+ * Sums of upper bounds bound the radii. */
 #ifndef COR_GEN_SERIES_ROW_SUMS_H
 #define COR_GEN_SERIES_ROW_SUMS_H
 
 #include "series/law.h"
 
-/* With fewer rows, products of polynomials take the same time and keep the relative accuracy of small coefficients,
- * without which steep laws such as (24, 1/16) are not proved. */
+/* With fewer rows, products of polynomials are as fast. They keep the relative accuracy of small coefficients, which
+ * the proofs of steep laws such as (24, 1/16) need. */
 enum { ROW_SUMS_MIN_ROWS = 12 };
 
 struct row_sums {
@@ -23,24 +23,24 @@ struct row_sums {
     slong known;                /* rows 1..known-1 of both factors are stored */
     int depth;                  /* transforms have 2^depth points */
     int weight_bits;            /* weights and numbers of rows are below 2^weight_bits */
-    slong primes;               /* in use */
+    slong primes;               /* number of primes in use */
     struct row_prime *mod;      /* the rows modulo one prime each */
     fmpz *integer[2];           /* the midpoints of the rows X_i and P_i in units of 2^(-prec - ROW_BITS i) */
-    struct row_bound *bound[2]; /* of these rows */
-    slong row, exponent;        /* of the current sum, and of the unit of its error */
+    struct row_bound *bound[2]; /* bounds of these rows */
+    slong row, exponent;        /* number of the current sum; exponent of the unit of `error` */
     double *error;
 };
 
-/* (p+1) i - k, times p.den */
+/* Returns ((p+1) i - k) p.den. */
 slong row_sums_weight(struct ratio p, slong i, slong k);
 
-/* Sums up to s^(length-1) for k < rows. The midpoints of row i are cut after 2^(-prec - 2 i). */
+/* Prepares sums up to s^(length-1) for k < rows. The midpoints of row i are cut after 2^(-prec - 2 i). */
 void row_sums_init(struct row_sums *s, struct ratio p, slong rows, slong length, slong prec);
 
 void row_sums_clear(struct row_sums *s);
 
-/* sum = S_k. Successive calls need k = 1, 2, ... in this order. The call for k reads rows 1..k-1 of x and power, which
- * must not change afterwards. */
+/* Computes sum = S_k. Calls must have k = 1, 2, ... in this order. Call k reads rows 1..k-1 of x and power, which must
+ * not change afterwards. */
 void row_sums_next(arb_poly_struct *sum, struct row_sums *s, const arb_poly_struct *x, const arb_poly_struct *power,
                    slong k);
 

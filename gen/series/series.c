@@ -38,7 +38,7 @@ void series_clear(struct series *s)
     FOR_ALL(arb_poly, clear, s->y, s->tau, s->c);
 }
 
-/* Smallest relative accuracy in bits; a coefficient whose interval contains zero counts by its radius. */
+/* Returns the smallest relative accuracy in bits, or absolute accuracy for an interval that contains zero. */
 static slong reached_bits(const arb_poly_t f, slong order)
 {
     slong reached = WORD_MAX;
@@ -57,8 +57,8 @@ static slong reached_bits(const arb_poly_t f, slong order)
     return reached;
 }
 
-/* Bits and terms to begin with, fitted with a margin to the needs of the sphere for orders up to 100 and 300 bits. A
- * term of another law is worth (a+1) log2 R bits, a term of the sphere 5/2 bits. The proof decides. */
+/* Bits and terms of the first attempt, fitted with a margin to the needs of the sphere for orders up to 100 and 300
+ * bits. A term adds (a+1) log2 R bits, for the sphere 5/2. Only the time depends on them. */
 struct start {
     slong prec, terms;
 };
@@ -72,7 +72,6 @@ static struct start start_of(slong order, const struct cor_exponents *law, slong
     return start;
 }
 
-/* Rows and integers of X and of its powers, and their transforms of 2^depth points (row_sums.c) */
 int series_compute(struct series *s, slong order, const struct cor_exponents *law, slong bits)
 {
     const struct start start = start_of(order, law, bits);

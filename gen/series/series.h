@@ -1,27 +1,27 @@
 /* SPDX-License-Identifier: MIT */
-/* The restitution series for either end with a promised accuracy, for the other parts of corgen. */
+/* The restitution series at either end with a guaranteed accuracy, for the other parts of corgen */
 #ifndef COR_GEN_SERIES_SERIES_H
 #define COR_GEN_SERIES_SERIES_H
 
 #include "cor/law.h"
 #include "series/law.h"
 
-/* Under a constant force the second end is the surface. Options and names have it at END_SURFACE, all other code as
+/* Under a constant force the second end is the surface. Only options and names use END_SURFACE; all other code uses
  * COR_END_ZERO_FORCE. */
 enum { END_SURFACE = COR_END_ZERO_FORCE + 1 };
 extern const char *const contact_end_options[];         /* "zero-overlap", "zero-force", NULL */
-extern const char *const contact_end_options_pressed[]; /* the same and "surface" */
+extern const char *const contact_end_options_pressed[]; /* also "surface" */
 extern const char *const contact_end_names[];           /* "zero_overlap", "zero_force", "surface" */
 
-/* The end that an option names, -1 for none, as all other code has it, and back. pressed: a constant force acts. The
- * first returns STATUS_OK, or STATUS_USAGE after a message if contacts with or without a force have no such end. */
+/* The first function converts END_SURFACE of an option to COR_END_ZERO_FORCE, and the second converts back. pressed: a
+ * constant force acts. The first returns STATUS_OK, or STATUS_USAGE after a message if there is no such end. */
 int contact_end_given(int *end, bool pressed);
 int contact_end_named(int end, bool pressed);
 
 struct series {
     arb_poly_t y;   /* x_max = sum y_k beta^k */
     arb_poly_t tau; /* t_max = sum tau_k beta^k */
-    arb_poly_t c;   /* eps = sum C_k beta^k, zero overlap */
+    arb_poly_t c;   /* eps = sum C_k beta^k at zero overlap */
     slong order;    /* highest power of beta */
 };
 
@@ -29,12 +29,12 @@ void series_init(struct series *s);
 void series_clear(struct series *s);
 LOCAL_STRUCT(series)
 
-/* Computes all coefficients 0..order to at least `bits` relative bits each (absolute bits for those that vanish).
+/* Computes all coefficients 0..order to at least `bits` relative bits each (absolute bits for coefficients that are 0).
  * Returns 0, or 1 after reporting the failure on stderr. */
 int series_compute(struct series *s, slong order, const struct cor_exponents *law, slong bits);
 
-/* eps at an end as a power series in z = beta^(1/root): root = 1 at zero overlap, 2 at zero force
- * for the sphere. `order` is the highest power of z. Same accuracy and result as above. */
+/* Computes eps at an end as a power series in z = beta^(1/root) up to z^order. root is 1 at zero overlap, and 2 at zero
+ * force for the sphere. Accuracy and result are as above. */
 int series_eps(arb_poly_t eps, slong *root, enum cor_end end, slong order, const struct cor_exponents *law, slong bits);
 
 #endif

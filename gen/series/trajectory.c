@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* The recurrence of trajectory.h, once for exact rationals and for interval (ball) arithmetic.
+/* The recurrence of trajectory.h, for exact rationals and for interval (ball) arithmetic.
  *
- * With x = t X, the derivation D that multiplies u^k s^j by e = k (b+1) + j (a+1), and
- * x^b x' = (x^(b+1))'/(b+1), the equation of motion is, coefficient by coefficient,
+ * Let x = t X, and let the derivation D multiply u^k s^j by e = k (b+1) + j (a+1). With x^b x' = (x^(b+1))'/(b+1), the
+ * equation of motion gives for each coefficient
  *
  *   e (e+1) c[k][j] = -(e/(b+1)) [X^(b+1)][k-1][j] - [X^a][k][j-1].
  *
- * A power P = X^p obeys X P_u = p P X_u; with P_k, X_k the rows in s, for k >= 1
+ * A power P = X^p obeys X P_u = p P X_u. With the rows P_k and X_k in s, for k >= 1,
  *
- *   P_k = p X_0^(p-1) X_k + Q_k,   k X_0 Q_k = sum_{0<i<k} ((p+1) i - k) X_i P_(k-i),
+ *   P_k = p X_0^(p-1) X_k + Q_k,   k X_0 Q_k = sum_{0<i<k} ((p+1) i - k) X_i P_(k-i).
  *
- * so a new row costs k products of polynomials, and its coefficients follow one by one. In interval arithmetic,
- * row_sums.c computes the products of many rows. For spheres a = b+1 = 3/2 and the two powers are the same one. */
+ * A new row costs k products of polynomials. Its coefficients then follow one by one. In interval arithmetic,
+ * row_sums.c computes the products of many rows. For spheres a = b+1 = 3/2, and the two powers are the same. */
 #include "series/trajectory.h"
 
 #include <math.h>
@@ -68,7 +68,7 @@ static void set_zero(void *x, const struct ring *ring)
         fmpq_zero(x);
 }
 
-/* x *= num/den */
+/* Computes x *= num/den. */
 static void scale_number(void *x, slong num, slong den, const struct ring *ring)
 {
     fmpq *const q = x;
@@ -80,7 +80,7 @@ static void scale_number(void *x, slong num, slong den, const struct ring *ring)
     }
 }
 
-/* sum += x row[i], where x is num/den */
+/* Computes sum += x row[i] with x = num/den. */
 static void add_coefficient(void *sum, const void *row, slong i, slong num, slong den, const struct ring *ring)
 {
     LOCAL(fmpq, q);
@@ -104,8 +104,8 @@ static void set_coefficient(void *row, slong i, const void *x, const struct ring
         fmpq_poly_set_coeff_fmpq(row, i, x);
 }
 
-/* sum = sum_i p_i q_(n-i) over all i, or, with a power, sum_(i>0) ((p+1) i - n) p_i q_(n-i) times the denominator of
- * its exponent. Of rationals, integers over the two common denominators are added. */
+/* Computes sum = sum_i p_i q_(n-i) over all i. With a power, computes sum_(i>0) ((p+1) i - n) p_i q_(n-i) times the
+ * denominator of its exponent. Rationals are added as integers over the product of the two common denominators. */
 static void set_convolution(void *sum, const void *p, const void *q, slong n, const struct ratio *power,
                             const struct ring *ring)
 {
@@ -171,7 +171,7 @@ static void invert_row(void *y, const void *x, const struct ring *ring)
         fmpq_poly_inv_series(y, x, ring->length);
 }
 
-/* Rounding errors of balls grow from row to row. Digits below them are dropped, which makes products cheaper. */
+/* Drops the digits of each ball below its error, which grows from row to row. Products become cheaper. */
 static void trim_row(void *row, const struct ring *ring)
 {
     arb_poly_struct *const balls = row;
@@ -185,7 +185,7 @@ struct power {
     struct ratio p;
     void *row;             /* P_k */
     void *slope, *rest;    /* p X_0^(p-1), and Q_k of the current row */
-    struct row_sums *sums; /* of balls with many rows; otherwise NULL */
+    struct row_sums *sums; /* for balls with many rows; otherwise NULL */
 };
 
 static void set_rest(struct power *power, void *x, const void *x0_inverse, void *product, slong k,
@@ -206,7 +206,7 @@ static void set_rest(struct power *power, void *x, const void *x0_inverse, void 
     scale_row(power->rest, 1, k * power->p.den, ring);
 }
 
-/* Fills the rows 0..order of X and of its powers, X^a and X^(b+1), which are one if a = b+1. */
+/* Fills the rows 0..order of X and of its powers X^a and X^(b+1). If a = b+1 the two powers are the same. */
 static void fill_rows(void *row, void *powers_row[2], slong order, const struct cor_exponents *law,
                       const struct ring *ring)
 {

@@ -5,15 +5,15 @@
 
 #include "series/law.h"
 
-/* Rows k = 0..order, sum_j c[k][j] s^j, j = 0..terms */
+/* Computes rows k = 0..order, sum_j c[k][j] s^j, j = 0..terms. */
 fmpq_poly_struct *trajectory_exact(slong order, slong terms, const struct cor_exponents *law);
 void trajectory_exact_free(fmpq_poly_struct *row, slong rows);
 
-/* The same rows in interval (ball) arithmetic, with the rows of two powers of X, which the recurrence computes too.
+/* These rows in interval (ball) arithmetic, with the rows of two powers of X, which the recurrence also computes.
  *
  * The elastic constant of the solved law is 2^shift, about R^(a+1), where R is the radius of convergence. Row k is
- * therefore sum_j c[k][j] 2^(shift j) s^j with s = t^(a+1)/2^shift. Its coefficients have similar size and multiply
- * fast. */
+ * therefore sum_j c[k][j] 2^(shift j) s^j with s = t^(a+1)/2^shift. Its coefficients have similar size, and products
+ * are fast. */
 struct trajectory {
     struct cor_exponents law;
     slong order, terms, prec, shift;
@@ -25,9 +25,9 @@ struct trajectory {
 void trajectory_init(struct trajectory *t, slong order, slong terms, const struct cor_exponents *law, slong prec);
 void trajectory_clear(struct trajectory *t);
 
-/* A proved bound on the terms beyond s^terms (trajectory_tail.c):
+/* A proved bound on the terms beyond s^terms (trajectory_tail.c), over the rows k = 0..order:
  *
- *   sum_k U^k sum_{j > terms} |row[k]_j| rho^j <= delta       over the rows k = 0..order. */
+ *   sum_k U^k sum_{j > terms} |row[k]_j| rho^j <= delta */
 struct trajectory_tail {
     arb_t delta;
     double U, rho;
@@ -38,11 +38,11 @@ void trajectory_tail_clear(struct trajectory_tail *tail);
 LOCAL_STRUCT(trajectory_tail)
 
 /* Finds delta, U and rho that make the bound useful at the interval t0. Returns false if the number of terms is too
- * small for the proof; the caller then takes more terms. */
+ * small for the proof; the caller then uses more terms. */
 bool trajectory_tail_prove(struct trajectory_tail *tail, const struct trajectory *t, const arb_t t0);
 
-/* Upper bound of sum_{j > terms} |c[k][j]| binomial(e+1, m) t0^(e+1-m), e = k (b+1) + j (a+1): the missing part of the
- * m-th Taylor coefficient of x_k(t) at t0. */
+/* Bounds sum_{j > terms} |c[k][j]| binomial(e+1, m) t0^(e+1-m), e = k (b+1) + j (a+1), from above. This is the missing
+ * part of the m-th Taylor coefficient of x_k(t) at t0. */
 void trajectory_tail_jet(mag_t bound, const struct trajectory_tail *tail, const struct trajectory *t, slong k, slong m,
                          const arb_t t0);
 

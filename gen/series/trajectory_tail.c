@@ -4,9 +4,9 @@
  * In the algebra A of power_bounds.h, X = Z + R. The tail R is the fixed point of
  *
  *   G(R)_kj = -([X^(b+1)]_(k-1),j / (b+1) + 2^shift [X^a]_k,(j-1) / e) / (e + 1),
- *                                                              e = k(b+1) + j(a+1), j > J,
+ *                                                              e = k(b+1) + j(a+1), j > J.
  *
- * and the iteration of G from 0 makes one coefficient after the other right. If G maps the ball |R| <= delta of A into
+ * The iteration of G from 0 makes one coefficient after the other correct. If G maps the ball |R| <= delta of A into
  * itself, delta therefore bounds R. With nu >= |1/Z|:
  *
  *   |(Z+R)^p - Z^p| <= |Z^p| ((1 - nu |R|)^(-p) - 1).
@@ -20,19 +20,19 @@
 #include <math.h>
 
 enum {
-    /* The first block of Z whose inverse is computed. With the weights that win, Z outside this block is tiny. */
+    /* Size of the first block of Z whose inverse is computed. With the best weights, Z outside this block is tiny. */
     BLOCK_ROWS = 16,
     BLOCK_LENGTH = 48,
-    /* number of circles for Cauchy's estimate in trajectory_tail_jet */
+    /* Number of circles for Cauchy's estimate in trajectory_tail_jet */
     CIRCLES = 16
 };
 
-/* (3.3): the radius of G's image of the ball |R| <= delta,
+/* (3.3): computes the radius of the image under G of the ball |R| <= delta,
  *
- *   (U/(b+1) |[X^(b+1)] beyond s^J| + 2^shift rho/e |[X^a] from s^J on|)/(e + 1),
+ *   (U/(b+1) |[X^(b+1)] beyond s^J| + 2^shift rho/e |[X^a] from s^J on|)/(e + 1).
  *
- * with |(Z+R)^p - Z^p| <= |Z^p| ((1 - nu delta)^(-p) - 1), by expm1 so that a tiny nu delta does not cancel; e is that
- * of the tail's first coefficient. Returns false if nu delta is not below 1. */
+ * |(Z+R)^p - Z^p| <= |Z^p| ((1 - nu delta)^(-p) - 1) is evaluated by expm1, so that a tiny nu delta does not cancel. e
+ * is the value at the tail's first coefficient. Returns false if nu delta is not below 1. */
 static bool image_of_ball(arb_t image, const arb_t delta, const struct power_bounds *b, const struct power_evidence *e,
                           const struct trajectory *t, double U, double rho)
 {
@@ -49,7 +49,7 @@ static bool image_of_ball(arb_t image, const arb_t delta, const struct power_bou
     return HOLDS(NORM_BITS, "eta < 1", eta);
 }
 
-/* (3.4): finds a delta such that G maps the ball |R| <= delta into itself. The image of the point 0 is a lower bound on
+/* (3.4): finds a delta for which G maps the ball |R| <= delta into itself. The image of the point 0 is a lower bound on
  * delta. The first trial is twice that bound, and the second twice the image of the first ball. Returns false if the
  * proof does not succeed with these weights. */
 static bool prove_at(struct trajectory_tail *tail, const struct power_evidence *e, const struct trajectory *t)
@@ -84,7 +84,7 @@ void trajectory_tail_clear(struct trajectory_tail *tail)
     arb_clear(tail->delta);
 }
 
-/* log2 of the largest error that the tail causes in x_k^(m)(t0) t0^m/m!, k + m = order. */
+/* Returns log2 of the largest error that the tail causes in x_k^(m)(t0) t0^m/m!, k + m = order. */
 static double tail_quality(const struct trajectory_tail *tail, const struct trajectory *t, const arb_t t0)
 {
     double worst = -HUGE_VAL;
@@ -98,11 +98,11 @@ static double tail_quality(const struct trajectory_tail *tail, const struct traj
     return worst;
 }
 
-/* Trial radii for rho, as parts of the way from t0 to the nearest singularity, and trial weights U = 2^k */
+/* Trial radii for rho, as fractions of the way from t0 to the nearest singularity, and trial weights U = 2^k */
 static const double trial_part[] = {0.9, 0.8, 0.7, 0.5, 0.25};
 enum { TRIAL_PARTS = sizeof trial_part / sizeof *trial_part, TRIAL_U_MAX = 3, TRIAL_U_MIN = -7 };
 
-/* The best pair of weights causes the smallest errors in two coefficients of x at t0: in the last row, and in the last
+/* Finds the pair of weights with the smallest errors in three coefficients of x at t0, from the last row to the last
  * derivative of the first row (which itself grows like t0^-m). Returns false if no pair proves a bound. */
 static bool best_trial(struct trajectory_tail *tail, const struct power_evidence *e, const struct trajectory *t,
                        const arb_t t0)

@@ -15,8 +15,8 @@ void turning_point_elastic(arb_t y0, arb_t tau0, const struct cor_exponents *law
     LET(tau0, prec, "gamma(p)/gamma(p + 1/2)*sqrt(pi)*p*y0", p, y0);
 }
 
-/* Taylor coefficients of x at t0 to order m, as polynomials in beta: jet[m] = sum_k x_k^(m)(t0)/m! beta^k, k + m <=
- * order + 1. Returns true if the truncation limits their accuracy. */
+/* Computes the Taylor coefficients of x at t0 as polynomials in beta: jet[m] = sum_k x_k^(m)(t0)/m! beta^k for
+ * m < count, k + m <= order + 1. Returns true if the truncation limits their accuracy. */
 static bool jets_at(arb_poly_struct *jet, slong count, const struct trajectory *t, const struct trajectory_tail *tail,
                     const arb_t t0, slong prec)
 {
