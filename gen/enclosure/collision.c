@@ -28,10 +28,10 @@ static slong accuracy_bits(const struct collision *c, enum ends ends)
 /* The method of a solution, and its number of bits */
 struct route {
     enum motion_goal goal;
-    bool slow;           /* whether to use the slow manifold */
+    bool slow;           /* true if the slow manifold is used */
     slong manifold_bits; /* bits to which the motion reaches the manifold */
     slong prec;
-    slong direct_prec; /* without the slow manifold */
+    slong direct_prec; /* prec without the slow manifold */
 };
 
 enum {
@@ -41,17 +41,17 @@ enum {
     ATTEMPTS = 12
 };
 
-/* Where the motion contracts, intervals grow: a little more than was seen in 20 laws, relative to the contraction. A
- * motion that loses more bits is tried again. */
+/* Intervals grow where the motion contracts: a little more than was measured in 20 laws, relative to the contraction.
+ * If a motion loses more bits, the code tries again. */
 #define GROWTH_LOADING 2.0
 #define GROWTH_UNLOADING 1.13
-/* The same for each bit by which beta is near the threshold, in Hertz's law with a dashpot */
+/* Growth for each bit by which beta is near the threshold, in Hertz's law with a dashpot */
 #define GROWTH_BELOW 2.7
 
-/* The motion contracts by ln(1/mu) twice during loading and release (docs/theory.md, 8), and by k/mu in unloading to
- * zero overlap (9). The slow manifold replaces this unloading if k/mu suffices to reach its last place with the
- * requested bits. This estimate neglects a power of beta, so that a motion just above the limit may miss the manifold;
- * no precision helps then, and the unloading is integrated. */
+/* Chooses the route. The motion contracts by ln(1/mu) twice during loading and release (docs/theory.md, 8), and by k/mu
+ * in unloading to zero overlap (9). The slow manifold replaces this unloading if k/mu suffices to reach `last` with the
+ * requested bits. The estimate neglects a power of beta, so a motion just above the limit may miss the manifold. No
+ * precision helps then, and the unloading is integrated. */
 static struct route route_of(const arb_t beta, double below, const struct cor_exponents *law, enum ends ends,
                              slong bits)
 {
@@ -77,8 +77,7 @@ static struct route route_of(const arb_t beta, double below, const struct cor_ex
     return r;
 }
 
-/* Makes one attempt. Closed forms replace results that the motion encloses less narrowly, or not at all near zeta =
- * 1. */
+/* Makes one attempt. Closed forms replace results that the motion encloses less well, or not at all near zeta = 1. */
 static enum motion_outcome try_precision(struct collision *c, const arb_t beta, const struct cor_exponents *law,
                                          const struct route *r)
 {
@@ -96,7 +95,7 @@ static enum motion_outcome try_precision(struct collision *c, const arb_t beta, 
     return outcome;
 }
 
-/* `below`: how far beta is below the threshold of zero overlap, if that is known */
+/* below: the distance of beta below the threshold of zero overlap, if that is known */
 static int ends_solve(struct collision *c, const arb_t beta, double below, const struct cor_exponents *law,
                       enum ends ends, slong bits)
 {
@@ -156,8 +155,8 @@ int collision_solve_force(struct collision *c, const arb_t beta, const struct co
     return ends_solve(c, beta, 1, law, ENDS_ZERO_FORCE, bits);
 }
 
-/* x'' + beta x^b x' = force - 1 >= 0: the overlap grows without bound, or under the force 1 until the damping has used
- * up the speed. */
+/* Sets the result for x'' + beta x^b x' = force - 1 >= 0. The overlap grows without bound, or under the force 1 until
+ * the damping has consumed the speed. */
 static void never_parts(struct collision *c, const arb_t beta, const arb_t force, const struct cor_exponents *law,
                         slong prec)
 {
@@ -230,7 +229,7 @@ int collision_final_speed(arb_t v_f, const struct cor_exponents *law, slong bits
 {
     if (law_fall_power(law).num <= 0)
         return fail("beta^(1/q) eps has a limit for q > 0 only");
-    /* the fall from the manifold's last place contracts by exp(-depth), and the intervals grow by the same factor */
+    /* the motion from `last` contracts by exp(-depth), and the intervals grow by the same factor */
     const slong manifold_bits = bits + MANIFOLD_BITS;
     slong prec = bits + GUARD_BITS + (slong)(slow_manifold_depth(law, manifold_bits) / log(2));
     for (int i = 0; i < ATTEMPTS; i++) {

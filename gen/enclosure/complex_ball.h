@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Complex balls of doubles: all numbers within `radius` of re + i im. The result of an operation contains every result
- * of numbers of its arguments.
+/* Complex balls of doubles: all numbers within `radius` of re + i im. The result of an operation contains the results
+ * for all numbers in its arguments.
  *
- * Every radius is increased by far more than rounding can cost. An operation on centres has a relative error of a few
- * 2^-53, for which COMPLEX_BALL_ROUNDING = 2^-48 of the moduli stands; a radius, computed from a few products and sums
- * of positive numbers, is multiplied by 1 + 2^-45. These balls are a hundred times as fast as Arb's, which have any
- * precision; they serve where a per cent is accurate enough. */
+ * Every radius is increased by far more than the rounding errors. An operation on centres has a relative error of a few
+ * 2^-53; COMPLEX_BALL_ROUNDING = 2^-48 of the moduli covers it. A radius is computed from a few products and sums of
+ * positive numbers, and is multiplied by 1 + 2^-45. These balls are a hundred times as fast as Arb's, which have any
+ * precision. They serve where an accuracy of a per cent suffices. */
 #ifndef COR_GEN_ENCLOSURE_COMPLEX_BALL_H
 #define COR_GEN_ENCLOSURE_COMPLEX_BALL_H
 
@@ -18,7 +18,7 @@ struct complex_ball {
 
 #define COMPLEX_BALL_ROUNDING 0x1p-48
 
-/* An upper bound of a positive number that was computed with a few roundings */
+/* Returns an upper bound of a positive number that was computed with a few roundings. */
 static inline double raise_bound(double x)
 {
     return x * (1 + 0x1p-45) + 0x1p-900;
@@ -29,13 +29,13 @@ static inline struct complex_ball ball_of(double re, double im)
     return (struct complex_ball){re, im, 0};
 }
 
-/* |centre|, to a few 2^-53 */
+/* Returns |centre| to a few 2^-53. */
 static inline double ball_size(struct complex_ball x)
 {
     return sqrt(x.re * x.re + x.im * x.im);
 }
 
-/* Upper and lower bound of the modulus */
+/* Return an upper and a lower bound of the modulus. */
 static inline double ball_above(struct complex_ball x)
 {
     return raise_bound(ball_size(x) + x.radius);
@@ -95,7 +95,7 @@ static inline struct complex_ball ball_times(struct complex_ball x, double facto
                                  raise_bound(a * x.radius + COMPLEX_BALL_ROUNDING * ball_size(x) * a)};
 }
 
-/* |1/(c + d) - 1/c| = |d|/|c (c + d)|. The result is not finite if the ball may contain 0. */
+/* Returns 1/x by |1/(c + d) - 1/c| = |d|/|c (c + d)|. The result is not finite if the ball may contain 0. */
 static inline struct complex_ball ball_inv(struct complex_ball x)
 {
     const double size = ball_size(x), least = ball_below(x), square = x.re * x.re + x.im * x.im;
@@ -110,7 +110,7 @@ static inline struct complex_ball ball_sqr(struct complex_ball x)
     return ball_mul(x, x);
 }
 
-/* Assumes that exp, cos and sin are right to 2^-48. */
+/* Returns exp(x). Assumes that exp, cos and sin are accurate to 2^-48. */
 static inline struct complex_ball ball_exp(struct complex_ball x)
 {
     const double size = exp(x.re);

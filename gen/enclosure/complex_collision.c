@@ -3,8 +3,8 @@
 
 #include "enclosure/complex_path.h"
 
-/* Zero force is reached in zeta up to |sqrt(beta)| = NEAR_TO, and in k from NEAR_FROM on. Up to CREEP_TO zero overlap
- * follows in k, and from CREEP_FROM on, where unloading creeps, in Y. */
+/* Zero force is reached in zeta for |sqrt(beta)| <= NEAR_TO, and in k for NEAR_FROM and above. Zero overlap then
+ * follows in k up to CREEP_TO, and in Y for CREEP_FROM and above, where unloading creeps. */
 #define NEAR_FROM 1.05
 #define NEAR_TO 1.1
 #define CREEP_FROM 1.65
@@ -14,8 +14,8 @@
 
 /* ---- the equation along a path ----
  *
- * Loading and unloading are in zeta, with g as the dependent variable; the others have y, the fall k. From `before`
- * on, c1 = 1 and c2 = mu. */
+ * The dependent variable of loading and unloading in zeta is g. For paths in 1/Y it is k, and for all others y.
+ * before_turn_slopes and the functions below it have c1 = 1 and c2 = mu. */
 
 static struct complex_ball add_number(struct complex_ball x, double number)
 {
@@ -54,8 +54,8 @@ static struct slopes turning_slopes(const struct path *p, struct complex_ball ka
     return (struct slopes){ball_mul(part, y), ball_mul(part, ball_mul(square, inverse)), inverse};
 }
 
-/* The same with k = c1 kappa, c2 = 1, M = c1^2 y (1 - k) + k^2: dy/dk = -k y/(2 M), its derivative by y = -k^3/(2 M^2),
- * dt/dk = c1/M */
+/* Computes turning_slopes in k = c1 kappa with c2 = 1, M = c1^2 y (1 - k) + k^2: dy/dk = -k y/(2 M), its derivative by
+ * y = -k^3/(2 M^2), dt/dk = c1/M. */
 static struct slopes force_slopes(const struct path *p, struct complex_ball k, struct complex_ball y)
 {
     const struct complex_ball square = ball_sqr(k);
@@ -74,7 +74,7 @@ static struct slopes falling_force_slopes(const struct path *p, struct complex_b
                            ball_mul(ball_sub(r, ball_sqr(a)), square), ball_times(ball_mul(a, b), 2)};
 }
 
-/* What is left of the path, its end minus the place */
+/* Returns the rest of the path, its end minus the place. */
 static struct complex_ball rest_of(const struct path *p)
 {
     return ball_neg(ball_mul(p->length, add_number(p->s, -1)));
@@ -127,15 +127,15 @@ static struct slopes last_of_fall(const struct path *p, struct complex_ball delt
 
 static const struct complex_ball zero = {0, 0, 0}, one = {1, 0, 0};
 
-/* kappa = 1/zeta^2, where a path in zeta meets one in kappa, for an exact zeta */
+/* Returns kappa = 1/zeta^2, where a path in zeta meets one in kappa, for an exact zeta. */
 static struct complex_ball kappa_at(double zeta)
 {
     return ball_inv(ball_sqr(ball_of(zeta, 0)));
 }
 
-/* Zero overlap from zero force, k = 1 at Y = beta^2 y, with c1 = c2 = 1: eps is the square of the last g over beta^5,
- * and times have the unit beta. While it creeps, k and Y determine each other: down to LAST_Y the path is in 1/Y, where
- * k hardly depends on the beginning. Otherwise it is in k from the beginning, and at last in zeta = k^(-1/2). */
+/* Follows the motion from zero force, k = 1 at Y = beta^2 y, to zero overlap with c1 = c2 = 1. eps is the square of the
+ * last g over beta^5, and times have the unit beta. A creeping path is in 1/Y down to LAST_Y, where k hardly depends on
+ * its first value. Other paths are in k from the start. Both end in zeta = k^(-1/2). */
 static bool fall_from_force(struct complex_collision *c, struct complex_ball beta, struct complex_ball at_force,
                             bool creeps)
 {
@@ -157,7 +157,8 @@ static bool fall_from_force(struct complex_collision *c, struct complex_ball bet
     return true;
 }
 
-/* From the turning point near beta = 0: to kappa = 1, then in zeta from 1 to z, zero force, and to 0, zero overlap */
+/* Follows the motion from the turning point near beta = 0: to kappa = 1, then in zeta from 1 to z, zero force, and from
+ * 1 to 0, zero overlap. */
 static bool unload_near(struct complex_collision *c, struct path *p, struct path_state y, struct complex_ball z,
                         bool overlap)
 {
@@ -177,8 +178,8 @@ static bool unload_near(struct complex_collision *c, struct path *p, struct path
     return true;
 }
 
-/* From the turning point far from beta = 0: zero force at k = 1, eps = y^2/beta, and zero overlap from there. The two
- * ways to zero overlap are both taken for modulus between CREEP_FROM and CREEP_TO. */
+/* Follows the motion from the turning point far from beta = 0 to zero force at k = 1, where eps = y^2/beta, and from
+ * there to zero overlap. If the modulus is between CREEP_FROM and CREEP_TO, it uses both paths to zero overlap. */
 static bool unload_far(struct complex_collision *c, struct path *p, struct path_state y, const double modulus[2],
                        bool overlap)
 {
@@ -190,8 +191,8 @@ static bool unload_far(struct complex_collision *c, struct path *p, struct path_
                         (modulus[1] < CREEP_FROM || fall_from_force(c, p->c1, y.value, true)));
 }
 
-/* Where two ways meet, both are taken. Each then gives a function that is analytic in its part of the ellipse, and both
- * are the same function: in the ring where both are defined, which meets the real axis, and therefore everywhere. */
+/* Where the domains of two paths overlap, both are followed. Each gives a function that is analytic in its part of the
+ * ellipse. They agree in the ring where both are defined, because it meets the real axis, and therefore everywhere. */
 bool complex_collision_root(struct complex_collision *c, struct complex_ball z, bool overlap)
 {
     const double modulus[2] = {ball_below(z), ball_above(z)}, size = ball_size(z);
@@ -199,7 +200,7 @@ bool complex_collision_root(struct complex_collision *c, struct complex_ball z, 
         return false;
     struct path p = {.c1 = ball_sqr(z), .c2 = one, .resolution = 1};
     struct path_state y = {one, zero};
-    /* a place on the real axis, where a path in zeta becomes one in kappa; any place gives the same collision */
+    /* A path in zeta becomes one in kappa at this real number. Every choice gives the same collision. */
     const double first = size > 1 ? 1 / cbrt(size * size) : 1;
     if (!path_follow(&p, loading_slopes, zero, ball_of(first, 0), &y))
         return false;

@@ -3,7 +3,7 @@
 
 #include "enclosure/complex_path.h"
 
-/* The damping may take this part of the speed before the approach ends, and the approach ends at this x at most. */
+/* The approach ends before the damping has consumed this fraction of the speed, and at this x or below. */
 #define APPROACH_LOSS 0.3
 #define APPROACH_MOST 0.3
 /* The approach ends at x = s^POWER, so that the equation is smooth at s = 0 for every exponent of the law. */
@@ -14,7 +14,7 @@
 static const struct complex_ball zero = {0, 0, 0}, one = {1, 0, 0};
 static const struct complex_law_pressing free_contact = {{0, 0, 0}, {0, 0, 0}};
 
-/* s^power for all real s >= 0 of a ball; 2^-40 is more than the rounding of s, of the power and of pow */
+/* Returns s^power for all real s >= 0 of a ball. 2^-40 exceeds the rounding errors of s, of the power and of pow. */
 static struct complex_ball real_power(struct complex_ball s, double power)
 {
     const double radius = raise_bound(s.radius);
@@ -27,13 +27,13 @@ static struct complex_ball power_or_one(struct complex_ball s, double power)
     return power == 0 ? one : real_power(s, power);
 }
 
-/* exp(power x), with more than the rounding of the power */
+/* Returns exp(power x), widened by more than the rounding error of the power. */
 static struct complex_ball exp_of_power(struct complex_ball x, double power)
 {
     return ball_exp(ball_widened(ball_times(x, power), 0x1p-48 * ball_size(x)));
 }
 
-/* The logarithm that is real for positive numbers, of a ball in the right half plane. Returns false for other balls. */
+/* Computes ln(x), real for x > 0, of a ball in the right half plane. Returns false for other balls. */
 static bool set_log(struct complex_ball *log_x, struct complex_ball x)
 {
     const double size = ball_size(x);
@@ -44,7 +44,7 @@ static bool set_log(struct complex_ball *log_x, struct complex_ball x)
     return true;
 }
 
-/* ---- the equation along a path, c1, c2 and c3 as the path's user sets them ---- */
+/* ---- the equation along a path; the caller sets c1, c2 and c3 as the comments state ---- */
 
 /* dv/ds, c1 = beta, c3 = f */
 static struct slopes approach_slopes(const struct path *p, struct complex_ball s, struct complex_ball v)
@@ -76,7 +76,7 @@ static struct slopes turning_slopes(const struct path *p, struct complex_ball ka
     return (struct slopes){part, ball_mul(ball_mul(part, inverse), derivative), zero};
 }
 
-/* dl/ds; the difference is often small. c1 = beta X^(b+1)/W, c2 = X^(a+1)/W^2 and c3 = f X/W^2 */
+/* dl/ds, whose difference is often small; c1 = beta X^(b+1)/W, c2 = X^(a+1)/W^2 and c3 = f X/W^2 */
 static struct slopes departure_slopes(const struct path *p, struct complex_ball s, struct complex_ball l)
 {
     const double common = fmin(p->a, p->b);
@@ -109,7 +109,7 @@ static struct slopes force_slopes(const struct path *p, struct complex_ball k, s
     return (struct slopes){part, ball_neg(ball_mul(ball_mul(part, inverse), N_L)), zero};
 }
 
-/* The same with q = ln(k): dL/dq = -k^2/N */
+/* force_slopes with q = ln(k): dL/dq = -k^2/N */
 static struct slopes force_by_log(const struct path *p, struct complex_ball q, struct complex_ball L)
 {
     const struct complex_ball k = ball_exp(q);
@@ -135,12 +135,12 @@ struct complex_law_path complex_law_path(const struct cor_exponents *law, double
     return (struct complex_law_path){fmin(APPROACH_MOST, end), strong, 1};
 }
 
-/* ln(x) at the turning point; p gets the law. */
+/* Computes ln(x) at the turning point. Sets the law of p. */
 static bool turning_point(struct path *p, struct path_state *y, const struct cor_exponents *law,
                           struct complex_ball beta, const struct complex_law_pressing *pressing,
                           const struct complex_law_path *path)
 {
-    const double s = pow(path->approach_end, 1.0 / POWER); /* x = s^4 is the end exactly */
+    const double s = pow(path->approach_end, 1.0 / POWER); /* x = s^4 is exactly the end */
     const struct complex_ball end = ball_sqr(ball_sqr(ball_of(s, 0)));
     *p = (struct path){.c1 = beta,
                        .c3 = pressing->force,
@@ -157,8 +157,8 @@ static bool turning_point(struct path *p, struct path_state *y, const struct cor
     const double logarithm = POWER * log(s);
     *y = (struct path_state){ball_widened(ball_of(logarithm, 0), 0x1p-46 * (1 + fabs(logarithm))), zero};
     p->logarithm = true;
-    /* From an exact beginning on, only y is uncertain: bounds would add up what an uncertain place does on all of the
-     * path, where it changes sign. */
+    /* The path about the turning point starts at an exact kappa, so that only y is uncertain. An uncertain place would
+     * add its effect on all of the path as a bound, although that effect changes sign. */
     if (p->pressed) {
         if (!path_follow(p, turning_slopes, kappa, ball_centre(kappa), y))
             return false;
@@ -167,7 +167,7 @@ static bool turning_point(struct path *p, struct path_state *y, const struct cor
     return path_follow(p, turning_slopes, kappa, zero, y);
 }
 
-/* ln(eps) of the departure with the speed exp(M) at its beginning; p has its coefficients */
+/* Computes ln(eps) of the departure from its first speed exp(M); p has the coefficients. */
 static bool follow_departure(struct complex_ball *log_eps, struct path *p, struct complex_ball M)
 {
     struct path_state y = {zero, zero};
@@ -239,8 +239,8 @@ bool complex_law_creep(struct complex_ball *log_eps, const struct cor_exponents 
     p.logarithm = false;
     if (!path_follow(&p, slow_slopes, ball_add(ball_times(log_beta, 2), ball_times(y.value, p.n)), log_end, &k))
         return false;
-    /* W = k X^(a-b)/beta, so that the coefficients are F/k and F/k^2. ln(k) is the one that is continued from real beta
-     * if k is in the right half plane. */
+    /* W = k X^(a-b)/beta, so the coefficients are F/k and F/k^2. If k is in the right half plane, ln(k) is the
+     * continuation from real beta. */
     struct complex_ball log_k;
     if (!set_log(&log_k, k.value))
         return false;

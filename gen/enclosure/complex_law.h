@@ -12,40 +12,40 @@
  *   creep, for n > 0:          n dk/dln(F) = -N/k, from k = 1/2 to F = 2
  *
  * A constant force f on the right side (docs/theory.md, 24) adds 4 f s^3/v to dv/ds, -f/x to the denominator of
- * dL/dkappa, 4 f X/W^2 s^3 exp(-2 l) to dl/ds, and -f beta^2 x^(n-a) to N. With it there is no path that creeps. In
- * the units of one impact speed, other impacts of the same contact have the same beta and f and begin with another
- * speed v. Then eps is the last speed over v: the force does no work on the whole, and its uncertainty none either.
+ * dL/dkappa, 4 f X/W^2 s^3 exp(-2 l) to dl/ds, and -f beta^2 x^(n-a) to N. With a force no path creeps. In the units of
+ * one impact speed, other impacts of the same contact have the same beta and f but another first speed v. eps is then
+ * the last speed over v. f does no net work over a contact, so its uncertainty does not add to eps through the work.
  *
- * eps is W exp(l) at zero overlap and x^(a-b)/beta at zero force. Under a force zero_force means the surface, and eps
- * has the factor sqrt(1 - 2 f beta^2 x^(1-2(a-b))) of the flight from there. The departure begins at kappa = 1 or after
- * the creep. eps is analytic in beta where the denominators have no zero along the path. */
+ * eps is W exp(l) at zero overlap and x^(a-b)/beta at zero force. Under a force zero_force means the surface. The
+ * flight to the surface gives eps the factor sqrt(1 - 2 f beta^2 x^(1-2(a-b))). The departure begins at kappa = 1 or
+ * after the creep. eps is analytic in beta where the denominators have no zero along the path. */
 #ifndef COR_GEN_ENCLOSURE_COMPLEX_LAW_H
 #define COR_GEN_ENCLOSURE_COMPLEX_LAW_H
 
 #include "enclosure/complex_ball.h"
 #include "series/law.h"
 
-/* The path of a domain of beta. All collisions of the domain must have the same, so that it defines one function. */
+/* The path of a domain of beta. All its collisions must have the same path, so that it defines one function. */
 struct complex_law_path {
-    double approach_end; /* x */
-    bool strong;         /* damping: k from 0, and a departure that begins after the creep */
-    double resolution;   /* of complex_path.h */
+    double approach_end; /* x at the end of the approach */
+    bool strong;         /* strong damping: k starts at 0, and the departure begins after the creep */
+    double resolution;   /* resolution of complex_path.h */
 };
 
-/* A path for all |beta| up to a bound, with resolution 1 */
+/* Returns a path for all |beta| up to a bound, with resolution 1. */
 struct complex_law_path complex_law_path(const struct cor_exponents *law, double largest_beta, bool strong);
 
-/* A constant force, and ln(v) of the speed at the beginning; both 0 without a force */
+/* A constant force, and ln(v) of the first speed. Both are 0 without a force. */
 struct complex_law_pressing {
     struct complex_ball force, log_speed;
 };
 
-/* ln(eps) at zero overlap for all beta and all v in balls. Returns false if the balls are too wide, or if ln(eps) is
- * not shown to be analytic there. Continued analytically from real beta, the imaginary part may exceed pi. */
+/* Encloses ln(eps) at zero overlap for all beta and v in balls. Returns false if they are too wide, or if ln(eps) is
+ * not proved to be analytic there. Continued analytically from real beta, its imaginary part may exceed pi. */
 bool complex_law_zero_overlap(struct complex_ball *log_eps, const struct cor_exponents *law, struct complex_ball beta,
                               const struct complex_law_pressing *pressing, const struct complex_law_path *path);
 
-/* The same for all ln(beta) in a ball: zero force, a > b; zero overlap by the path that creeps, n > 0 */
+/* Do the same for all ln(beta) in a ball: zero force, a > b; zero overlap by the path that creeps, n > 0. */
 bool complex_law_zero_force(struct complex_ball *log_eps, const struct cor_exponents *law, struct complex_ball log_beta,
                             const struct complex_law_pressing *pressing, const struct complex_law_path *path);
 bool complex_law_creep(struct complex_ball *log_eps, const struct cor_exponents *law, struct complex_ball log_beta,

@@ -3,8 +3,8 @@
 
 #define MAX_STEPS 20000.0 /* at resolution 1 */
 
-/* A step may add this much to the residual that the ball causes, relative to that residual, the slope and the value;
- * of the last two, this times the resolution. */
+/* Limits of the residual that a step may add to the residual of its first ball. They are relative to that residual, to
+ * the slope and to the value. The last two are multiplied by the resolution. */
 #define MORE_OF_RESIDUAL 0.25
 #define MORE_OF_SLOPE 0.004
 #define MORE_OF_VALUE 0.002
@@ -16,7 +16,7 @@
 #define LARGEST_STEP 0.02
 #define SMALLEST_STEP 1e-7
 
-/* The slopes with respect to s, for every s and every value of the dependent variable in balls */
+/* Returns the slopes with respect to s, for every s and every value of the dependent variable in balls. */
 static struct slopes path_slopes(struct path *p, struct complex_ball s, struct complex_ball y)
 {
     const struct complex_ball at = ball_widened(ball_add(ball_centre(p->begin), ball_mul(ball_centre(p->length), s)),
@@ -31,7 +31,7 @@ static struct slopes path_slopes(struct path *p, struct complex_ball s, struct c
     return f;
 }
 
-/* What a radius of the dependent variable is compared with */
+/* Returns the number with which a radius of the dependent variable is compared. */
 static double value_size(const struct path *p, struct complex_ball value)
 {
     return p->logarithm ? 1 : ball_size(value);
@@ -44,12 +44,12 @@ static double distance_between(struct complex_ball x, struct complex_ball centre
 
 enum step_outcome { STEP_DONE, STEP_TOO_LONG, STEP_IMPOSSIBLE };
 
-/* One step from s to end. The line has the slope `mean`, that of the ball's centre in the middle of the step. The
- * distance e of a solution from the line obeys |e|' <= rate |e| + residual, where `rate` bounds the real part of the
- * slope's derivative between them. */
+/* Makes one step from s to end. The line has the slope `mean`, the slope at the ball's centre in the middle of the
+ * step. The distance e of a solution from the line obeys |e|' <= rate |e| + residual, where `rate` bounds the real part
+ * of the slope's derivative between them. */
 static enum step_outcome try_step(struct path *p, struct path_state *y, double s, double end)
 {
-    const double h = end - s, longest = raise_bound(h), radius = y->value.radius; /* h is exact, or right to 2^-53 */
+    const double h = end - s, longest = raise_bound(h), radius = y->value.radius; /* h is exact, or correct to 2^-53 */
     const struct complex_ball centre = ball_centre(y->value), middle = ball_of((s + end) / 2, 0);
     const struct complex_ball at_middle =
         path_slopes(p, middle, ball_centre(ball_add(centre, ball_times(p->slope, h / 2)))).slope;
@@ -76,7 +76,7 @@ static enum step_outcome try_step(struct path *p, struct path_state *y, double s
     if (!ball_is_finite(within.derivative) || !ball_is_finite(within.time) || (rate > 0 && !(growth * start <= tube)))
         return STEP_TOO_LONG;
     struct complex_ball next = ball_add(centre, ball_times(mean, h));
-    next.radius += 0x1p-45 * longest * ball_size(mean); /* h */
+    next.radius += 0x1p-45 * longest * ball_size(mean); /* error of h */
     next.radius += rate > 0 ? raise_bound(growth * start)
                             : raise_bound(growth * radius + fmin(longest, raise_bound(1 / -rate)) * residual);
     next.radius = raise_bound(next.radius);

@@ -13,13 +13,13 @@ enum {
 
 /* ---- the formal time Theta_n(r, k) = -2 ln(r) + sum_j r^j q_j(k) ---- */
 
-/* Polynomials in e = k - 1, 1 <= j <= CREEP_SERIES_ORDER: q_j, and s_j = (1 + j/2) q_j' + k q_j'', which bounds what
- * Theta_j lacks. */
+/* Polynomials in e = k - 1, 1 <= j <= CREEP_SERIES_ORDER: q_j, and s_j = (1 + j/2) q_j' + k q_j'', which bounds the
+ * error of Theta_j. */
 struct formal_time {
     fmpq_poly_struct q[CREEP_SERIES_ORDER + 1], source[CREEP_SERIES_ORDER + 1];
 };
 
-/* q_1' = -1 and (k - 1) q_(j+1)' = k (j q_j/2 + k q_j'). The right side vanishes at k = 1, which gives q_j(1). */
+/* Computes q_1' = -1 and (k - 1) q_(j+1)' = k (j q_j/2 + k q_j'). Its right side vanishes at k = 1, hence q_j(1). */
 static void formal_time_init(struct formal_time *f)
 {
     LOCAL(fmpq_poly, k, sum, term);
@@ -54,7 +54,7 @@ static void formal_time_clear(struct formal_time *f)
 
 /* ---- the bound of dTheta/dk - dTheta_n/dk ---- */
 
-/* Bound of r^power |p| in the tube 1 <= k <= 1 + r + 2 r^2, which no motion leaves for r <= 1/6 */
+/* Bounds r^power |p| in the tube 1 <= k <= 1 + r + 2 r^2, which no motion leaves for r <= 1/6. */
 static void largest_in_tube(arb_t bound, const fmpq_poly_t p, const arb_t r, slong power)
 {
     LOCAL(arb, width);
@@ -69,13 +69,13 @@ static void largest_in_tube(arb_t bound, const fmpq_poly_t p, const arb_t r, slo
     LET(bound, BOUND_BITS, "bound*r^power", bound, r, power);
 }
 
-/* 1 - 3 r - r^2 <= 1/k^2 - r in the tube */
+/* Computes 1 - 3 r - r^2, which is at most 1/k^2 - r in the tube. */
 static void least_contraction(arb_t least, const arb_t r)
 {
     LET(least, BOUND_BITS, "1 - r*(3 + r)", r);
 }
 
-/* exp of minus the integral of (2/s^2) (1 - 3 s - s^2) from `low` to `high` */
+/* Computes exp of minus the integral of (2/s^2) (1 - 3 s - s^2) from `low` to `high`. */
 static void bound_contraction(arb_t factor, const arb_t low, const arb_t high)
 {
     LET(factor, BOUND_BITS, "exp(2*(1/high - 1/low + (high - low)) + 6*log(high/low))", low, high);
@@ -93,7 +93,7 @@ static void add_terms(arb_t bound, const struct formal_time *f, const arb_t r, s
     }
 }
 
-/* Replaces the bound at `high` by that at `low`. The source between them is 2 s^(order-1) s_order. */
+/* Replaces the bound at `high` by the bound at `low`. The source between them is 2 s^(order-1) s_order. */
 static void bound_step(arb_t bound, const struct formal_time *f, slong order, const arb_t low, const arb_t high)
 {
     LOCAL(arb, factor, source, least);
@@ -103,14 +103,14 @@ static void bound_step(arb_t bound, const struct formal_time *f, slong order, co
     LET(bound, BOUND_BITS, "bound*factor + source/least", bound, factor, source, least);
 }
 
-/* |dTheta/dk| <= (24/25)/r^2 begins, at r = 1/FIRST_Y; steps lead to 1/CREEP_SERIES_LEAST_Y. */
+/* Computes the bound at r = 1/CREEP_SERIES_LEAST_Y. It starts with |dTheta/dk| <= (24/25)/r^2 at r = 1/FIRST_Y. */
 static void start_bound(arb_t bound, const struct formal_time *f)
 {
     LOCAL(arb, low, high);
     LET(bound, BOUND_BITS, "24*FIRST_Y^2/25", FIRST_Y);
     slong order = 0;
     for (slong i = FIRST_Y * STEPS_PER_Y; i < CREEP_SERIES_LEAST_Y * STEPS_PER_Y; i++) {
-        /* the order that suits 1/r = i/STEPS_PER_Y: its last term is nearly the smallest */
+        /* the best order at 1/r = i/STEPS_PER_Y; its last term is nearly the smallest */
         const slong next = FLINT_MAX(FLINT_MIN(i / STEPS_PER_Y, CREEP_SERIES_ORDER), FIRST_ORDER);
         LET(high, BOUND_BITS, "STEPS_PER_Y/i", STEPS_PER_Y, i);
         LET(low, BOUND_BITS, "STEPS_PER_Y/(i + 1)", STEPS_PER_Y, i);
@@ -149,7 +149,7 @@ void creep_series_clear(struct creep_series *s)
     FOR_ALL(arb, clear, s->start, s->factor);
 }
 
-/* The integral of (2/s) |dTheta/dk - dTheta_n/dk| from 0 to r */
+/* Integrates (2/s) |dTheta/dk - dTheta_n/dk| from 0 to r. */
 void creep_series_remainder(arb_t bound, const struct creep_series *s, const arb_t r)
 {
     const slong n = CREEP_SERIES_ORDER;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Time of a sphere from zero force to zero overlap at strong damping: a divergent series, its remainder bounded for
+/* Time of a sphere from zero force to zero overlap at strong damping: a divergent series with a bounded remainder for
  * every beta (docs/theory.md, 8).
  *
- * With x = beta^-4 z, t = beta t', k = -z'/z and r = z^(-1/2), the fall begins at k = 1 and r = 1/Y, where Y = beta^2
- * sqrt(x) at zero force, and
+ * Let x = beta^-4 z, t = beta t', k = -z'/z and r = z^(-1/2). The unloading begins at k = 1 and r = 1/Y, where
+ * Y = beta^2 sqrt(x) at zero force, and
  *
  *     k' = 2 (1/k - 1 + k r)/r^2,   dt' = 2 dr/(k r)
  *
@@ -19,14 +19,14 @@ enum { CREEP_SERIES_ORDER = 30, CREEP_SERIES_LEAST_Y = 34 };
 
 struct creep_series {
     arb_ptr a;           /* a_j, 1 <= j <= CREEP_SERIES_ORDER */
-    arb_t start, factor; /* of the remainder's bound */
+    arb_t start, factor; /* numbers of the bound of the remainder */
 };
 
-/* Computes a_j with `prec` bits, and the bound. */
+/* Computes a_j with `prec` bits, and the numbers of the bound. */
 void creep_series_init(struct creep_series *s, slong prec);
 void creep_series_clear(struct creep_series *s);
 
-/* Upper bound of the remainder for every Y >= 1/r; infinite if 1/r < CREEP_SERIES_LEAST_Y */
+/* Bounds the remainder for every Y >= 1/r. The bound is infinite if 1/r < CREEP_SERIES_LEAST_Y. */
 void creep_series_remainder(arb_t bound, const struct creep_series *s, const arb_t r);
 
 #endif

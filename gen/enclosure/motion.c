@@ -6,8 +6,8 @@
 #include "support/console.h"
 #include "support/local.h"
 
-/* The motion ends as imprecise if w or t has fewer bits. Under a constant force more steps, of stiff motion, would take
- * minutes. */
+/* The motion ends as imprecise if w or t has fewer bits than this. More steps of stiff motion under a constant force
+ * would take minutes. */
 enum { LEAST_BITS = 8, PRESSED_STEPS = 2000 };
 
 void collision_init(struct collision *c)
@@ -22,28 +22,28 @@ void collision_clear(struct collision *c)
         arb_clear(c->field[i]);
 }
 
-/* What a constant force adds */
+/* State of a motion under a constant force */
 struct pressing {
-    bool any;         /* whether there is one */
-    bool held, stuck; /* the bodies never reach the surface; the overlap never vanishes */
-    bool has_release; /* those that reach the surface are released at w >= release: 2 (a - b) > 1 */
-    bool cut;         /* the last step ended there */
-    arb_t release;    /* w */
-    arb_t least;      /* the energy of a release there: below it the bodies never reach the surface */
+    bool any;         /* true if a force acts */
+    bool held, stuck; /* held: the bodies are proved never to reach the surface; stuck: the overlap never vanishes */
+    bool has_release; /* 2 (a - b) > 1: only bodies released at w >= release reach the surface */
+    bool cut;         /* the last step ended at the overlap of release */
+    arb_t release;    /* w of the release */
+    arb_t least;      /* energy of a release there; with less the bodies never reach the surface */
 };
 
 struct motion {
     struct collision *c;
     arb_t length; /* x = length X, t = length s, X'' + c1 X^b X' + c2 X^a = 0 */
     struct taylor y;
-    bool force_ends; /* whether the force vanishes before the overlap; never without damping or for a <= b */
+    bool force_ends; /* true if the force vanishes before the overlap; never without damping or for a <= b */
     bool turned, released, parted;
     struct pressing pressing;
     arb_t begin; /* begin of the part of the current step after the turning point */
 };
 
-/* Weak scales have length = 1, c1 = beta and c2 = 1. Strong scales have length = beta^(-1/(b+1)), c1 = 1 and c2 = mu,
- * which is regular for any large beta. */
+/* Weak scales have length = 1, c1 = beta and c2 = 1. Strong scales have length = beta^(-1/(b+1)), c1 = 1 and c2 = mu.
+ * They are regular for any large beta. */
 static void motion_init(struct motion *m, struct collision *c, const arb_t beta, const struct cor_exponents *law,
                         bool strong, slong prec)
 {
@@ -96,7 +96,7 @@ static bool find_turning_point(struct motion *m)
     return crossing != TAYLOR_UNDECIDED;
 }
 
-/* Sets `end`, the end of the step, to the place where the overlap vanishes. */
+/* Sets `end`, the end of the step, to the zero of the overlap. */
 static bool find_zero_overlap(struct motion *m, arb_t end)
 {
     struct taylor *y = &m->y;
@@ -107,9 +107,9 @@ static bool find_zero_overlap(struct motion *m, arb_t end)
     return crossing != TAYLOR_UNDECIDED;
 }
 
-/* Under a constant force, within one approach to x = 0, the contact force can vanish and grow again, the second only at
- * overlaps below that of release. Where a step passes this overlap, it is shortened to end just above, so that signs at
- * both ends of a step show whether the force vanishes in it. Returns whether `end` moved. */
+/* Shortens a step that passes the overlap of release under a constant force, so that it ends just above that overlap.
+ * In one approach to x = 0 the contact force can vanish, and grow again only below that overlap. Signs at both ends of
+ * each step then show whether the force vanishes in it. Returns true if `end` moved. */
 static bool cut_at_release(struct motion *m, arb_t end)
 {
     struct taylor *y = &m->y;
@@ -134,7 +134,7 @@ static bool cut_at_release(struct motion *m, arb_t end)
 }
 
 /* Records the zero-force end, or under a constant force the flight from there to the surface. Returns false if the
- * intervals do not decide whether it arrives. */
+ * intervals do not decide whether the flight reaches it. */
 static bool record_release(struct motion *m, const arb_t root)
 {
     struct collision *const c = m->c;
@@ -161,7 +161,7 @@ static bool find_zero_force(struct motion *m, arb_t end)
     LOCAL(arb, root);
     const bool passed = m->pressing.cut;
     if (m->pressing.any && !cut_at_release(m, end) && passed)
-        return false; /* at release, and the energy has not decided */
+        return false; /* at the overlap of release, and the energy has not decided */
     const enum taylor_crossing crossing = taylor_crosses(root, &m->y, TAYLOR_FORCE, m->begin, end);
     m->released = crossing == TAYLOR_CROSSED;
     if (m->released && !record_release(m, root))
@@ -169,8 +169,8 @@ static bool find_zero_force(struct motion *m, arb_t end)
     return crossing != TAYLOR_UNDECIDED || m->parted;
 }
 
-/* The zero-force end if it is too close to zero overlap to be separated by signs. While the force is attractive the
- * speed u falls, from u_f <= 1 at x_f = (c1 u_f)^(1/(a-b)) to eps, so
+/* Records the zero-force end if it is too close to zero overlap to be separated by signs. While the force is attractive
+ * the speed u falls from u_f <= 1 at x_f = (c1 u_f)^(1/(a-b)) to eps, so
  *
  *   0 <= u_f^2 - eps^2 <= 2 c1 x_f^(b+1)/(b+1),   0 <= t_zero_overlap - t_zero_force <= x_f/eps. */
 static void release_at_end(struct motion *m)
@@ -191,9 +191,9 @@ static void release_at_end(struct motion *m)
     arb_union(c->eps_zero_force, c->eps_zero_force, x, prec);
 }
 
-/* Whether the overlap creeps to zero and never reaches it, so that eps = 0. While u = -x' >= 0, k = u/x^(b+1) obeys
- * k'/x^b = (b+1) k^2 - c1 k + c2 x^(a-2b-1). If a >= 2b+1 (q <= 0) the last term cannot grow again. Once the right side
- * is not positive at K = c1/(2(b+1)) and k < K, k never exceeds K, and x^(b+1) does not reach 0. */
+/* True if the overlap is proved to creep to zero without reaching it, so that eps = 0. While u = -x' >= 0,
+ * k = u/x^(b+1) obeys k'/x^b = (b+1) k^2 - c1 k + c2 x^(a-2b-1). If a >= 2b+1 (q <= 0) the last term cannot grow again.
+ * Once the right side is not positive at K = c1/(2(b+1)) and k < K, k never exceeds K, and x^(b+1) does not reach 0. */
 static bool is_slow(const struct taylor *y)
 {
     const struct ratio b = law_damping(&y->law);
@@ -207,14 +207,14 @@ static bool is_slow(const struct taylor *y)
 
 /* ---- a constant force: docs/theory.md, 24 ---- */
 
-/* v^2/2 + c2 X^(a+1)/(a+1) - c3 X, X = w^d, which never grows */
+/* Computes the energy v^2/2 + c2 X^(a+1)/(a+1) - c3 X, X = w^d, which never grows. */
 static void set_energy(arb_t e, const struct taylor *y, const arb_t w, const arb_t v)
 {
     const slong d = y->law.denominator, ad = y->law.elastic;
     LET(e, y->prec, "(y->c2*w^ad*d/(ad + d) - y->c3)*w^d + v^2/2", y->c2, w, ad, d, y->c3, v);
 }
 
-/* Sets the constant force, in the scales of the motion, and what follows from it. */
+/* Sets the constant force, in the scales of the motion, and the fields that depend on it. */
 static void set_pressing(struct motion *m, const arb_t force)
 {
     struct taylor *const y = &m->y;
@@ -234,8 +234,8 @@ static void set_pressing(struct motion *m, const arb_t force)
     LET(p->least, y->prec, "p->release^(ad + d)*y->c2*d/(ad + d)", p->release, ad, d, y->c2);
 }
 
-/* Whether the overlap rises to that of rest, X_e, and never beyond: for v < k (X_e - X), k half of the damping
- * coefficient at X, this stays so if k^2 is at least the largest slope of c2 X^a up to X_e. */
+/* True if the overlap is proved to rise to the overlap at rest, X_e, and never beyond. Let k be half of the damping
+ * coefficient at X. v < k (X_e - X) then holds for ever if k^2 is at least the largest slope of c2 X^a up to X_e. */
 static bool creeps_up(arb_t rest, const struct taylor *y)
 {
     const struct ratio a = law_elastic(&y->law);
@@ -255,7 +255,7 @@ static void set_stay(arb_t eps, arb_t time)
     arb_pos_inf(time);
 }
 
-/* Whether everything is known that the goal asks for, because the energy has fallen low enough */
+/* True if everything that the goal requires is known, because the energy is low enough. */
 static bool proves_stay(struct motion *m, enum motion_goal goal)
 {
     struct collision *const c = m->c;
@@ -283,7 +283,7 @@ static bool proves_stay(struct motion *m, enum motion_goal goal)
     return force_known && (p->stuck || goal == MOTION_ZERO_FORCE);
 }
 
-/* The place y = mu X^-n and slope p = -X'/(mu X^(a-b)) of slow_manifold.h, of a state in strong scales, w^d = X. */
+/* Computes y = mu X^-n and p = -X'/(mu X^(a-b)) of slow_manifold.h for a state in strong scales, w^d = X. */
 static void manifold_state(arb_t place, arb_t slope, const struct taylor *y)
 {
     const slong difference = y->law.elastic - y->law.damping, n = y->law.damping - difference + y->law.denominator;
@@ -291,7 +291,7 @@ static void manifold_state(arb_t place, arb_t slope, const struct taylor *y)
     LET(slope, y->prec, "-(y->v/(y->w^difference*y->c2))", y->v, y->w, difference, y->c2);
 }
 
-/* The events of the current step from the turning point on. Returns false if the intervals do not decide. */
+/* Finds the events of the current step after the turning point. Returns false if the intervals do not decide. */
 static bool find_ends(struct motion *m)
 {
     const struct pressing *const p = &m->pressing;
@@ -306,7 +306,7 @@ static bool find_ends(struct motion *m)
     return !at_end || !p->any || !m->force_ends;
 }
 
-/* Steps until the goal is reached. The slow manifold, if there is one, ends it where it comes within 2^-bits. */
+/* Steps until the goal is reached. If a slow manifold is given, the motion ends where it comes within 2^-bits of it. */
 static enum motion_outcome motion_follow(struct motion *m, enum motion_goal goal, const struct slow_manifold *manifold,
                                          slong bits)
 {
@@ -355,13 +355,13 @@ enum motion_outcome motion_solve(struct collision *c, const arb_t beta, const st
 enum motion_outcome motion_solve_pressed(struct collision *c, const arb_t beta, const arb_t force,
                                          const struct cor_exponents *law, enum motion_goal goal, slong prec)
 {
-    const struct cor_exponents even = law_even(law); /* w = v = 0 is a place of rest only if d > 1 */
+    const struct cor_exponents even = law_even(law); /* w = v = 0 is a point of rest only if d > 1 */
     LOCAL_INIT(motion, m, (&m, c, beta, &even, arf_cmp_si(arb_midref(beta), 1) > 0, prec));
     set_pressing(&m, force);
     return motion_follow(&m, goal, NULL, 0);
 }
 
-/* In units of the slow manifold, x = beta^(-2/n) z: a speed is beta^(-1/q), a time beta^((a-1)/n). */
+/* Adds the motion on the slow manifold, in units x = beta^(-2/n) z, speed beta^(-1/q), time beta^((a-1)/n). */
 static bool add_fall(struct collision *c, const struct motion *m, const struct slow_manifold *manifold,
                      const arb_t beta, slong bits)
 {
@@ -395,9 +395,9 @@ enum motion_outcome motion_solve_slow(struct collision *c, const arb_t beta, con
     return outcome;
 }
 
-/* docs/theory.md, 9. The force has one largest value within the contact, where its slope falls through zero while
- * the bodies approach. Where b = 0 the first moment may have more; then a zero of the slope is a least value while the
- * damping force exceeds the elastic one a/(a - 1) times. */
+/* docs/theory.md, 9. The force has one maximum within the contact, where its slope falls through zero while the bodies
+ * approach. Where b = 0 the force may be larger at the first moment. A zero of the slope is then a minimum while the
+ * damping force exceeds the elastic force a/(a - 1) times. */
 enum motion_outcome motion_force_max(arb_t force, const arb_t beta, const struct cor_exponents *law, slong prec)
 {
     LOCAL_INIT(motion, m, (&m, NULL, beta, law, arf_cmp_si(arb_midref(beta), 1) > 0, prec));

@@ -5,7 +5,7 @@
 
 #include "series/law.h"
 
-/* The events of one collision, which the equation of motion determines, in the order of enum quantity */
+/* The events of one collision, in the order of enum quantity. The equation of motion determines them. */
 enum { COLLISION_FIELDS = 6 };
 struct collision {
     union {
@@ -20,35 +20,34 @@ void collision_init(struct collision *c);
 void collision_clear(struct collision *c);
 LOCAL_STRUCT(collision)
 
-/* The event at which the motion ends. Earlier events are recorded, too. */
+/* The event at which the motion ends. Earlier events are recorded as well. */
 enum motion_goal { MOTION_TURNING_POINT, MOTION_ZERO_FORCE, MOTION_ZERO_OVERLAP };
 
 enum motion_outcome {
     MOTION_DONE,
     MOTION_IMPRECISE, /* more bits are needed */
-    MOTION_MISSED,    /* the motion does not come so close to the slow manifold, whatever the number of bits */
+    MOTION_MISSED,    /* no number of bits brings the motion so close to the slow manifold */
     MOTION_ENDLESS    /* no event within TAYLOR_MAX_STEPS */
 };
 
-/* Integrates the motion with prec bits, and sets the fields that the goal and earlier events determine. For an
- * overdamped collision that creeps to zero overlap for ever, eps_zero_overlap is exactly 0 and t_zero_overlap = +inf,
+/* Integrates the motion with prec bits, and sets the fields that the goal and earlier events determine. If an
+ * overdamped collision creeps to zero overlap and never ends, eps_zero_overlap is exactly 0 and t_zero_overlap = +inf,
  * both proved. */
 enum motion_outcome motion_solve(struct collision *c, const arb_t beta, const struct cor_exponents *law,
                                  enum motion_goal goal, slong prec);
 
-/* The same under a constant force > 0, with the surface in place of zero force (a > b, beta > 0), or for both ends.
- * Bodies that stay together have
- * eps exactly 0 and t = +inf; if the overlap never exceeds that of rest, x_max is that and t_max = +inf: all proved
- * (docs/theory.md, 24). */
+/* Does the same under a constant force > 0 to the surface instead of zero force (a > b, beta > 0), or to both ends. For
+ * bodies that stay together eps is exactly 0 and t = +inf. If the overlap never exceeds the overlap at rest, that is
+ * x_max, and t_max = +inf. All are proved (docs/theory.md, 24). */
 enum motion_outcome motion_solve_pressed(struct collision *c, const arb_t beta, const arb_t force,
                                          const struct cor_exponents *law, enum motion_goal goal, slong prec);
 
-/* Solves to zero overlap at strong damping, n > 0, if the motion reaches the slow manifold to 2^-bits. The function
- * integrates loading, turning point and zero force; the manifold gives the rest (slow_manifold.h). */
+/* Solves to zero overlap at strong damping, n > 0, if the motion reaches the slow manifold to 2^-bits. It integrates
+ * loading, turning point and zero force. The manifold gives the rest (slow_manifold.h). */
 enum motion_outcome motion_solve_slow(struct collision *c, const arb_t beta, const struct cor_exponents *law,
                                       slong bits, slong prec);
 
-/* Encloses the largest value of x^a + beta x^b x' during the collision, for a law of which law_force_has_one_peak. */
+/* Encloses the largest value of x^a + beta x^b x' during the collision, for a law with law_force_has_one_peak(). */
 enum motion_outcome motion_force_max(arb_t force, const arb_t beta, const struct cor_exponents *law, slong prec);
 
 #endif

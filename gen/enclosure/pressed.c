@@ -3,9 +3,9 @@
  *
  *   X'' + B X^b X' + X^a = 1,   B = beta f^(n/(2a)),   impact speed V = f^(-(a+1)/(2a)).
  *
- * At the threshold the motion just reaches X = 0 with no speed, at the surface with 2 (a - b) > 1 by a flight that
- * begins where the contact force vanishes, at X_s with X_s^(2(a-b)-1) = 2 B^2. Backward in time from there it arrives
- * at X = 0 with the speed V: one motion for each B, which gives f = V^(-2a/(a+1)) and beta = B V^q. */
+ * At the threshold of zero overlap the motion just reaches X = 0 with no speed. At the threshold of the surface with 2
+ * (a - b) > 1 a flight does so. It begins where the contact force vanishes, at X_s^(2(a-b)-1) = 2 B^2. Backward in time
+ * from there the motion arrives at X = 0 with the speed V(B). Then f = V^(-2a/(a+1)) and beta = B V^q. */
 #include <math.h>
 
 #include "enclosure/collision.h"
@@ -20,13 +20,13 @@ enum {
     MOST_SEARCH_BITS = 512,
     SEARCH_STEPS = 200,
     ATTEMPTS = 6,
-    MOST_FACTOR = 16, /* of the bits of a proof */
+    MOST_FACTOR = 16, /* limit of the precision, as a multiple of the first */
     FAR_BITS = 30,
     WIDE_BITS = 8
 };
 
-/* The state in which the backward motion begins. From rest at X = 0, u = v^2/2 obeys du/dX = 1 - X^a + B X^b v. With
- * u/X = 1 + r, |r| < R up to X = delta, one more integration gives r up to R times the first terms. */
+/* Sets the state in which the backward motion begins. From rest at X = 0, u = v^2/2 obeys du/dX = 1 - X^a + B X^b v.
+ * With u/X = 1 + r, |r| < R up to X = delta, one more integration gives r up to R times the first terms. */
 static void set_start(struct taylor *y, const arb_t damping, bool flies)
 {
     const struct cor_exponents *const law = &y->law;
@@ -38,7 +38,7 @@ static void set_start(struct taylor *y, const arb_t damping, bool flies)
         LET(y->v, prec, "y->w^n/damping", y->w, n, damping);
         return;
     }
-    /* delta^a and B delta^(b+1/2) are below 2^-k, and so are |r| and, by far, what |r| R leaves */
+    /* delta^a and B delta^(b+1/2) are below 2^-k, and so is |r|. The error of size |r| R is far below it. */
     const double size = fmax(arf_get_d(arb_midref(damping), ARF_RND_UP), 1);
     const double k = (double)prec / 2 + 4, a = (double)law->elastic / (double)d, b = (double)law->damping / (double)d;
     const slong small = -(slong)ceil(fmax(k / a, (k + log2(size)) / (b + 0.5)) / (double)d) - 1; /* of w */
@@ -55,7 +55,7 @@ static void set_start(struct taylor *y, const arb_t damping, bool flies)
 
 enum backward { FOUND, IMPRECISE, ESCAPED };
 
-/* V of B */
+/* Computes V of B. */
 static enum backward impact_speed(arb_t speed, const arb_t damping, const struct cor_exponents *law, int end,
                                   slong prec)
 {
@@ -114,7 +114,7 @@ int collision_sticking_speed(arb_t speed, const arb_t damping, const struct cor_
 
 /* ---- the threshold at a given beta ---- */
 
-/* ln(beta) - ln(B V^q), and f; an escaping motion is one of infinite V, whose sign is that of -q */
+/* Computes ln(beta) - ln(B V^q), and f. An escaping motion has infinite V, and its result has the sign of -q. */
 static bool follow_curve(arb_t rest, arb_t force, const arb_t beta, const arb_t damping,
                          const struct cor_exponents *law, int end, slong prec)
 {
@@ -134,7 +134,7 @@ static bool follow_curve(arb_t rest, arb_t force, const arb_t beta, const arb_t 
     return true;
 }
 
-/* The same with as many bits as it takes */
+/* Does the same with as many bits as necessary. */
 static bool curve_at(arb_t rest, arb_t force, const arb_t beta, const arb_t damping, const struct cor_exponents *law,
                      int end)
 {
@@ -144,9 +144,9 @@ static bool curve_at(arb_t rest, arb_t force, const arb_t beta, const arb_t damp
     return prec <= MOST_SEARCH_BITS;
 }
 
-/* Strong damping, q > 0: B is next to the one from which on the motion escapes, and f = (B/beta)^(2a/n) is known as
- * well as B. Halves a bracket, at whose ends signs prove B. An escaping motion has at least the energy of its overlap,
- * X = w^d with w = 2^FAR_BITS. */
+/* For strong damping and q > 0, B is next to the smallest B at which the motion escapes. f = (B/beta)^(2a/n) is then
+ * known as accurately as B. Halves a bracket with proved signs at both ends. A motion counts as escaping at X = w^d,
+ * w = 2^FAR_BITS; it has at least the energy of this overlap. */
 static int squeeze_force(arb_t force, arb_t low, arb_t high, const arb_t beta, const struct cor_exponents *law, int end,
                          slong bits)
 {
@@ -166,7 +166,7 @@ static int squeeze_force(arb_t force, arb_t low, arb_t high, const arb_t beta, c
             return STATUS_OK;
         }
         LET(middle, prec, "(low + high)/2", low, high);
-        if (narrow) /* the end whose sign comes from fewer bits */
+        if (narrow) /* the end that has no proved sign yet */
             arb_set(middle, proved[0] ? high : low);
         arb_get_mid_arb(middle, middle);
         const bool known = follow_curve(rest, force, beta, middle, law, end, prec), above = arb_is_negative(rest);
@@ -180,15 +180,15 @@ static int squeeze_force(arb_t force, arb_t low, arb_t high, const arb_t beta, c
     return fail("the threshold of the force could not be enclosed to %ld bits", (long)bits);
 }
 
-/* B of beta to some bits: a bracket by factors of 2, halved in ln(B), then by the Illinois method; or, where motions
- * escape above it, only the bracket, low and high */
+/* Finds B of beta to some bits. It brackets B by factors of 2, halves the bracket in ln(B), and applies the Illinois
+ * method. If motions escape above B, it returns only the bracket, low_end and high_end. */
 static int find_damping(arb_t damping, arb_t low_end, arb_t high_end, const arb_t beta, const struct cor_exponents *law,
                         int end)
 {
     enum { DOUBLINGS = 60, ENOUGH = 40 };
     LOCAL(bracket, b);
     LOCAL(arb, rest, force);
-    double low = -HUGE_VAL, high = HUGE_VAL; /* log2 of the places so far */
+    double low = -HUGE_VAL, high = HUGE_VAL; /* log2 of the ends of the bracket so far */
     double place = log2(fmin(ball_middle(beta), 0.5));
     for (int i = 0; i < SEARCH_STEPS; i++) {
         arb_set_d(damping, exp2(place));
@@ -237,7 +237,7 @@ int collision_sticking_force(arb_t force, const arb_t beta, const struct cor_exp
     if (!arb_is_zero(high))
         return squeeze_force(force, low, high, beta, law, end, bits);
     arb_get_mid_arb(found, damping);
-    /* secants over ever narrower intervals, until the signs at both ends prove one of 2^-bits */
+    /* secants over narrower and narrower intervals, until the signs at both ends prove an interval of 2^-bits */
     for (int i = 0; i < SEARCH_STEPS && prec <= MOST_FACTOR * (bits + GUARD_BITS); i++) {
         arb_get_mid_arb(damping, damping);
         arb_around(low, high, damping, -width, prec);

@@ -9,7 +9,7 @@
 #include "support/console.h"
 #include "support/local.h"
 
-/* Degree of the formal sum. At y = 1/(2 degree n), half way to the smallest term, the truncated sum has a defect of
+/* Degree of the formal sum. At y = 1/(2 degree n), halfway to the smallest term, the truncated sum has a defect of
  * exp(-(1 + ln 2) degree). GUARD_BITS bits allow for constants. A law with a small n needs a higher degree, so that
  * (a-b) y is small. */
 enum { GUARD_BITS = 24, CLOSING = 4 };
@@ -27,7 +27,7 @@ double slow_manifold_depth(const struct cor_exponents *law, slong bits)
     return 2.0 * (double)formal_degree(law, bits);
 }
 
-/* Upper bound of sum_{m >= first} |f_m| y^m. */
+/* Bounds sum_{m >= first} |f_m| y^m from above. */
 static void abs_tail(arb_t sum, const arb_poly_t f, slong first, const arb_t y, slong prec)
 {
     arb_zero(sum);
@@ -39,7 +39,7 @@ static void abs_tail(arb_t sum, const arb_poly_t f, slong first, const arb_t y, 
     mag_zero(arb_radref(sum));
 }
 
-/* p_0 = 1, p_m = (p^2)_(m-1) (a - b - n (m-1)/2): order y^m of N(p) = 0, because p p' = (p^2)'/2. */
+/* Computes p_0 = 1, p_m = (p^2)_(m-1) (a - b - n (m-1)/2). This is order y^m of N(p) = 0, because p p' = (p^2)'/2. */
 static void formal_sum(arb_poly_t p, const struct cor_exponents *law, slong degree, slong prec)
 {
     const struct ratio n = law_fall_power(law), a = law_elastic(law), b = law_damping(law);
@@ -55,7 +55,7 @@ static void formal_sum(arb_poly_t p, const struct cor_exponents *law, slong degr
     _arb_poly_normalise(p);
 }
 
-/* N(P) = 1 - P + (a-b) y P^2 - (n/2) y^2 (P^2)', which starts at y^(degree+1), where P has no more terms */
+/* Bounds N(P) = 1 - P + (a-b) y P^2 - (n/2) y^2 (P^2)'. It starts at y^(degree+1), because P has no higher terms. */
 static void bound_defect(struct slow_manifold *m, slong degree)
 {
     const struct ratio a = law_elastic(&m->law), b = law_damping(&m->law);
@@ -69,14 +69,14 @@ static void bound_defect(struct slow_manifold *m, slong degree)
     mag_zero(arb_radref(m->nu));
 }
 
-/* eta: 2^-bits plus four times the defect */
+/* Computes eta = 2^-bits plus four times the defect. */
 static void eta_of(arb_t eta, const struct slow_manifold *m, slong bits)
 {
     LET(eta, m->prec, "2^-bits + 4*m->nu", bits, m->nu);
 }
 
-/* At p = P +- eta the field points inwards if |N(P)| < eta |1 - 2 (a-b) y P - (a-b) y eta + n y^2 P'|. The function
- * proves that this factor is above 1/2, with sums of absolute values for |P| and |P'|, and that P > 3/4. */
+/* True if the field points inwards at p = P +- eta: |N(P)| < eta |1 - 2 (a-b) y P - (a-b) y eta + n y^2 P'|. Proves
+ * that the last factor is above 1/2, with sums of absolute values for |P| and |P'|, and that P > 3/4. */
 static bool tube_is_closed(const struct slow_manifold *m, const arb_t eta)
 {
     const struct ratio a = law_elastic(&m->law), b = law_damping(&m->law);
@@ -90,7 +90,7 @@ static bool tube_is_closed(const struct slow_manifold *m, const arb_t eta)
            HOLDS(m->prec, "change < 1/4", change);
 }
 
-/* The integral of y^(m-1-kappa): y^(m - kappa)/(m - kappa), or ln(y) if m = kappa */
+/* Integrates y^(m-1-kappa): the result is y^(m - kappa)/(m - kappa), or ln(y) if m = kappa. */
 static void time_power(arb_t x, const struct slow_manifold *m, slong power, const arb_t y)
 {
     if (power * m->kappa.den == m->kappa.num)
@@ -99,7 +99,7 @@ static void time_power(arb_t x, const struct slow_manifold *m, slong power, cons
         LET(x, m->prec, "y^(power - m->kappa)/(power - m->kappa)", y, power, m->kappa);
 }
 
-/* The integral of 1/P - inverse = (1 - P inverse)/P, which starts at y^(degree+1), with |1/P| < 4/3 */
+/* Bounds the integral of 1/P - inverse = (1 - P inverse)/P with |1/P| < 4/3. The numerator starts at y^(degree+1). */
 static void bound_time_error(struct slow_manifold *m, slong degree)
 {
     LOCAL(arb_poly, product);
@@ -133,8 +133,8 @@ static bool follow_manifold(arb_t speed, arb_t time, const struct slow_manifold 
     return true;
 }
 
-/* -z' as a function of z obeys a scalar equation, so trajectories keep their order. The two edges enclose all
- * trajectories between them, and the fall draws them together. A faster trajectory takes less time. */
+/* Encloses the motion of the tube. -z' as a function of z obeys a scalar equation, so trajectories keep their order.
+ * The two edges enclose all others and converge. A faster trajectory needs less time. */
 static bool enclose_fall(struct slow_manifold *m, const arb_t eta)
 {
     LOCAL(arb, middle, edge, speed, time);
@@ -171,13 +171,13 @@ static bool manifold_make(struct slow_manifold *m, const struct cor_exponents *l
     return enclose_fall(m, eta);
 }
 
-/* All manifolds so far, the last one first. Threads that need a manifold wait while another computes one. */
+/* All manifolds so far, the last one first. A thread that needs a manifold waits while another thread computes one. */
 static struct slow_manifold *kept_manifolds;
 static pthread_mutex_t kept_lock = PTHREAD_MUTEX_INITIALIZER;
 
 const struct slow_manifold *slow_manifold_of(const struct cor_exponents *law, slong bits, slong prec)
 {
-    /* collisions at different beta need different precisions; this makes many of them equal */
+    /* collisions at different beta need different precisions; rounding up makes many of them equal */
     enum { PREC_STEP = 32 };
     prec = (prec + PREC_STEP - 1) / PREC_STEP * PREC_STEP;
     pthread_mutex_lock(&kept_lock);

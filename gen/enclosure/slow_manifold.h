@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Unloading at strong damping, laws with n = 2b - a + 1 > 0: z'' + z^b z' + z^a = 0 falls onto a slow manifold.
+/* Unloading at strong damping, laws with n = 2b - a + 1 > 0: z'' + z^b z' + z^a = 0 approaches a slow manifold.
  *
- * With x = beta^(-2/n) z, time in beta^((a-1)/n), p = -z'/z^(a-b) and y = z^-n the fall is (docs/theory.md, 9)
+ * With x = beta^(-2/n) z, time in beta^((a-1)/n), p = -z'/z^(a-b) and y = z^-n the unloading obeys (docs/theory.md, 9)
  *
  *   N(p) = 1 - p + (a-b) y p^2 - n y^2 p dp/dy = 0,    dt' = dy/(n y^(1+kappa) p),   kappa = (b-a+1)/n,
  *
@@ -28,22 +28,22 @@ struct slow_manifold {
     arb_t t_fall;       /* its time t' from `last` to z = 0 */
     slong bits;
     bool closed;                /* the precision sufficed */
-    struct slow_manifold *next; /* of those that are kept */
+    struct slow_manifold *next; /* next in the list of stored manifolds */
 };
 
-/* The manifold with eta below 2^(1-bits), computed with at least `prec` bits, or NULL if this precision does not
- * suffice for the enclosure. Each manifold is computed once and kept until the process ends, because thousands of
- * collisions of a law need the same one. Any thread may call the function. */
+/* Returns the manifold with eta below 2^(1-bits), computed with at least `prec` bits, or NULL if this precision does
+ * not suffice. Thousands of collisions of a law need the same manifold, so each one is computed once and stored until
+ * the process ends. Any thread may call the function. */
 const struct slow_manifold *slow_manifold_of(const struct cor_exponents *law, slong bits, slong prec);
 
-/* The depth 1/(n last): the fall from `last` contracts by exp(-depth). */
+/* Returns the depth 1/(n last): the motion from `last` contracts by exp(-depth). */
 double slow_manifold_depth(const struct cor_exponents *law, slong bits);
 
-/* Time t' from y to `last` for a trajectory that passes y < last with the given p; false if p is not within 2^-bits of
- * the formal sum. */
+/* Computes the time t' from y to `last` for a trajectory that passes y < last with the given p. Returns false if p is
+ * not proved to be within 2^-bits of the formal sum. */
 bool slow_manifold_time(arb_t time, const struct slow_manifold *m, const arb_t y, const arb_t p, slong bits);
 
-/* Whether |p - P(y)| < 2^-bits is proved */
+/* True if |p - P(y)| < 2^-bits is proved. */
 bool slow_manifold_reached(const struct slow_manifold *m, const arb_t y, const arb_t p, slong bits);
 
 #endif

@@ -11,18 +11,18 @@ enum {
     /* Norms and remainders are needed to a few digits only. */
     NORM_BITS = 40,
     /* A step is about 2^-STEP_BITS of the radius of convergence, so every term gains STEP_BITS bits. N = prec/STEP_BITS
-     * terms cost about N^2 products, and there are about 2^STEP_BITS steps to a radius: 2^q/q^2 is least near q = 3. */
+     * terms cost about N^2 products, and a radius takes about 2^STEP_BITS steps. 2^q/q^2 is smallest near q = 3. */
     STEP_BITS = 3,
     /* The Lipschitz constant holds in a tube of this relative width around the polynomials. */
     TUBE_BITS = 10,
-    /* Coefficient n counts STEP_BITS n bits less than coefficient 0, and is computed with so many bits less; these are
-     * added for the round-off of its sums. */
+    /* Coefficient n needs STEP_BITS n bits less than coefficient 0 and is computed with that many bits less. These bits
+     * are added for the round-off of its sums. */
     COEFFICIENT_GUARD = 24,
-    /* From this number of coefficients on, products of polynomials cost less than sums of products. */
+    /* With this number of coefficients or more, products of polynomials cost less than sums of products. */
     ONLINE_FROM = 96
 };
 
-/* f g, and its exponent if it is a power of w, else 0 */
+/* The product f g. exponent: its exponent if it is a power of w, otherwise 0. */
 struct taylor_product {
     slong exponent;
     arb_ptr out, f, g; /* degree + 1 coefficients each */
@@ -40,7 +40,7 @@ static arb_ptr product_new(struct taylor *y, slong exponent, arb_ptr f, arb_ptr 
     return y->product[y->products++].out;
 }
 
-/* w^exponent; the function adds it and its factors to the products if they are not there yet. */
+/* Returns w^exponent. Adds it and its factors to the products if they are missing. */
 static arb_ptr power_of_w(struct taylor *y, slong exponent)
 {
     if (exponent < 2)
@@ -87,20 +87,20 @@ void taylor_clear(struct taylor *y)
     FOR_ALL(arb, clear, y->c1, y->c2, y->c3, y->step);
 }
 
-/* A step is an eighth of the radius of convergence: 3 bits a term. */
+/* A step is an eighth of the radius of convergence, so a term gains 3 bits. */
 slong taylor_degree(slong prec)
 {
     return prec / 3 + 10;
 }
 
-/* The bits with which coefficient n is computed. This decides widths alone: every ball has its round-off. */
+/* Returns the bits of coefficient n. They affect only widths, because every ball contains its round-off. */
 static slong coefficient_bits(slong prec, slong n)
 {
     return FLINT_MAX(prec - STEP_BITS * n, 0) + COEFFICIENT_GUARD;
 }
 
-/* Coefficients 0 to n of f and g are known, and give coefficient n of the product f g: the sum over i + j = n. If
- * `first` > 0, add_known_terms has added the terms with i < first and j < first before. */
+/* Computes coefficient n of the product f g, the sum over i + j = n, from coefficients 0 to n of f and g. If
+ * `first` > 0, add_known_terms has already added the terms with i < first and j < first. */
 static void convolve_product(const struct taylor_product *product, slong n, slong first, const struct taylor *y)
 {
     arb_struct *const out = product->out, *const f = product->f, *const g = product->g;
@@ -124,7 +124,7 @@ static void convolve_product(const struct taylor_product *product, slong n, slon
         arb_swap(out + n, sum);
 }
 
-/* Coefficients first to end - 1 of all products, then first + 1 to end of w, v and t */
+/* Computes coefficients first to end - 1 of all products, then first + 1 to end of w, v and t. */
 static void expand_block(struct taylor *y, slong first, slong end)
 {
     LOCAL(arb, x);
@@ -147,9 +147,9 @@ static void expand_block(struct taylor *y, slong first, slong end)
 
 /* ---- online multiplication ---- */
 
-/* The terms of the product that a block of known coefficients first to middle - 1 contributes to its coefficients
- * middle to end - 1. If first = 0, both factors are in the block; otherwise one is, and the other is among coefficients
- * 0 to end - first - 1, which are known. */
+/* Adds the terms that the block of known coefficients first to middle - 1 contributes to coefficients middle to end - 1
+ * of the product. If first = 0, both factors are in the block. Otherwise one is, and the other is among coefficients 0
+ * to end - first - 1, which are known. */
 static void add_known_terms(const struct taylor_product *product_of, slong first, slong middle, slong end,
                             const struct taylor *y)
 {
@@ -170,9 +170,9 @@ static void add_known_terms(const struct taylor_product *product_of, slong first
     _arb_vec_clear(right, known);
 }
 
-/* Each product needs coefficients that it determines itself. Once the first half of a range is known, its contribution
- * to the second half is a product of polynomials, which FLINT multiplies fast (Fischer and Stockmeyer's online
- * multiplication). */
+/* Computes a range of coefficients by the online multiplication of Fischer and Stockmeyer. Each product needs
+ * coefficients that it determines itself. Once the first half of a range is known, its contribution to the second half
+ * is a product of polynomials, which FLINT multiplies fast. */
 static void expand_range(struct taylor *y, slong first, slong end)
 {
     if (end - first <= ONLINE_FROM) {
@@ -193,7 +193,7 @@ void taylor_expand(struct taylor *y)
     expand_range(y, 0, y->degree);
 }
 
-/* sum_n |f_n| r^n over n = first..degree: upper bound */
+/* Bounds sum_n |f_n| r^n over n = first..degree from above. */
 static void component_norm(arb_t norm, arb_srcptr f, slong first, const struct taylor *y, const mag_t r)
 {
     LOCAL(mag, sum, term);
@@ -207,7 +207,7 @@ static void component_norm(arb_t norm, arb_srcptr f, slong first, const struct t
     arb_set_upper(norm, sum);
 }
 
-/* By one radius R > h: the products' terms from sigma^N on are below (h/R)^N times the products' norms at R. */
+/* Bounds the residuals by a radius R > h: terms of degree N and above are below (h/R)^N times their norms at R. */
 static void residuals_at(arb_t residual_v, arb_t residual_t, const struct taylor *y, const mag_t h, double ratio)
 {
     const slong d = y->law.denominator, ad = y->law.elastic, bd = y->law.damping, N = y->degree;
@@ -215,7 +215,7 @@ static void residuals_at(arb_t residual_v, arb_t residual_t, const struct taylor
     LOCAL(mag, R);
     LOCAL(arb, w, v);
     mag_set_d(R, ratio);
-    mag_mul(R, R, h); /* above ratio h */
+    mag_mul(R, R, h); /* at least ratio h */
     component_norm(w, y->w, 0, y, R);
     component_norm(v, y->v, 0, y, R);
     LET(residual_t, NORM_BITS, "w^(d - 1)/ratio^N", w, d, ratio, N);
@@ -223,9 +223,9 @@ static void residuals_at(arb_t residual_v, arb_t residual_t, const struct taylor
         residual_t);
 }
 
-/* Polynomials of degree N solve the equations of motion up to the terms of the products from sigma^N on. Any
- * radius gives a valid bound; the best is a little inside the radius of convergence, 2^STEP_BITS h. The logarithms of
- * the bounds are convex functions of log R, so that they have one minimum each. */
+/* Bounds the residuals. Polynomials of degree N solve the equations of motion up to the products' terms of degree N and
+ * above. Any radius gives a valid bound. The best is a little inside the radius of convergence, 2^STEP_BITS h. The
+ * logarithms of the bounds are convex functions of log R, so each has one minimum. */
 static void bound_residuals(arb_t least_v, arb_t least_t, const struct taylor *y, const mag_t h)
 {
     enum { PER_OCTAVE = 2 };
@@ -241,14 +241,14 @@ static void bound_residuals(arb_t least_v, arb_t least_t, const struct taylor *y
     }
 }
 
-/* The proof of one step on [0, h] in the norm max(kappa |e_w|, |e_v|), e the distance of the exact solution from the
- * polynomials (docs/theory.md, 6). Sets the remainders. Returns false if it does not succeed. */
+/* Proves one step on [0, h] in the norm max(kappa |e_w|, |e_v|), where e is the distance of the exact solution from the
+ * polynomials (docs/theory.md, 6). Sets the remainders. Returns false if the proof fails. */
 static bool prove_step(struct taylor *y, const arb_t step)
 {
     const slong d = y->law.denominator, ad = y->law.elastic, bd = y->law.damping;
     const arb_srcptr c1 = y->c1, c2 = y->c2, c3 = y->c3;
     LOCAL(mag, h_mag);
-    LOCAL(arb, h, w, v, residual_w, residual_v, residual_t); /* w and v: the largest in the tube */
+    LOCAL(arb, h, w, v, residual_w, residual_v, residual_t); /* w and v: largest values in the tube */
     LOCAL(arb, by_w, by_v, kappa, lipschitz, error_w, error_v, error_t);
     arb_get_mag(h_mag, step);
     arb_set_upper(h, h_mag);
@@ -260,8 +260,8 @@ static bool prove_step(struct taylor *y, const arb_t step)
     arb_div_si(residual_w, residual_w, d, NORM_BITS);
     bound_residuals(residual_v, residual_t, y, h_mag);
 
-    /* L = max(kappa/d, L_w/kappa + L_v) with L_w, L_v >= |d(v')/dw|, |d(v')/dv| in the tube. Any kappa > 0 gives
-     * a valid bound; sqrt(d L_w) makes L_w/kappa equal to kappa/d. */
+    /* L = max(kappa/d, L_w/kappa + L_v) with L_w, L_v >= |d(v')/dw|, |d(v')/dv| in the tube. Any kappa > 0 gives a
+     * valid bound; sqrt(d L_w) makes L_w/kappa equal to kappa/d. */
     LET(by_v, NORM_BITS, "abs(c1)*w^(d - 1 + bd)", c1, w, d, bd);
     LET(by_w, NORM_BITS, "(d - 1 + ad)*abs(c2)*w^ad + (d - 1)*abs(c3)", d, ad, c2, w, c3);
     LET(by_w, NORM_BITS, "w^(d - 2)*((d - 1 + bd)*abs(c1)*w^bd*v + by_w)", w, d, bd, c1, v, by_w);
@@ -271,8 +271,8 @@ static bool prove_step(struct taylor *y, const arb_t step)
         arb_one(kappa);
     LET(lipschitz, NORM_BITS, "max(by_w/kappa + by_v, kappa/d)", by_w, kappa, by_v, d);
 
-    /* |e| <= h max(kappa r_w, r_v) exp(L h), which holds if the right side stays inside the tube; and t' =
-     * w^(d-1), which involves no t. */
+    /* |e| <= h max(kappa r_w, r_v) exp(L h), which holds if the right side stays inside the tube. t' = w^(d-1) does not
+     * involve t. */
     LET(error_v, NORM_BITS, "max(residual_w*kappa, residual_v)*h*exp(lipschitz*h)", residual_w, kappa, residual_v, h,
         lipschitz);
     arb_div(error_w, error_v, kappa, NORM_BITS);
@@ -281,17 +281,17 @@ static bool prove_step(struct taylor *y, const arb_t step)
     arb_get_mag(y->error_v, error_v);
     arb_get_mag(y->error_t, error_t);
 
-    /* The tube has 2^-TUBE_BITS/(1 + 2^-TUBE_BITS) of w on each side, which is more than half of 2^-TUBE_BITS. And
-     * w has no pair of zeros inside the step, which its signs at both ends would not show. One of two conditions
+    /* The tube has 2^-TUBE_BITS/(1 + 2^-TUBE_BITS) of w on each side, which is more than half of 2^-TUBE_BITS. w must
+     * have no pair of zeros inside the step, which its signs at both ends would not show. One of two conditions
      * suffices: (kappa w, v) turns by an angle of at most 2 L h < 3 < pi, or w cannot fall to 0 at the speed v/d. Under
-     * a constant force only the first one shows that v has no such pair, either (24). */
+     * a constant force only the first one excludes such a pair of v as well (24). */
     return HOLDS(NORM_BITS, "error_w < w/2^(TUBE_BITS + 1)", error_w, w, TUBE_BITS) &&
            HOLDS(NORM_BITS, "error_v < v/2^(TUBE_BITS + 1)", error_v, v, TUBE_BITS) &&
            (HOLDS(NORM_BITS, "2*lipschitz*h < 3", lipschitz, h) ||
             (arb_is_zero(c3) && HOLDS(NORM_BITS, "y->w > v*h/d", y->w, v, h, d)));
 }
 
-/* log2 of the radius of convergence, estimated from the last coefficients */
+/* Returns log2 of the radius of convergence, estimated from the last coefficients. */
 static double radius_guess(const struct taylor *y)
 {
     const arb_srcptr component[2] = {y->w, y->v};
@@ -318,8 +318,8 @@ bool taylor_choose_step(struct taylor *y)
     arb_get_mag(scale, y->w);
     mag_max(goal, goal, scale);
     mag_mul_2exp_si(goal, goal, -y->prec);
-    /* The step is a little shorter each time, and much shorter after FINE_TRIALS refusals. A nearly elastic motion
-     * under a constant force is nearly a parabola, whose coefficients give no estimate of the radius. */
+    /* Each trial shortens the step a little, and after FINE_TRIALS failures by much more. A nearly elastic motion under
+     * a constant force is nearly a parabola, whose coefficients give no estimate of the radius. */
     enum { FINE_TRIALS = 40, TRIALS = 80, FINE = 8 };
     double exponent = radius_guess(y) - (double)STEP_BITS;
     for (int trial = 0; trial < TRIALS && !proved; trial++) {
@@ -331,7 +331,7 @@ bool taylor_choose_step(struct taylor *y)
     return proved;
 }
 
-/* Components that are formulas of the enclosed w and v. Powers whose factor vanishes count as 1. */
+/* Computes components that are formulas of the enclosed w and v. Powers whose factor vanishes count as 1. */
 static void formula_value(arb_t value, const struct taylor *y, enum taylor_component component, const arb_t w,
                           const arb_t v, slong prec)
 {
@@ -351,7 +351,7 @@ static void formula_value(arb_t value, const struct taylor *y, enum taylor_compo
     }
 }
 
-/* With fewer bits than y->prec the terms that these bits do not show are left out, and the value is no enclosure. */
+/* Computes a component at s. With fewer bits than y->prec it drops terms, and the value is then no enclosure. */
 static void value_with(arb_t value, const struct taylor *y, enum taylor_component component, const arb_t s, slong prec)
 {
     if (component >= TAYLOR_FORCE) {
@@ -418,7 +418,7 @@ void bracket_shrink(struct bracket *b, const arb_t x, const arb_t f)
     b->side = above ? 1 : -1;
 }
 
-/* Sets the values at both ends of the bracket; whether prec bits show that the zero is between them */
+/* Sets the values at both ends of the bracket. True if prec bits show that the zero is between them. */
 static bool has_signs(struct bracket *b, const struct taylor *y, enum taylor_component component, slong prec)
 {
     value_with(b->f_low, y, component, b->low, prec);
@@ -426,8 +426,8 @@ static bool has_signs(struct bracket *b, const struct taylor *y, enum taylor_com
     return arb_is_positive(b->f_low) && arb_is_negative(b->f_high);
 }
 
-/* Makes the bracket narrow around x, where the component is f: to where a line of the bracket's slope leaves f, or
- * twice, four times, ... as wide. */
+/* Makes the bracket narrow around x, where the component is f. Its half width is 1, 2, 4, ... times 2 |f| over the
+ * slope of the old bracket, until the signs at its ends enclose the zero. */
 static bool surround_zero(struct bracket *b, const struct taylor *y, enum taylor_component component, const arb_t x,
                           const arb_t f, const arb_t begin, const arb_t end, slong prec)
 {
@@ -455,7 +455,7 @@ static bool surround_zero(struct bracket *b, const struct taylor *y, enum taylor
 }
 
 /* Encloses the zero of a component in [begin, end], where it falls from positive to negative and is known to have only
- * one. The Illinois method finds it, with few bits at first; signs on both sides prove it, with all. */
+ * one. The Illinois method finds the zero, with few bits at first. Signs on both sides prove it with all bits. */
 static bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component component, const arb_t begin,
                         const arb_t end)
 {

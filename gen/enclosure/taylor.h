@@ -2,10 +2,10 @@
 /* Enclosed Taylor steps on the polynomial form of the equation of motion (docs/theory.md, 6),
  *
  *   x = w^d, dt = w^(d-1) dsigma:   dw/dsigma = v/d,  dv/dsigma = -w^(d-1) (c1 w^(bd) v + c2 w^(ad) - c3),
- *                                   dt/dsigma = w^(d-1),
+ *                                   dt/dsigma = w^(d-1).
  *
- * where every number is an interval (Arb ball) that contains the exact one. The constant force c3 is 0 unless the
- * caller sets it, and then d > 1. */
+ * Every number is an interval (Arb ball) that contains the exact one. The constant force c3 is 0 unless the caller sets
+ * it, which requires d > 1. */
 #ifndef COR_GEN_ENCLOSURE_TAYLOR_H
 #define COR_GEN_ENCLOSURE_TAYLOR_H
 
@@ -21,7 +21,7 @@ struct taylor {
     struct taylor_product *product;      /* in the order in which they are computed */
     int products;
     mag_t error_w, error_v, error_t; /* remainders on [0, step] */
-    arb_t step;                      /* longest step for which they are proved */
+    arb_t step;                      /* longest step for which the remainders are proved */
 };
 
 void taylor_init(struct taylor *y, const struct cor_exponents *law, slong degree, slong prec);
@@ -30,44 +30,44 @@ void taylor_clear(struct taylor *y);
 /* Computes all Taylor coefficients of w, v, t from their coefficients 0, the values at sigma = 0. */
 void taylor_expand(struct taylor *y);
 
-/* Chooses a step and proves the remainders on it. Returns false if no step was found, because the state is too wide. */
+/* Chooses a step and proves the remainders on it. Returns false if it finds no step, because the state is too wide. */
 bool taylor_choose_step(struct taylor *y);
 
-/* TAYLOR_FORCE is the force over w^min(ad, bd), TAYLOR_FORCE_SLOPE its derivative by sigma over the power of w that all
- * terms have. Where b = 0 and a > 1, TAYLOR_DAMPING_EXCESS is positive while the damping force exceeds the elastic
- * force a/(a - 1) times. */
+/* TAYLOR_FORCE is the force divided by w^min(ad, bd). TAYLOR_FORCE_SLOPE is its derivative by sigma, divided by the
+ * power of w that all terms share. Where b = 0 and a > 1, TAYLOR_DAMPING_EXCESS is positive while the damping force
+ * exceeds the elastic force a/(a - 1) times. */
 enum taylor_component { TAYLOR_W, TAYLOR_V, TAYLOR_T, TAYLOR_FORCE, TAYLOR_FORCE_SLOPE, TAYLOR_DAMPING_EXCESS };
 
-/* Component at sigma = s in [0, step], remainder included. */
+/* Computes a component at sigma = s in [0, step], remainder included. */
 void taylor_value(arb_t value, const struct taylor *y, enum taylor_component component, const arb_t s);
 
-/* Replaces the state by the one at s. */
+/* Replaces the state by the state at s. */
 void taylor_advance(struct taylor *y, const arb_t s);
 
-/* Whether a component, positive at begin, is negative at end <= step; if so, encloses its zero, known to be the only
- * one. */
+/* Finds whether a component, positive at begin, is negative at end <= step. If so, encloses its zero, which must be the
+ * only one. */
 enum taylor_crossing { TAYLOR_NOT_YET, TAYLOR_CROSSED, TAYLOR_UNDECIDED };
 enum taylor_crossing taylor_crosses(arb_t root, const struct taylor *y, enum taylor_component component,
                                     const arb_t begin, const arb_t end);
 
-/* Makes steps until a component falls to zero: encloses that place in the last step. Returns false if intervals do not
- * decide. `what` names the progress. */
+/* Makes steps until a component falls to zero, and encloses the zero in the last step. Returns false if intervals do
+ * not decide. `what` names the progress. */
 bool taylor_follow(arb_t root, struct taylor *y, enum taylor_component component, const char *what);
 
-/* The root finder for balls: the place where a function falls through zero, by the Illinois method, with f_low > 0 at
- * `low` and f_high < 0 at `high`. Only midpoints count, so another step must prove the place. Convergence: as struct
- * cor_bracket (runtime/number/root.h), until the rounding of f hides its sign. */
+/* Root finder for balls, by the Illinois method. It finds where a function falls through zero, with f_low > 0 at `low`
+ * and f_high < 0 at `high`. Only midpoints count, so the caller must prove the result. It converges as struct
+ * cor_bracket (runtime/number/root.h) does, until the rounding errors of f hide its sign. */
 struct bracket {
     arb_t low, high, f_low, f_high;
-    int side; /* of the last guess */
+    int side; /* side of the last guess */
 };
 void bracket_init(struct bracket *b);
 void bracket_clear(struct bracket *b);
 LOCAL_STRUCT(bracket)
 void bracket_guess(arb_t x, const struct bracket *b, slong prec);
-void bracket_shrink(struct bracket *b, const arb_t x, const arb_t f); /* the guess x, where the function is f */
+void bracket_shrink(struct bracket *b, const arb_t x, const arb_t f); /* x: the guess; f: the function there */
 
-/* Degree of the Taylor polynomials for prec bits */
+/* Returns the degree of the Taylor polynomials for prec bits. */
 slong taylor_degree(slong prec);
 
 /* Largest number of steps of a motion */

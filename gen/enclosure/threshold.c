@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* With q < 0 the bodies part only below a threshold beta_c (docs/theory.md, 9).
  *
- * In backward time from an end with eps = 0, and with x = beta^(2/m) X, m = -n > 0, the motion is the unstable manifold
- * of the law with negative damping X'' - X^b X' + X^a = 0,
+ * Consider an end with eps = 0 in backward time, with x = beta^(2/m) X and m = -n > 0. The motion is the unstable
+ * manifold of the law with negative damping X'' - X^b X' + X^a = 0,
  *
- *   X' = X^(b+1) g(z),   z = X^m,   g ((b+1) g + m z g') = g - z,   g(0) = 1/(b+1),
+ *   X' = X^(b+1) g(z),   z = X^m,   g ((b+1) g + m z g') = g - z,   g(0) = 1/(b+1).
  *
- * which turns at a height C*. A collision turns at C(beta) = beta^(-2/m) x_max(beta), which falls with beta. The bodies
+ * It turns at a height C*. A collision turns at C(beta) = beta^(-2/m) x_max(beta), which falls with beta. The bodies
  * part if C(beta) is above C*, so beta_c is the root of C(beta) = C*. */
 #include "enclosure/collision.h"
 
@@ -19,13 +19,12 @@
 
 enum { GUARD_BITS = 60, ATTEMPTS = 8, SEARCH_STEPS = 400 };
 
-/* g at z to prec bits. Order z^k of the equation, with R_k = sum_{0<i<k} g_i g_(k-i):
+/* Computes z, and g at z to prec bits. At order z^k the equation gives, with R_k = sum_{0<i<k} g_i g_(k-i):
  *
  *   g_k = -((b+1 + m k/2) R_k + [k = 1])/(1 + m k/(b+1)).
  *
  * The factor of R_k is below b+1, so M = |g_1| z + (b+1) M^2 is a majorant of g - g_0. M converges up to z* = 1/(4
- * (b+1) |g_1|), where it is 1/(2 (b+1)). The terms beyond z^K at z = z* 2^-s are below 2^(-s (K+1))/(2 (b+1)). The
- * function sets z. */
+ * (b+1) |g_1|), where it is 1/(2 (b+1)). The terms beyond z^K at z = z* 2^-s are below 2^(-s (K+1))/(2 (b+1)). */
 static void unstable_series(arb_t g, arb_t z, const struct cor_exponents *law, slong prec)
 {
     enum { SHRINK = 3 };
@@ -72,7 +71,7 @@ static bool unstable_height(arb_t c_star, const struct cor_exponents *law, slong
     return turned;
 }
 
-/* C(beta) - C*. */
+/* Computes C(beta) - C*. */
 static bool height_above(arb_t f, const arb_t beta, const arb_t c_star, const struct cor_exponents *law, slong prec)
 {
     const struct ratio n = law_fall_power(law);

@@ -9,15 +9,15 @@
 
 /* ---- J ----
  *
- * With gamma = c_s/c_p, gamma^2 = (1 - 2 nu)/(2 (1 - nu)) = tau^2/(1 + tau^2), a^2 = |x^2 - gamma^2|, b^2 = |x^2 - 1|
- * and D = (2 x^2 - 1)^2,
+ * With gamma = c_s/c_p, gamma^2 = (1 - 2 nu)/(2 (1 - nu)) = tau^2/(1 + tau^2), a^2 = |x^2 - gamma^2|, b^2 = |x^2 - 1|,
+ * D = (2 x^2 - 1)^2, R = D - 4 x^2 a b and R(x_R) = 0:
  *
- *     J = int_0^gamma x a/(D + 4 x^2 a b) dx + int_gamma^1 4 x^3 a^2 b/(D^2 + 16 x^4 a^2 b^2) dx - pi x_R
- *     a(x_R)/R'(x_R)
+ *     J = int_0^gamma x a/(D + 4 x^2 a b) dx + int_gamma^1 4 x^3 a^2 b/(D^2 + 16 x^4 a^2 b^2) dx
+ *         - pi x_R a(x_R)/R'(x_R)
  *
- * R = D - 4 x^2 a b, R(x_R) = 0. x = gamma (1 - u^2) and x = 1 - (1 - gamma) u^2 leave no root at the ends of the
- * integrals. At gamma^2 = 1/2 both integrands are 0/0 at x = gamma; near it J is computed as the imaginary part of int
- * x a/R dx along a path from 0 to 2 above gamma, 1 and x_R, on which nothing is singular. */
+ * x = gamma (1 - u^2) and x = 1 - (1 - gamma) u^2 leave no root at the ends of the integrals. At gamma^2 = 1/2 both
+ * integrands are 0/0 at x = gamma. Near it J is computed as the imaginary part of int x a/R dx along a path from 0 to 2
+ * above gamma, 1 and x_R, on which nothing is singular. */
 
 struct wave_parameters {
     acb_srcptr gamma, gamma2;
@@ -57,8 +57,8 @@ static void wave_integral(acb_t y, acb_calc_func_t f, void *p, slong prec)
     acb_calc_integrate(y, f, p, from, to, prec, tolerance, NULL, prec + 20);
 }
 
-/* (c_R/c_s)^2, the smallest root of p^3 - 8 p^2 + (24 - 16 gamma^2) p - 16 (1 - gamma^2). Not finite where the
- * intervals do not isolate the roots. */
+/* Computes (c_R/c_s)^2, the smallest root of p^3 - 8 p^2 + (24 - 16 gamma^2) p - 16 (1 - gamma^2). The result is not
+ * finite where the intervals do not isolate the roots. */
 static void rayleigh_root(acb_t p, const acb_t gamma2, slong prec)
 {
     enum { DEGREE = 3, LEAST_BITS = 128 };
@@ -79,8 +79,8 @@ static void rayleigh_root(acb_t p, const acb_t gamma2, slong prec)
     _acb_vec_clear(root, DEGREE);
 }
 
-/* - pi x a/R'(x) at the root, with p = 1/x^2, A = sqrt(1 - gamma^2 p), 4 A sqrt(1 - p) = (2 - p)^2:
- * - pi A sqrt(p)/(8 ((2 - p) - (2 - p)^2/4 - 2 (2 - (1 + gamma^2) p)/(2 - p)^2)) */
+/* Computes - pi x a/R'(x) at the root, with p = 1/x^2, A = sqrt(1 - gamma^2 p), 4 A sqrt(1 - p) = (2 - p)^2: - pi A
+ * sqrt(p)/(8 ((2 - p) - (2 - p)^2/4 - 2 (2 - (1 + gamma^2) p)/(2 - p)^2)) */
 static void rayleigh_share(acb_t y, const acb_t gamma2, slong prec)
 {
     LOCAL(acb, p, q);
@@ -91,8 +91,8 @@ static void rayleigh_share(acb_t y, const acb_t gamma2, slong prec)
 
 /* ---- J along a path ---- */
 
-/* x a/R from `from` to `to` along a straight line; where x is large, sqrt(x^2 - gamma^2) and sqrt(x^2 - 1) are a and b,
- * where it is small i sqrt(gamma^2 - x^2) and i sqrt(1 - x^2), which have no cut there. Both are equal on the path. */
+/* x a/R along a straight line. If x is large, a and b are sqrt(x^2 - gamma^2) and sqrt(x^2 - 1). If it is small, they
+ * are i sqrt(gamma^2 - x^2) and i sqrt(1 - x^2), which have no cut there. Both pairs are equal on the path. */
 struct path_parameters {
     acb_srcptr from, step, gamma2;
     bool large;
@@ -113,12 +113,12 @@ static int path_integrand(acb_ptr y, const acb_t u, void *parameters, slong orde
     return 0;
 }
 
-/* from 0 over 7/8 + 7/8 i to 2 */
+/* Integrates from 0 through 7/8 + 7/8 i to 2. */
 static void path_integral(acb_t y, const acb_t gamma2, slong prec)
 {
     LOCAL(acb, from, step, part, parameter);
     struct path_parameters p = {from, step, parameter, false};
-    acb_set(parameter, gamma2); /* which may be y */
+    acb_set(parameter, gamma2); /* a copy, because y may be gamma2 */
     acb_set_d_d(step, 0.875, 0.875);
     wave_integral(y, path_integrand, &p, prec);
     p.large = true;
@@ -128,7 +128,7 @@ static void path_integral(acb_t y, const acb_t gamma2, slong prec)
     acb_add(y, y, part, prec);
 }
 
-/* (I(gamma) - conj(I(conj(gamma))))/(2 i), which is Im(I) for real gamma */
+/* Computes (I(gamma) - conj(I(conj(gamma))))/(2 i), which is Im(I) for real gamma. */
 static void wave_factor_by_path(acb_t j, const acb_t gamma2, slong prec)
 {
     LOCAL(acb, other);
@@ -157,7 +157,7 @@ void wave_factor_by(acb_t j, enum wave_route route, const acb_t tau, slong prec)
     }
 }
 
-/* The integrals along the axis are fast except for gamma^2 within 0.02 of 1/2, which is tau = 1. */
+/* The integrals along the axis are fast except for gamma^2 within 0.02 of 1/2, that is near tau = 1. */
 void wave_factor(acb_t j, const acb_t tau, slong prec)
 {
     const double x = ball_middle(acb_realref(tau)) - 1;
