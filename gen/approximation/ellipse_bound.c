@@ -10,17 +10,17 @@
 #include "support/console.h"
 #include "support/parallel.h"
 
-enum { MOST_BALLS = 6000, DEEPEST = 24 /* quarters of quarters */ };
+enum { MOST_BALLS = 6000, DEEPEST = 24 /* number of times that a square may be split into quarters */ };
 
 /* Half the side of the first squares, in units of the ellipse's minor semi-axis */
 #define FIRST_HALF (1.0 / 8)
-/* ln(beta) from which on the path of strong damping is taken, in laws of other exponents (complex_law.h). About there
- * the other path is taken if the first fails. */
+/* Paths in laws of other exponents (complex_law.h) assume strong damping for ln(beta) above these numbers. Within
+ * STRONG_ABOUT of them, the other path is tried if the first fails. */
 #define STRONG_OVERLAP 1.4
 #define STRONG_FORCE (-1.5)
 #define STRONG_ABOUT 0.7
-/* Chosen: the resolution of paths that end at v/v_s = 1 + e is this times e. With 2 in its place, proofs took twice as
- * long. */
+/* Paths that end at v/v_s = 1 + e have a resolution of this number times e. It was chosen by experiment: with 2, proofs
+ * took twice as long. */
 #define NEAR_STICKING 5
 /* Width of a strip in ln(speed) */
 #define STRIP 0.25
@@ -45,18 +45,18 @@ unsigned ellipse_bound_set(const struct interval *interval)
 struct cover {
     const struct interval *interval;
     struct ellipse_bound *bound;
-    double a, b;  /* semi-axes of the ellipse in units of half the interval, as all lengths below */
+    double a, b;  /* semi-axes of the ellipse; half the interval is the unit of all lengths below */
     unsigned set; /* of quantities */
     bool (*stored)(struct complex_ball y[QUANTITIES], const struct cover *work, struct complex_ball x);
-    const struct interpolant *f; /* of another law, with its quantity and the path of its collisions */
+    const struct interpolant *f; /* another law's interpolant, quantity and path */
     enum quantity quantity;
     struct complex_law_path path;
     atomic_int balls;
 };
 
-/* Raises the bounds to the moduli of the numbers that the interval stores in the square |Re - re| <= half, |Im - im| <=
- * half about its middle, as `stored` gives them for a ball around it. Where that is false, the quarters do. The largest
- * modulus is that of the boundary of the ellipse, where a quotient by beta has no 0/0. */
+/* Raises the bounds to the moduli of the stored numbers in the square |Re - re| <= half, |Im - im| <= half about the
+ * middle of the interval. `stored` computes them for a ball around the square. If it fails, the square is split into
+ * quarters. The largest modulus is on the boundary of the ellipse, where a quotient by beta is not 0/0. */
 static void cover_square(struct cover *work, double re, double im, double half, int depth)
 {
     static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
@@ -87,7 +87,7 @@ static void cover_square(struct cover *work, double re, double im, double half, 
     pthread_mutex_unlock(&lock);
 }
 
-/* A column of the first squares, in the upper half of the ellipse: conjugate arguments have conjugate values. */
+/* Covers a column of the first squares in the upper half of the ellipse. Conjugate arguments have conjugate values. */
 static void cover_column(void *context, slong i)
 {
     struct cover *const work = context;
@@ -96,7 +96,7 @@ static void cover_column(void *context, slong i)
         cover_square(work, column * half, 2 * j * half, half * (1 + 1e-9), 0);
 }
 
-/* Returns whether the ellipse is covered, and the bound is one. */
+/* Computes the bound. True if the ellipse is covered, so that the bound holds. */
 static bool cover_ellipse(struct cover *work, double rho)
 {
     *work->bound = (struct ellipse_bound){.rho = rho};
@@ -125,7 +125,7 @@ static bool stored_of_sphere(struct complex_ball y[QUANTITIES], const struct cov
 
 /* ---- another law ---- */
 
-/* beta, and ln(beta) but for the root of beta */
+/* Computes beta. Also sets *log_beta = x, which is ln(beta) in intervals of ln(beta). */
 static void damping_of(struct complex_ball *beta, struct complex_ball *log_beta, const struct cover *work,
                        struct complex_ball x)
 {
@@ -144,7 +144,7 @@ static void damping_of(struct complex_ball *beta, struct complex_ball *log_beta,
     }
 }
 
-/* ln(eps) to the number that the interval stores */
+/* Converts ln(eps) to the number that the interval stores. */
 static struct complex_ball stored_of_law(const struct cover *work, struct complex_ball log_eps, struct complex_ball x)
 {
     const struct ratio power = interpolant_tail_power(&work->f->layout->law, work->quantity);
@@ -162,9 +162,9 @@ static struct complex_ball stored_of_law(const struct cover *work, struct comple
     return log_eps;
 }
 
-/* The constant force of a layout with one, in units of the middle of a strip of ln(beta), and the speed in these;
- * *log_beta becomes that of the middle. The squares of a strip have one path and so define one function, to which real
- * arguments belong. Those of neighbouring strips agree at real arguments, and so on the line between them. */
+/* Returns the constant force of a layout that has one, in units of the middle of a strip of ln(beta), and the speed in
+ * these units. Sets *log_beta to this middle. The squares of a strip have one path, and so define one function that
+ * includes its real arguments. The functions of neighbouring strips agree at real arguments, hence on the border. */
 static struct complex_law_pressing pressing_of(struct complex_ball *log_beta, const struct cover *work)
 {
     struct complex_law_pressing pressing = {{0, 0, 0}, {0, 0, 0}};
@@ -229,7 +229,7 @@ bool ellipse_bound_of_law(struct ellipse_bound *bound, const struct interpolant 
     struct complex_ball beta, log_beta; /* in all of the ellipse */
     damping_of(&beta, &log_beta, &work, (struct complex_ball){(lo + hi) / 2, 0, (hi - lo) / 2 * (rho + 1 / rho) / 2});
     work.path = complex_law_path(law, ball_above(beta), strong);
-    if (pressed) /* near the sticking speed v_s, what is left of the energy at the end is as small as v/v_s - 1 */
+    if (pressed) /* near the sticking speed v_s, the energy left at the end is as small as v/v_s - 1 */
         work.path.resolution = fmin(1, NEAR_STICKING * fmin(fabs(lo - log_sticking), fabs(hi - log_sticking)) /
                                            fabs(ratio_double(law_speed_exponent(law))));
     if (cover_ellipse(&work, rho))

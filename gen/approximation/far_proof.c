@@ -8,16 +8,16 @@
 #include "support/local.h"
 
 enum {
-    HALVINGS = 8, /* of a cell, at most */
-    POINTS = 8    /* on each side of its middle, where the error is evaluated first */
+    HALVINGS = 8, /* largest number of halvings of a cell */
+    POINTS = 8    /* on each side of the middle, where the error is evaluated first */
 };
 
-/* Cells of u have this length up to WIDE_FROM. From there on, where mu < 4e-28, any number up to mu can stand for it in
- * longer cells, and the limits of the functions for mu -> 0 suffice. */
+/* Length of cells of u up to WIDE_FROM. Beyond, mu < 4e-28, and longer cells replace mu by the interval from 0 to its
+ * largest value. The limits of the functions for mu -> 0 suffice there. */
 #define CELL_LENGTH 0.5
 #define WIDE_FROM 38.0
 
-/* A bound below this is not made smaller. */
+/* The code does not improve a bound below this. */
 #define SMALL_ENOUGH 0x1p-73
 
 /* x_max, t_max, eps and duration at zero force without their powers of beta, at these u */
@@ -75,10 +75,10 @@ static void far_cell_clear(struct far_cell *cell)
     FOR_ALL(arb_poly, clear, cell->u, cell->mu);
 }
 
-/* The limit for mu -> 0, from which a quantity differs by 210 mu u^2 at most (docs/theory.md, 8) */
+/* Computes the limit for mu -> 0, from which a quantity differs by at most 210 mu u^2 (docs/theory.md, 8). */
 static void limit_on(arb_poly_t y, enum quantity quantity, const struct far_cell *cell)
 {
-    const slong events = quantity == DURATION_ZERO_FORCE ? 2 : 1; /* each takes ln(1/mu) */
+    const slong events = quantity == DURATION_ZERO_FORCE ? 2 : 1; /* each event takes ln(1/mu) */
     const double lo = cell->lo;
     LOCAL(arb, x, c);
     arb_poly_zero(y);
@@ -95,7 +95,7 @@ static void limit_on(arb_poly_t y, enum quantity quantity, const struct far_cell
     enclosed_add_radius(y, c);
 }
 
-/* A sampled quantity. Returns false if nothing is known of it in the cell. */
+/* Computes a sampled quantity. Returns false if it is not known in the cell. */
 static bool sampled_on(arb_poly_t y, const struct far_proof *proof, enum quantity quantity, const struct far_cell *cell)
 {
     if (quantity >= QUANTITIES || !(far_intervals[0].set & 1u << quantity))
@@ -130,7 +130,7 @@ bool far_proof_function(arb_poly_t y, const struct far_proof *proof, enum quanti
 
 /* ---- formulas on a cell ---- */
 
-/* a_0 + a_0' + (a_1 + a_1') u + mu (a_2 + a_3 u + a_4 u^2) + mu^2 (a_5 + ... + a_8 u^3) */
+/* Computes a_0 + a_0' + (a_1 + a_1') u + mu (a_2 + a_3 u + a_4 u^2) + mu^2 (a_5 + ... + a_8 u^3). */
 static void formula_on(arb_poly_t y, const double *c, const struct far_cell *cell)
 {
     const arb_poly_struct *const u = cell->u, *const mu = cell->mu;
@@ -141,8 +141,8 @@ static void formula_on(arb_poly_t y, const double *c, const struct far_cell *cel
                  c[0]);
 }
 
-/* ln of the formula's beta over beta: with q = eps beta^(5/3)/a and e = mu q it is -(3/5) ln(q) + ln(1 + e (b_0 + b_1 v
- * + b_2 v^2) + e^2 (c_0 + ... + c_4 v^4)), v = u - (3/5) ln(q). */
+/* Computes ln of the formula's beta over beta. With q = eps beta^(5/3)/a and e = mu q it is -(3/5) ln(q) + ln(1 + e
+ * (b_0 + b_1 v + b_2 v^2) + e^2 (c_0 + ... + c_4 v^4)), v = u - (3/5) ln(q). */
 static bool inverse_on(arb_poly_t y, const struct far_proof *proof, const double *c, const struct far_cell *cell)
 {
     LOCAL(arb_poly, q, e, v);
@@ -175,7 +175,7 @@ static double cell_error(const struct far_proof *proof, enum quantity quantity, 
     error = done ? enclosed_largest_ratio(difference, scale, known, HALVINGS) : HUGE_VAL;
     if (quantity != BETA_ZERO_FORCE)
         return error;
-    return error < 0x1p-20 ? error * (1 + error) : HUGE_VAL; /* of a logarithm: exp(error) - 1 */
+    return error < 0x1p-20 ? error * (1 + error) : HUGE_VAL; /* converts the error of a logarithm: exp(error) - 1 */
 }
 
 double far_proof_bits(const struct far_proof *proof, enum quantity quantity, const double *c)

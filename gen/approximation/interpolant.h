@@ -3,11 +3,11 @@
  * enclosed collisions (collision.h). The tables are cut from these functions, sampled against them, and inverted with
  * them.
  *
- * The samples are enclosed and rounded to the bits of their interval (proved). The rounded samples count as exact, so
- * that all later steps are arithmetic with the same result for every library. interpolant_check samples the error
- * between them. A layout defines the variables and intervals. The sphere's layout has z = sqrt(beta) up to beta = 17,
- * in which both ends of contact are analytic, and u = ln(beta) from u = 2 on, where the quantities are powers of beta
- * times functions of mu = beta^(-5/3) and mu ln(beta). law_layout.h has the layout of any law. */
+ * The samples are enclosed and rounded to the bits of their interval (proved). Rounded samples count as exact, so that
+ * all later steps are arithmetic with the same result for every library. interpolant_check samples the error between
+ * them. A layout defines the variables and intervals. The sphere's layout has z = sqrt(beta) up to beta = 17, in which
+ * both ends of contact are analytic. For u = ln(beta) >= 2 the quantities are powers of beta times functions of
+ * mu = beta^(-5/3) and mu ln(beta). law_layout.h has the layout of any law. */
 #ifndef COR_GEN_APPROXIMATION_INTERPOLANT_H
 #define COR_GEN_APPROXIMATION_INTERPOLANT_H
 
@@ -15,10 +15,10 @@
 
 #include "series/law.h"
 
-/* Point j of the n Chebyshev points on [-1, 1] in ascending order, with the accuracy of a double */
+/* Returns point j of the n Chebyshev points on [-1, 1] in ascending order, with the accuracy of a double. */
 double chebyshev_point(slong j, slong n);
 
-/* t = -1 at x = lo, 1 at hi */
+/* Computes t, linear in x: -1 at x = lo, 1 at x = hi. */
 void unit_place(arb_t t, const arb_t x, double lo, double hi, slong prec);
 
 /* Rounds a sample to `bits` bits; the result counts as exact. Returns false if the interval does not determine it. */
@@ -32,7 +32,7 @@ enum quantity {
     MAX_OVERLAP,
     TIME_OF_MAX_OVERLAP,
     QUANTITIES,
-    /* (1 - eps)/beta, computed from the eps of that end */
+    /* (1 - eps)/beta, computed from eps at the same end */
     LOSS_QUOTIENT_ZERO_OVERLAP = QUANTITIES,
     LOSS_QUOTIENT_ZERO_FORCE,
     /* the inverse functions: beta of eps, and beta/(1 - eps) of the loss 1 - eps */
@@ -48,7 +48,7 @@ enum quantity {
     BETA_QUOTIENT_APPROACH_ONLY
 };
 
-/* Sets of the sampled quantities, with one bit for each quantity */
+/* Sets of the sampled quantities, one bit for each */
 enum {
     SET_LENGTHS = 1 << MAX_OVERLAP | 1 << TIME_OF_MAX_OVERLAP,
     SET_ZERO_OVERLAP = 1 << EPS_ZERO_OVERLAP | 1 << DURATION_ZERO_OVERLAP,
@@ -75,7 +75,7 @@ struct interval {
     double lo, hi;
     slong count, bits;
     enum interval_form form;
-    unsigned set; /* of quantities */
+    unsigned set; /* set of quantities */
 };
 
 struct interpolant_layout {
@@ -83,18 +83,18 @@ struct interpolant_layout {
     slong root;
     const struct interval *interval;
     int intervals;
-    bool far; /* whether to compute the coefficients beyond the last u */
-    /* NULL, or c of the constant force f = c beta^(-2a/n) that presses one contact at every speed (docs/theory.md, 24).
-     * All intervals are then in u, and hold eps of one end alone. */
+    bool far; /* true to compute the coefficients beyond the last u */
+    /* NULL, or c of the constant force f = c beta^(-2a/n) that acts on one contact at every speed (docs/theory.md, 24).
+     * All intervals are then in u and contain only eps at one end. */
     arb_srcptr press;
     double press_log; /* u of the sticking speed, where eps has a branch point */
 };
 
-/* The sphere's. row_proof.h proves what it gives. */
+/* The layout of spheres. row_proof.h proves its results. */
 extern const struct interpolant_layout interpolant_sphere_proof;
 
-/* Nodes and values of an interval, and the polynomials through them in t, -1 <= t <= 1; not known where beta_min to
- * beta_max does not meet it */
+/* Nodes and values of an interval, and the polynomials through them in t, -1 <= t <= 1. `known` is false if the
+ * interval is outside beta_min to beta_max. */
 struct samples {
     bool known;
     arb_ptr beta, node, value[QUANTITIES];
@@ -102,17 +102,17 @@ struct samples {
 };
 
 /* Coefficients for u beyond the last interval. The scaled quantity is a sum of 1, u; mu, mu u, mu u^2; mu^2, ..., mu^2
- * u^3 up to terms in mu^3, mu = beta^(-(a+1)/(b+1)). For laws other than the sphere's, the duration at zero overlap is
- * this sum times beta^(a/(b+1)) plus `fall` times beta^((a-1)/n), which is 0 if a - b = 1 or n = 1 - a, where the sum
- * contains that term (docs/theory.md, 9). */
+ * u^3 up to terms in mu^3, mu = beta^(-(a+1)/(b+1)). For other laws the duration at zero overlap is this sum times
+ * beta^(a/(b+1)) plus `fall` times beta^((a-1)/n). `fall` is 0 if a - b = 1 or n = 1 - a, because the sum then contains
+ * that term (docs/theory.md, 9). */
 enum { INTERPOLANT_FAR = 9 };
 
 struct interpolant {
     const struct interpolant_layout *layout;
-    struct samples *samples; /* of each interval */
-    arb_ptr far[QUANTITIES]; /* INTERPOLANT_FAR each */
+    struct samples *samples; /* samples of each interval */
+    arb_ptr far[QUANTITIES]; /* INTERPOLANT_FAR coefficients each */
     arb_t fall;
-    arb_t threshold, final_speed;       /* beta_c for q < 0 and q = 0, v_f for q > 0; else infinite, 0 */
+    arb_t threshold, final_speed;       /* beta_c for q <= 0, otherwise infinite; v_f for q > 0, otherwise 0 */
     arb_poly_t backward, backward_time; /* G and T, if an interval computes zero force from them */
 };
 
@@ -131,7 +131,7 @@ static inline bool is_of_overlap(enum quantity quantity)
     return quantity == EPS_ZERO_OVERLAP || quantity == DURATION_ZERO_OVERLAP;
 }
 
-/* The sampled quantity from which another follows */
+/* Returns the sampled quantity from which a quantity follows. */
 static inline enum quantity sampled_quantity(enum quantity quantity)
 {
     return quantity < QUANTITIES           ? quantity
@@ -140,48 +140,48 @@ static inline enum quantity sampled_quantity(enum quantity quantity)
                                            : EPS_ZERO_OVERLAP;
 }
 
-/* Computes the interpolant for arguments between beta_min and beta_max, which may be INFINITY. The layout must live as
- * long as the interpolant. Returns NULL after reporting the failure on stderr. */
+/* Computes the interpolant for arguments between beta_min and beta_max, which may be INFINITY. The layout must outlive
+ * the interpolant. Returns NULL after reporting the failure on stderr. */
 struct interpolant *interpolant_new(const struct interpolant_layout *layout, double beta_min, double beta_max);
 void interpolant_free(struct interpolant *f);
 
-/* The polynomial through the samples of a quantity, in t as they are now */
+/* Computes the polynomial in t through the current samples of a quantity. */
 void interpolant_through_samples(arb_poly_t p, const struct samples *s, const struct interval *interval,
                                  enum quantity quantity);
 
-/* beta at a place of an interval, as a double */
+/* Returns beta at a place of an interval, as a double. */
 double interpolant_beta_near(const struct interpolant *f, const struct interval *interval, double x);
 
-/* The power of beta in the force of a layout with one */
+/* Returns the power of beta in the force of a layout with a force. */
 struct ratio interpolant_press_power(const struct cor_exponents *law);
 
-/* The quantity at a place of a variable with an interval that samples it. (1 - eps)/beta does not cancel where eps is
- * near 1. For spheres z reaches beta = 8.25 for quantities of zero overlap, and 17 for the others. */
+/* Computes the quantity at a place of a variable that has an interval for it. (1 - eps)/beta does not cancel where eps
+ * is near 1. For spheres z reaches beta = 8.25 for quantities of zero overlap, and 17 for the others. */
 void interpolant_at(arb_t y, const struct interpolant *f, enum quantity quantity, enum interval_variable variable,
                     const arb_t x, slong prec);
 
-/* The quantity at beta, in any variable that has an interval for it */
+/* Computes the quantity at beta, in any variable that has an interval for it. */
 void interpolant_at_beta(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t beta, slong prec);
 
-/* The number that an interval of FORM_POWER stores, or else the quantity: in u divided by its power of beta, for
- * spheres 2 <= u <= 10, except for eps at zero overlap, which is h*^5 beta^-5 there; in v for q = 0 the duration times
- * eps^((a-1)/(a+1)), both of zero overlap, which is regular at beta_c. The second function returns the power. */
+/* Computes the number that an interval of FORM_POWER stores, otherwise the quantity. In u it is the quantity divided by
+ * its power of beta. For spheres 2 <= u <= 10, and eps at zero overlap is h*^5 beta^-5 there. In v for q = 0 it is the
+ * duration times eps^((a-1)/(a+1)), both at zero overlap, which is regular at beta_c. The second returns the power. */
 void interpolant_tail(arb_t y, const struct interpolant *f, enum quantity quantity, enum interval_variable variable,
                       const arb_t x, slong prec);
 struct ratio interpolant_tail_power(const struct cor_exponents *law, enum quantity quantity);
 
-/* An inverse function at an exact x: BETA_... at eps = x, for spheres from 2^-13 (zero overlap) or 2^-23.6 (zero force)
- * to 1; BETA_QUOTIENT_... at the loss x, 0 to 3/4. Returns 0, or 1 after reporting the failure. */
+/* Computes an inverse function at an exact x: BETA_... at eps = x, for spheres from 2^-13 (zero overlap) or 2^-23.6
+ * (zero force) to 1; BETA_QUOTIENT_... at the loss x, 0 to 3/4. Returns 0, or 1 after reporting the failure. */
 int interpolant_inverse(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t x, slong prec);
 
-/* The far coefficients of a quantity */
+/* Returns the far coefficients of a quantity. */
 arb_srcptr interpolant_far(const struct interpolant *f, enum quantity quantity);
 
-/* Coefficients a; b_0, b_1, b_2; c_0, ..., c_4 of the inverse of eps at zero force beyond the last u, for spheres:
+/* Computes a; b_0, b_1, b_2; c_0, ..., c_4 of the inverse of eps at zero force beyond the last u, for spheres:
  *
  *     beta = (a/eps)^(3/5) (1 + e (b_0 + ... + b_2 v^2) + e^2 (c_0 + ... + c_4 v^4)),   e = eps/a,   v = -(3/5) ln(e)
  *
- * up to terms in e^3. The coefficients follow by formal inversion of the sum above, whose coefficient of u is 0. */
+ * up to terms in e^3. They follow by formal inversion of the sum above, whose coefficient of u is 0. */
 enum { INTERPOLANT_FAR_INVERSE = 9 };
 void interpolant_far_inverse(arb_ptr coefficient, const struct interpolant *f);
 

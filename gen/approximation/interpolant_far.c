@@ -8,7 +8,7 @@ enum {
     SOLVING_BITS = 960 /* for the linear equations of the far coefficients, which may be ill-conditioned */
 };
 
-/* 1, u; mu, mu u, mu u^2; mu^2, mu^2 u, mu^2 u^2, mu^2 u^3 */
+/* Fills a row with 1, u; mu, mu u, mu u^2; mu^2, mu^2 u, mu^2 u^2, mu^2 u^3. */
 static void far_basis(arb_mat_t a, slong row, const arb_t u, const struct cor_exponents *law, slong prec)
 {
     LOCAL(arb, mu, term);
@@ -23,8 +23,8 @@ static void far_basis(arb_mat_t a, slong row, const arb_t u, const struct cor_ex
     }
 }
 
-/* Whether the duration at zero overlap has a term beta^((a-1)/n) that is not among beta^(a/(b+1)) mu^i: kappa =
- * (b-a+1)/n is neither 0 nor 1. The sphere's is 0. */
+/* True if the duration at zero overlap has a term beta^((a-1)/n) that is not among beta^(a/(b+1)) mu^i. Then
+ * kappa = (b-a+1)/n is neither 0 nor 1. For the sphere it is 0. */
 static bool falls_apart(const struct cor_exponents *law)
 {
     const slong n = 2 * law->damping - law->elastic + law->denominator,
@@ -32,7 +32,7 @@ static bool falls_apart(const struct cor_exponents *law)
     return n > 0 && m != 0 && m != n;
 }
 
-/* The exponent of beta of the sum over mu^i u^j, or of the fall's constant, minus that of the leading power */
+/* Returns the exponent of beta of the sum over mu^i u^j, or of `fall`, minus the exponent of the leading power. */
 static struct ratio far_excess(const struct cor_exponents *law, bool fall)
 {
     const struct ratio a = law_elastic(law), b = law_damping(law),
@@ -50,7 +50,7 @@ static bool has_far(const struct interpolant *f, enum quantity quantity)
     return false;
 }
 
-/* Fits the coefficients of a quantity to its samples at as many places. */
+/* Fits the coefficients of a quantity to its samples at an equal number of places. */
 static bool fit_far(struct interpolant *f, enum quantity quantity, const struct samples *s)
 {
     const struct cor_exponents *const law = &f->layout->law;
@@ -116,8 +116,8 @@ void interpolant_far_value(arb_t y, const struct interpolant *f, enum quantity q
     arb_mul(y, y, power, prec);
 }
 
-/* e = mu (1 + mu q_1(u) + mu^2 q_2(u)), u = -(3/5) ln(mu), solved for beta = mu^(-3/5) in powers of e: to first order
- * (3/5) q_1(v), to second (9/25) (q_1 q_1' - 2 q_1^2) + (3/5) q_2. */
+/* Solves e = mu (1 + mu q_1(u) + mu^2 q_2(u)), u = -(3/5) ln(mu), for beta = mu^(-3/5) in powers of e. The first order
+ * is (3/5) q_1(v), the second (9/25) (q_1 q_1' - 2 q_1^2) + (3/5) q_2. */
 void interpolant_far_inverse(arb_ptr coefficient, const struct interpolant *f)
 {
     const slong prec = INTERPOLANT_BITS;

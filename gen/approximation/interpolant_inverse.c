@@ -15,11 +15,11 @@ struct search {
     slong prec;
 };
 
-/* Far from the inverse few bits suffice: as many as the polynomials' coefficients lose, and 64 more. */
+/* Far from the inverse few bits suffice: the bits that the polynomials' coefficients lose, and 64 more. */
 enum { SEARCH_BITS = 128 };
 
-/* The function of w whose zero is the inverse, minus its value for the given number: the root of the loss, which has a
- * slope also at beta = 0; or ln(eps), because eps may fall by many powers of ten within an interval */
+/* Computes a function of w minus its given value, which vanishes at the inverse: a root of the loss, which has a slope
+ * also at beta = 0; or ln(eps), because eps may fall by many powers of ten in an interval. */
 static void set_excess(arb_t y, const struct search *s, const arb_t w, const arb_t wanted)
 {
     const slong prec = s->prec, root = s->f->layout->root;
@@ -36,7 +36,7 @@ static void set_excess(arb_t y, const struct search *s, const arb_t w, const arb
     arb_get_mid_arb(y, y);
 }
 
-/* Whether w is beyond the zero. The loss rises with beta, eps falls, and v falls with beta. */
+/* True if w is beyond the zero. The loss rises with beta, eps falls, and v falls with beta. */
 static bool is_beyond_root(const struct search *s, double w, const arb_t wanted)
 {
     LOCAL(arb, x, y);
@@ -46,8 +46,8 @@ static bool is_beyond_root(const struct search *s, double w, const arb_t wanted)
     return (s->of_loss ? sign > 0 : sign < 0) != (s->variable == INTERVAL_BELOW);
 }
 
-/* Bisects to a short bracket, then applies the secant method, which converges with the order 1.6: 18 steps are
- * enough for 110 bits. */
+/* Bisects to a short bracket, then applies the secant method, which converges with the order 1.6. 18 steps suffice for
+ * 110 bits. */
 static int solve_search(arb_t w, struct search *s, const arb_t wanted)
 {
     enum { HALVINGS = 5, STEPS = 18, NEAR_BITS = 20, ENOUGH_BITS = 110 };

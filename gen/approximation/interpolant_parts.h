@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Shared by the parts of the interpolant, each of which calls the parts before it: samples (interpolant_samples.c), the
- * continuation of the last interval (interpolant_far.c), construction and values (interpolant_values.c), inverse
- * functions (interpolant_inverse.c). */
+/* Declarations shared by the parts of the interpolant, each of which calls only the parts before it: samples
+ * (interpolant_samples.c), the continuation of the last interval (interpolant_far.c), construction and values
+ * (interpolant_values.c), inverse functions (interpolant_inverse.c). */
 #ifndef COR_GEN_APPROXIMATION_INTERPOLANT_PARTS_H
 #define COR_GEN_APPROXIMATION_INTERPOLANT_PARTS_H
 
@@ -10,7 +10,7 @@
 enum {
     INTERPOLANT_BITS = 320 /* working precision */,
     INTERPOLANT_GUARD = 96,     /* bits that cancel in powers */
-    INTERPOLANT_NODE_BITS = 640 /* of nodes; divided differences lose many */
+    INTERPOLANT_NODE_BITS = 640 /* of nodes; divided differences lose many bits */
 };
 
 static inline bool has_quantity(const struct interval *interval, enum quantity quantity)
@@ -18,31 +18,31 @@ static inline bool has_quantity(const struct interval *interval, enum quantity q
     return interval->set & 1u << quantity;
 }
 
-/* An exact beta near the place x of an interval, and the value of the variable there. The width of an inexact beta
- * would grow a thousandfold in a strongly damped collision. */
+/* Computes an exact beta near the place x of an interval, and the value of the variable there. A strongly damped
+ * collision would widen an inexact beta a thousandfold. */
 void interpolant_place(arb_t beta, arb_t variable, const struct interpolant *f, const struct interval *interval,
                        double x);
 void samples_init(struct samples *s, slong count);
 void samples_clear(struct samples *s, slong count);
-/* Sets the values of all known samples to the numbers that their intervals store for the collisions at their beta,
- * which are exact: rounded to the bits of the interval, as exact numbers. */
+/* Sets the values of all known samples to the numbers that their intervals store for the collisions at their beta. The
+ * values are rounded to the bits of the interval and then exact. */
 int samples_collide(struct samples *s, int intervals, const struct interpolant *f, const struct interval *interval,
                     const char *step);
 
-/* beta^power at beta = exp(u) */
+/* Computes beta^power at beta = exp(u). */
 void interpolant_power(arb_t y, const arb_t u, struct ratio power, slong prec);
-/* beta at a place of a variable */
+/* Computes beta at a place of a variable. */
 void interpolant_beta(arb_t beta, const struct interpolant *f, enum interval_variable variable, const arb_t x,
                       slong prec);
-/* For a <= b the two ends of contact coincide. */
+/* Returns the quantity at zero overlap if a <= b, where the two ends of contact coincide. */
 enum quantity interpolant_end(const struct interpolant *f, enum quantity quantity);
 
-/* The last place of a variable at which the quantity is sampled; if it is not sampled, a number below all places */
+/* Returns the last place of a variable at which the quantity is sampled, or a number below all places. */
 double interpolant_last(const struct interpolant *f, enum quantity quantity, enum interval_variable variable);
 
-/* Fits the far coefficients to the same number of samples. */
+/* Fits the far coefficients to an equal number of samples. */
 int interpolant_make_far(struct interpolant *f);
-/* The quantity at beta = exp(u) from the far coefficients */
+/* Computes the quantity at beta = exp(u) from the far coefficients. */
 void interpolant_far_value(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t u, slong prec);
 
 #endif

@@ -10,13 +10,13 @@
 #include "support/parallel.h"
 
 enum {
-    GUARD_BITS = 10, /* beyond those of a sample, which decide its rounding nearly always */
+    GUARD_BITS = 10, /* beyond the bits of a sample; they nearly always decide its rounding */
     SCALING_BITS = 32
 };
 
-/* At strong damping zero overlap is expensive, but has a closed form except for the duration. Zero overlap is singular
- * near 1.7 + 0.45 i, so the ellipse around the third interval would prove too little. The two intervals after it cover
- * the same range; all values still come from the first. */
+/* At strong damping zero overlap is slow to compute, but has a closed form except for the duration. It is singular near
+ * 1.7 + 0.45 i, so the ellipse around the third interval would prove too little. The two intervals after it cover the
+ * same range. All values still come from the third. */
 static const struct interval sphere_intervals[] = {
     {INTERVAL_ROOT, 0, 0.625, 40, 90, FORM_QUOTIENT, SET_ALL},
     {INTERVAL_ROOT, 0.625, 1.25, 40, 90, FORM_VALUE, SET_ALL},
@@ -40,8 +40,8 @@ struct ratio interpolant_press_power(const struct cor_exponents *law)
     return RATIO("-2*law->a/(2*law->b - law->a + 1)", law);
 }
 
-/* Powers of beta that the quantities follow for large beta. A duration at zero overlap is mainly the creep along the
- * slow manifold or, if a - b > 1, the end of the creep. */
+/* Returns the power of beta that a quantity follows for large beta. A duration at zero overlap is mainly the creep
+ * along the slow manifold or, if a - b > 1, the end of the creep. */
 struct ratio interpolant_tail_power(const struct cor_exponents *law, enum quantity quantity)
 {
     const struct ratio a = law_elastic(law), b = law_damping(law);
@@ -101,7 +101,7 @@ bool sample_rounded(arb_t y, const arb_t x, slong bits)
     return decided;
 }
 
-/* The number that an interval stores for a collision */
+/* Computes the number that an interval stores for a collision. */
 static void set_scaled_quantity(arb_t y, const struct cor_exponents *law, const struct interval *interval,
                                 enum quantity quantity, const struct collision *c, const arb_t beta, slong prec)
 {
@@ -168,7 +168,7 @@ static int interval_solve(arb_ptr value, const struct interpolant *f, const stru
     return status;
 }
 
-/* The same, rounded to `bits` bits, as exact numbers */
+/* Computes these numbers rounded to `bits` bits, as exact numbers. */
 static int interval_sample(arb_ptr value, const struct interpolant *f, const struct interval *interval,
                            const arb_t beta, slong bits)
 {
@@ -234,7 +234,7 @@ struct sampling {
     atomic_bool failed;
 };
 
-/* The longest collisions are the last ones, and the first tasks. */
+/* Computes one sample. The last collisions take longest and are the first tasks. */
 static void sample_node(void *context, slong task)
 {
     struct sampling *const work = context;

@@ -9,9 +9,9 @@
 #include "support/local.h"
 
 enum {
-    CHECK_BITS = 70,     /* of collisions to check with */
+    CHECK_BITS = 70,     /* of the collisions in interpolant_check */
     CONSTANT_BITS = 200, /* of beta_c and v_f */
-    BACKWARD_ORDER = 24  /* of order of G and T, which are used for w below 1/8 */
+    BACKWARD_ORDER = 24  /* order of G and T, which are used for w below 1/8 */
 };
 
 /* Evaluates the polynomial through the samples of interval i at x. */
@@ -23,7 +23,7 @@ static void polynomial_at(arb_t y, const struct interpolant *f, int i, enum quan
     LOCAL(arb, t, at, slope, rough);
     LOCAL(mag, radius);
     unit_place(t, x, interval->lo, interval->hi, prec + INTERPOLANT_GUARD);
-    /* p at the middle of t, and a bound of its slope: powers of the ball t would be far wider */
+    /* p at the middle of t, and a bound of its slope; powers of the ball t would be far wider */
     arb_get_mid_arb(at, t);
     arb_poly_evaluate(y, p, at, prec + INTERPOLANT_GUARD);
     arb_poly_evaluate2(rough, slope, p, t, INTERPOLANT_GUARD);
@@ -32,8 +32,8 @@ static void polynomial_at(arb_t y, const struct interpolant *f, int i, enum quan
     arb_add_error_mag(y, radius);
 }
 
-/* The first interval of a variable that samples the quantity and does not end before x, or the last such interval, or
- * -1. If `scaled`, only intervals of FORM_POWER count. */
+/* Returns the first interval of a variable that samples the quantity and does not end before x, or the last such
+ * interval, or -1. With `scaled_only`, only intervals of FORM_POWER count. */
 static int interval_at(const struct interpolant *f, enum quantity quantity, enum interval_variable variable,
                        const arb_t x, bool scaled_only)
 {
@@ -51,7 +51,7 @@ static int interval_at(const struct interpolant *f, enum quantity quantity, enum
     return found;
 }
 
-/* The quantity, or (1 - eps)/beta, from the number that an interval stores */
+/* Computes the quantity, or (1 - eps)/beta, from the number that an interval stores. */
 static void restore_quantity(arb_t y, const struct interpolant *f, enum quantity stored, bool loss,
                              enum interval_form form, enum interval_variable variable, const arb_t x, slong prec)
 {
@@ -68,8 +68,8 @@ static void restore_quantity(arb_t y, const struct interpolant *f, enum quantity
         LET(y, prec, eps_or_loss[form][loss], y, beta, scale);
 }
 
-/* Zero force from zero overlap, near beta = 0: eps G(w), and the duration less eps^((1-a)/(1+a)) h^(1/(a-b)) T(w), h =
- * beta eps^q, w = h^((a+1)/(a-b)) (docs/theory.md, 5 and 9). The loss quotient needs only G - 1. */
+/* Computes zero force from zero overlap near beta = 0: eps G(w), and the duration minus eps^((1-a)/(1+a)) h^(1/(a-b))
+ * T(w), h = beta eps^q, w = h^((a+1)/(a-b)) (docs/theory.md, 5 and 9). The loss quotient needs only G - 1. */
 static void set_way_back(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t x, slong prec)
 {
     const struct ratio a = law_elastic(&f->layout->law), b = law_damping(&f->layout->law),
@@ -105,9 +105,9 @@ enum quantity interpolant_end(const struct interpolant *f, enum quantity quantit
     return force && !law_force_ends(&f->layout->law) ? (enum quantity)(quantity - 1) : quantity;
 }
 
-/* Damping during the approach only: the rebound is elastic, eps^2/2 = X^(a+1)/(a+1) with the largest overlap X, and
- * takes half of an elastic collision at the impact speed eps. To first order in beta the loss is half of the full one,
- * because the approach and the rebound lose the same. */
+/* Computes a quantity with damping during the approach only. The rebound is elastic: eps^2/2 = X^(a+1)/(a+1) with the
+ * largest overlap X. It takes half as long as an elastic collision at the impact speed eps. To first order in beta the
+ * loss is half of the full loss, because approach and rebound lose equal parts. */
 static void approach_only(arb_t y, const struct interpolant *f, enum quantity quantity, enum interval_variable variable,
                           const arb_t x, slong prec)
 {
@@ -232,7 +232,7 @@ static int make_constants(struct interpolant *f, double beta_max)
     if (law_fall_power(law).num <= 0) {
         LOCAL(arb, height);
         const int status = collision_threshold(f->threshold, height, law, INTERPOLANT_BITS);
-        arb_get_mid_arb(f->threshold, f->threshold); /* v counts from this number */
+        arb_get_mid_arb(f->threshold, f->threshold); /* v is defined with this number */
         return status;
     }
     const double root_end = pow(fmax(interpolant_last(f, EPS_ZERO_OVERLAP, INTERVAL_ROOT), 0), (double)f->layout->root);
@@ -244,7 +244,7 @@ static int make_samples(struct interpolant *f, double beta_min, double beta_max)
 {
     const struct interpolant_layout *const layout = f->layout;
     for (int i = 0; i < layout->intervals; i++) {
-        /* [beta_min, beta_max] meets the interval; the far coefficients continue the last u */
+        /* true if [beta_min, beta_max] meets the interval; the far coefficients continue the last u */
         const struct interval *const interval = &layout->interval[i];
         struct samples *const s = &f->samples[i];
         const double lo = interval->lo, hi = interval->hi;
@@ -278,7 +278,7 @@ struct interpolant *interpolant_new(const struct interpolant_layout *layout, dou
 
     int status = make_constants(f, beta_max);
     if (!layout->press && !has_quantity(&layout->interval[0], EPS_ZERO_FORCE) && law_force_ends(&layout->law)) {
-        LOCAL(fmpq_poly, G, T); /* near beta = 0 nothing samples zero force */
+        LOCAL(fmpq_poly, G, T); /* near beta = 0 no interval samples zero force */
         restitution_zero_force_exact(G, T, BACKWARD_ORDER, &layout->law);
         arb_poly_set_fmpq_poly(f->backward, G, INTERPOLANT_BITS);
         arb_poly_set_fmpq_poly(f->backward_time, T, INTERPOLANT_BITS);
@@ -308,7 +308,7 @@ void interpolant_free(struct interpolant *f)
     free(f);
 }
 
-/* The relative error of the polynomial at sample k of interval i */
+/* Returns the relative error of the polynomial at sample k of interval i. */
 static double error_at(const struct interpolant *f, int i, enum quantity quantity, const struct samples *s, slong k)
 {
     const arb_srcptr known = s->value[quantity] + k;

@@ -21,9 +21,9 @@ enum {
     TINY_EPS_OCTAVE = -60 /* for smaller eps, beta_c - beta is negligible against beta_c */
 };
 
-/* Points of an interval, and bits of its samples. Intervals of ln(beta) have the length ln(2) up to beta = 8; from 2 on
- * they are 2 to 3, 3 to 4, 4 to 6, 6 to 8, .... Intervals of ln(beta_c - beta) have two octaves, and more where eps is
- * almost linear. */
+/* Points of an interval, and bits of its samples. Intervals of ln(beta) have the length ln(2) up to beta = 8. For
+ * ln(beta) >= 2 they are 2 to 3, 3 to 4, 4 to 6, 6 to 8, .... Intervals of ln(beta_c - beta) have two octaves, and more
+ * where eps is almost linear. */
 enum {
     NEAR_POINTS = 18,
     MIDDLE_POINTS = 36,
@@ -39,7 +39,7 @@ enum {
 #define BELOW_WIDEST_TO (-24.0)
 #define BELOW_WIDE_TO (-10.0)
 
-/* law_layout_restrict adds intervals of zero force from here on. */
+/* law_layout_restrict adds intervals of zero force for this beta and above. */
 #define LEAST_BETA_OF_FORCE 1e-4
 
 /* Accuracy of the rows: 57 bits limit the approximation error to a sixteenth of the last place. */
@@ -47,7 +47,7 @@ enum {
 #define LEAST_BITS_OF_TIMES 56.0
 #define MOST_REST 0.1
 
-/* u at which mu equals that of spheres at u = 10 */
+/* Returns u at which mu equals mu of spheres at u = 10. */
 static double last_log(const struct cor_exponents *law)
 {
     const double u = 10 * (5.0 / 3) / ratio_double(law_mu_power(law));
@@ -70,7 +70,7 @@ static void add_interval(struct interval_list *list, struct interval interval)
     list->interval[list->count++] = interval;
 }
 
-/* Equal intervals of ln(beta) no longer than ln(2) */
+/* Adds equal intervals of ln(beta) no longer than ln(2). */
 static void add_middle(struct interval_list *list, double beta_lo, double beta_hi, slong points, unsigned set)
 {
     const double lo = log(beta_lo), hi = log(beta_hi);
@@ -129,7 +129,7 @@ static void make_intervals(struct law_layout *layout)
 
 /* ---- borders ---- */
 
-/* Sets beta_c, its distance from the double below, and the first beta of the rows in beta_c - beta, at most
+/* Sets beta_c, its distance from the double below, and the first beta of the rows in beta_c - beta, at least
  * beta_c/2. */
 static int find_threshold(struct law_layout *layout)
 {
@@ -141,7 +141,7 @@ static int find_threshold(struct law_layout *layout)
     arb_set_d(x, arf_cmp_d(arb_midref(beta_c), below) > 0 ? below : nextafter(below, 0));
     arb_sub(x, beta_c, x, CONSTANT_BITS);
     layout->below_first = arf_get_d(arb_midref(x), ARF_RND_DOWN);
-    /* beta_c - overlap_end, which is a power of two up to rounding, may begin another octave, which then needs a row */
+    /* beta_c - overlap_end is a power of two up to rounding; it may begin another octave, which then needs a row */
     const double distance = exp2(floor(log2(layout->threshold / 2)));
     layout->overlap_end = layout->threshold - distance;
     LET(x, CONSTANT_BITS, "beta_c - layout->overlap_end", beta_c, layout->overlap_end);
@@ -150,7 +150,7 @@ static int find_threshold(struct law_layout *layout)
     return status;
 }
 
-/* Whether beta^(1/q) eps equals v_f to double precision */
+/* Finds whether beta^(1/q) eps equals v_f to double precision. */
 static int is_fallen(bool *fallen, const struct cor_exponents *law, const arb_t v_f, double beta)
 {
     const struct ratio power = interpolant_tail_power(law, EPS_ZERO_OVERLAP);
@@ -163,8 +163,8 @@ static int is_fallen(bool *fallen, const struct cor_exponents *law, const arb_t 
     return status;
 }
 
-/* For q > 0: finds the first half octave of beta up to 8, or the first eighth of an octave of ln(beta), from which eps
- * is a power. Sets h* = v_f^q. */
+/* For q > 0, finds where eps becomes a power of beta: at beta = 8, or at the end of an eighth of an octave of ln(beta),
+ * at most last_log. Sets h* = v_f^q. */
 static int find_fall(double *h_star, struct law_layout *layout)
 {
     const struct cor_exponents *law = &layout->interpolant.law;
@@ -192,14 +192,14 @@ static int find_fall(double *h_star, struct law_layout *layout)
 
 /* ---- tables ---- */
 
-/* Octave of x, or the octave below if x is a power of two, which then ends a table */
+/* Returns the octave of x. If x is a power of two, it may be the end of a table, which is in the octave below. */
 static double octave_of(double x)
 {
     return floor(log2(x));
 }
 
-/* The parts: what a part of the tables of eps holds instead of eps, counted from the quantity of zero overlap (-1:
- * nothing else), its stem and title where `%s` is the end of contact; stem of the others; its variable */
+/* The parts. holds: the quantity that replaces eps in a table of eps, as its value at zero overlap, or -1. Then the
+ * stem and title of a table of eps, with `%s` for the end of contact, the stem of other tables, and the variable. */
 static const struct part {
     int holds;
     const char *stem_of_eps, *title_of_eps, *stem;
@@ -214,7 +214,7 @@ static const struct part {
     {BETA_ZERO_OVERLAP, "beta_%s", "beta at %s", NULL, VARIABLE_EPS_OCTAVES, 0},
 };
 
-/* Rows of a root of beta, or of the loss, of a derived layout */
+/* Sets rows of a root of beta, or of the loss, of a derived layout. */
 static void set_root(struct pieces *p, const struct law_layout *layout, enum quantity quantity)
 {
     const slong root = quantity == DURATION_ZERO_FORCE ? layout->root_of_time : layout->root;
@@ -237,7 +237,7 @@ static void add_table(struct law_layout *layout, enum law_part part, enum quanti
         quantity == DURATION_ZERO_OVERLAP || quantity == DURATION_ZERO_FORCE || quantity == TIME_OF_MAX_OVERLAP;
     const bool below = is_of_overlap(quantity) && layout->threshold < HUGE_VAL;
     const struct {
-        double first, end; /* rows that end at 0 are none */
+        double first, end; /* no rows if end is 0 */
     } range[] = {
         [PART_NEAR] = {0, layout->near_end},
         [PART_MIDDLE] = {layout->near_end, below ? layout->overlap_end : LAW_MIDDLE_END},
@@ -283,7 +283,7 @@ static void make_tables(struct law_layout *layout)
     layout->table = xmalloc((size_t)QUANTITIES * PARTS * sizeof *layout->table);
     for (int i = 0; i < QUANTITIES; i++) {
         const enum quantity quantity = (enum quantity)i;
-        /* one end of contact; eps in closed form */
+        /* the ends coincide, or eps has a closed form */
         if ((is_of_force(quantity) && !law_force_ends(law)) || (quantity == EPS_ZERO_OVERLAP && law_is_linear(law)))
             continue;
         for (int part = 0; part < (is_eps(quantity) ? PARTS : PART_INVERSE_NEAR); part++)
@@ -303,7 +303,7 @@ double law_layout_inverse_octave(const struct law_layout *layout, const struct i
     arb_set_d(x, u);
     arb_exp(x, x, 64);
     interpolant_at_beta(y, f, eps, x, 64);
-    /* the octave of that eps if the samples of beta cover the octave, otherwise the octave above */
+    /* the octave of that eps if the samples of beta cover it, otherwise the octave above */
     const double q = ratio_double(law_speed_exponent(&layout->interpolant.law));
     const bool sampled = !force && u + q * log(2) <= layout->last_log;
     return octave_of(ball_middle(y)) + (sampled ? 0 : 1);
@@ -327,13 +327,13 @@ int law_layout_init(struct law_layout *layout, const struct cor_exponents *law)
     if (n.num > 0 && -ratio_double(interpolant_tail_power(law, EPS_ZERO_OVERLAP)) > (double)MOST_POWER)
         return fail("eps falls like beta^(-%.0f) in this law: no table holds that",
                     -ratio_double(interpolant_tail_power(law, EPS_ZERO_OVERLAP)));
-    double radius; /* of convergence of eps in beta: h* = v_f^q, or the threshold */
+    double radius; /* radius of convergence of eps in beta: h* = v_f^q, or the threshold */
     const int status = n.num > 0 ? find_fall(&radius, layout) : find_threshold(layout);
     if (n.num <= 0)
         radius = layout->threshold;
     layout->near_end = exp2(floor(log2(fmin(radius, 1))) - (double)NEAR_OCTAVES);
     make_intervals(layout);
-    /* eps falls faster for linear laws, and their collisions are cheap */
+    /* eps falls faster in linear laws, and their collisions are fast to compute */
     for (int i = 0; i < 2 && law_is_linear(law); i++)
         law_layout_refine(layout);
     make_tables(layout);
@@ -365,7 +365,7 @@ void law_layout_restrict(struct law_layout *layout, enum quantity eps, double be
     const unsigned set = 1u << (force ? EPS_ZERO_FORCE : EPS_ZERO_OVERLAP);
     const struct interval *const old = layout->interpolant.interval;
     struct interval_list list = {NULL, 0};
-    /* the first, next to beta = 0, serves both ends */
+    /* the first interval, at beta = 0, serves both ends */
     add_interval(&list, *old);
     if (force && beta_min < layout->near_end)
         add_middle(&list, fmax(beta_min, LEAST_BETA_OF_FORCE) / 2, layout->near_end, MIDDLE_POINTS_BELOW, set);

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* The sample intervals and the tables of any law (docs/theory.md, 9; form: docs/internals.md). The layout of
- * spheres is given as data (tables/sphere.c); that of another law is derived from its exponents:
+/* The sample intervals and the tables of any law (docs/theory.md, 9; form: docs/internals.md). The layout of spheres is
+ * given as data (tables/sphere.c). The layout of another law is derived from its exponents:
  *
- *   near    beta < near_end, a power of two, an eighth of the radius of convergence of the series in beta or less: rows
- *           in beta and, at zero force, in beta^(1/root); for eps those of (1 - eps)/beta
- *   middle  up to beta = 8, or to the place from which zero overlap has rows in beta_c - beta: octaves of beta
+ *   near    beta < near_end, a power of two, at most an eighth of the radius of convergence of the series in beta: rows
+ *           in beta and, at zero force, in beta^(1/root); for eps rows of (1 - eps)/beta
+ *   middle  up to beta = 8, or to overlap_end if zero overlap then has rows in beta_c - beta: octaves of beta
  *   tail    powers of beta times rows by octaves of ln(beta), up to last_log
  *   far     the same powers times the far coefficients
  *   below   octaves of beta_c - beta, zero overlap where there is a threshold beta_c
  *
- * and for the inverse rows of beta/(1 - eps) in 1 - eps or its root, and of beta by octaves of eps. */
+ * The inverse has rows of beta/(1 - eps) in 1 - eps or its root, and of beta by octaves of eps. */
 #ifndef COR_GEN_APPROXIMATION_LAW_LAYOUT_H
 #define COR_GEN_APPROXIMATION_LAW_LAYOUT_H
 
@@ -23,11 +23,11 @@
 enum law_part { PART_NEAR, PART_MIDDLE, PART_TAIL, PART_BELOW, PART_INVERSE_NEAR, PART_INVERSE };
 
 struct law_table {
-    enum law_part part; /* and the function that uses the rows, in a derived layout */
+    enum law_part part; /* in a derived layout also the function that uses the rows */
     enum quantity serves;
     char stem[40], title[64]; /* end of the name; first line of the comment */
-    struct pieces rows;       /* as pieces_make takes it, or without rows as pieces_fit does; first = NAN: the
-                               * octave of eps at which the rows of an inverse begin */
+    struct pieces rows;       /* input of pieces_make, or without rows of pieces_fit. first = NAN: the rows of an
+                               * inverse begin at law_layout_inverse_octave() */
 };
 
 struct law_layout {
@@ -37,32 +37,32 @@ struct law_layout {
                                             * beta^(1/(a-b)) */
     double near_end, last_log;
     double overlap_end; /* end of the middle rows; below a threshold, first beta of the rows in beta_c - beta */
-    double overlap_log; /* q > 0: last ln(beta) of the tail of eps at zero overlap, or 0: eps = v_f beta^(-1/q) from
-                           * overlap_end on */
+    double overlap_log; /* q > 0: last ln(beta) of the tail of eps at zero overlap. 0: no tail, because eps = v_f
+                         * beta^(-1/q) for beta >= overlap_end */
     double below_first, below_end; /* the smallest beta_c - beta of a double beta; the end of these rows */
     double threshold;              /* beta_c, or infinity */
     struct law_table *table;       /* owned */
     int tables;
-    int check_points; /* of each interval, for interpolant_check; 0: the polynomials are proved */
+    int check_points; /* per interval, for interpolant_check; 0: the polynomials are proved */
 };
 
-/* Returns 0, or 1 after reporting the failure or the reason why the law has no tables. */
+/* Derives the layout of a law. Returns 0, or 1 after reporting the failure or the reason why the law has no tables. */
 int law_layout_init(struct law_layout *layout, const struct cor_exponents *law);
-/* A layout whose samples and tables are data. */
+/* Initialises a layout whose samples and tables are data. */
 void law_layout_init_given(struct law_layout *layout, const struct interpolant_layout *interpolant,
                            const struct law_table *table, int tables);
 /* Adds points to every interval, for an interpolant that was not accurate enough. */
 void law_layout_refine(struct law_layout *layout);
-/* Only what one eps needs from beta_min on: fewer collisions. Of the other quantities the interpolant then knows
- * nothing. For zero force near beta = 0, which follows from zero overlap, intervals in ln(beta) are added: with them
- * law_proof.c proves it. */
+/* Reduces the layout to one eps for beta_min and above, which needs fewer collisions. The interpolant then has no other
+ * quantities. At zero force it adds intervals in ln(beta) near beta = 0, where zero force follows from zero overlap.
+ * law_proof.c needs them for its proof. */
 void law_layout_restrict(struct law_layout *layout, enum quantity eps, double beta_min);
 void law_layout_clear(struct law_layout *layout);
 
-/* The octave at which the rows of the inverse of eps begin */
+/* Returns the octave at which the rows of the inverse of eps begin. */
 double law_layout_inverse_octave(const struct law_layout *layout, const struct interpolant *f, enum quantity eps);
 
-/* ---- law_tables.c: all numbers of a law's tables, cut from one interpolant, the rows of a layout and the coefficients
+/* ---- law_tables.c: all numbers of a law's tables, cut from one interpolant: the rows of a layout and the coefficients
  * beyond the rows (form: docs/internals.md) ---- */
 
 enum { LAW_TABLE_NAME_MAX = 192, FAR_COLUMNS = INTERPOLANT_FAR + 2, INVERSE_COLUMNS = INTERPOLANT_FAR_INVERSE + 1 };
@@ -70,34 +70,34 @@ enum { LAW_TABLE_NAME_MAX = 192, FAR_COLUMNS = INTERPOLANT_FAR + 2, INVERSE_COLU
 struct law_tables {
     struct law_layout layout; /* owned */
     struct interpolant *f;
-    double error;                     /* error of the interpolant, sampled */
-    char (*name)[LAW_TABLE_NAME_MAX]; /* of each table of the layout */
+    double error;                     /* sampled error of the interpolant */
+    char (*name)[LAW_TABLE_NAME_MAX]; /* name of each table of the layout */
 };
 
-/* Computes the tables of t->layout, which the caller has initialised; a table's name is PREFIX_STEM. Adds samples if
- * the interpolant is off by more than 4e-18. Returns 0, or 1 after reporting the failure; call law_tables_clear in
- * either case. */
+/* Computes the tables of t->layout, which the caller has initialised. A table is named PREFIX_STEM. Adds samples if the
+ * interpolant's error is above 4e-18. Returns 0, or 1 after reporting the failure. Call law_tables_clear in either
+ * case. */
 int law_tables_make(struct law_tables *t, const char *prefix);
 void law_tables_clear(struct law_tables *t);
 
-/* Writes all rows, of doubles or of floats. This function and those below return 0, or 1 after reporting an interval
- * that is too wide. */
+/* Writes all rows, as doubles or floats. This function and the emitting functions below return 0, or 1 after reporting
+ * an interval that is too wide. */
 int law_tables_emit(struct emit *e, const struct law_tables *t, bool floats);
 
-/* Writes the rows of eps, loss, duration and inverse with damping during the approach only; sampled. */
+/* Writes the rows of eps, loss, duration and inverse with damping during the approach only. They are sampled. */
 int law_tables_emit_approach(struct emit *e, const struct law_tables *t, const char *prefix);
 
-/* Whether the quantity has coefficients beyond the rows, and whether it has a further term there
- * (`fall` of interpolant.h) */
+/* True if the quantity has coefficients beyond the rows, and if it has a further term there (`fall` of
+ * interpolant.h). */
 bool law_tables_have_far(const struct law_tables *t, enum quantity quantity);
 bool law_tables_have_fall(const struct law_tables *t, enum quantity quantity);
 
-/* The numbers of one row, and how many: FAR_COLUMNS, the coefficients a_0, a_0', a_1, a_1', a_2, ... of a quantity,
- * where a dash marks the remainder of a double; of eps at zero overlap v_f, as two doubles; INVERSE_COLUMNS for
- * BETA_ZERO_FORCE, beyond the rows: a, a', b_0, ... (interpolant_far_inverse). */
+/* Computes one row and returns its length. FAR_COLUMNS: the coefficients a_0, a_0', a_1, a_1', a_2, ... of a quantity,
+ * where a dash marks the remainder of a double. For eps at zero overlap: v_f as two doubles. INVERSE_COLUMNS, for
+ * BETA_ZERO_FORCE beyond the rows: a, a', b_0, ... (interpolant_far_inverse). */
 slong law_tables_far_row(arb_ptr row, const struct law_tables *t, enum quantity quantity);
 
-/* Write such a row; the further term as two doubles. */
+/* Write such a row, or the further term as two doubles. */
 int law_tables_emit_far(struct emit *e, const struct law_tables *t, enum quantity quantity, const char *name);
 int law_tables_emit_fall(struct emit *e, const struct law_tables *t, const char *name);
 

@@ -12,7 +12,7 @@ enum { PREC = 320 /* of the polynomials, whose coefficients are large and cancel
 
 #define LEAST_RHO 1.4
 #define MOST_RHO 16
-/* Neighbouring intervals share ends that are rounded. A polynomial and its error bound serve this much beyond an
+/* Neighbouring intervals share ends that are rounded. A polynomial and its error bound hold this far beyond an
  * interval, in units of half its length: |T_k(1 + d)| <= exp(k sqrt(2 d)), which MORE_ERROR covers for k < 100. */
 #define BEYOND 1e-9
 #define MORE_ERROR 1.01
@@ -20,7 +20,7 @@ enum { PREC = 320 /* of the polynomials, whose coefficients are large and cancel
 
 /* ---- the intervals ---- */
 
-/* ln(beta) at the ends of an interval */
+/* Computes ln(beta) at the ends of an interval. */
 static void log_range(double range[2], const struct interpolant *f, const struct interval *interval)
 {
     const bool falls = interval->variable == INTERVAL_BELOW;
@@ -28,13 +28,13 @@ static void log_range(double range[2], const struct interpolant *f, const struct
     range[!falls] = log(interpolant_beta_near(f, interval, interval->hi));
 }
 
-/* A radius that proves an error a little below `wanted`, if the modulus is as given */
+/* Returns a radius that proves an error a little below `wanted`, if the modulus is the given one. */
 static double radius_for(const struct interval *interval, double modulus, double wanted)
 {
     return pow(20 * modulus / wanted, 1 / ((double)interval->count - 1));
 }
 
-/* Proves interval i. The modulus of a cover shows whether a larger ellipse is needed. */
+/* Proves interval i. The modulus of a cover shows if a larger ellipse is needed. */
 static int prove_interval(struct law_proof *proof, int i, double wanted)
 {
     const struct interval *const interval = &proof->f->layout->interval[i];
@@ -103,7 +103,7 @@ int law_proof_interval(double *end, const struct law_proof *proof, double u)
 
 /* ---- eps on a part of an interval ---- */
 
-/* The interval's variable x, for ln(beta) and beta as functions of t. Returns false if x is not shown to be defined. */
+/* Computes the variable x from ln(beta) and beta as functions of t. Returns false if x is not proved to be defined. */
 static bool variable_of(arb_poly_t x, const struct law_proof *proof, const struct interval *interval,
                         const arb_poly_t log_beta, const arb_poly_t beta)
 {
@@ -114,13 +114,13 @@ static bool variable_of(arb_poly_t x, const struct law_proof *proof, const struc
     return LET_FUNCTION(x, of_beta[interval->variable], beta, log_beta, proof->f->threshold);
 }
 
-/* w = (x - middle)/half. Returns false if w is not within [-1, 1] and the little beyond that the error allows. */
+/* Computes w = (x - middle)/half. Returns false if w is not within [-1, 1] widened by BEYOND. */
 static bool to_unit(arb_poly_t w, const arb_poly_t x, const struct interval *interval)
 {
     const double lo = interval->lo, hi = interval->hi, most = 1 + BEYOND;
     LOCAL(arb, end);
     LET_FUNCTION(w, "(2*x - lo - hi)/(hi - lo)", x, lo, hi);
-    /* x rises or falls with t, so that its ends are at t = -1 and t = 1 */
+    /* x is monotone in t, so its ends are at t = -1 and t = 1 */
     bool inside = true;
     for (int t = -1; t <= 1; t += 2) {
         arb_set_si(end, t);
@@ -130,7 +130,7 @@ static bool to_unit(arb_poly_t w, const arb_poly_t x, const struct interval *int
     return inside;
 }
 
-/* p(w), with the error of p */
+/* Computes p(w), with the error of p. */
 static void compose_rows(arb_poly_t y, const arb_poly_t p, const arb_poly_t w, double error)
 {
     LOCAL(arb, c);

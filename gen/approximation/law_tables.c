@@ -9,10 +9,10 @@
 
 enum { ATTEMPTS = 3, SPLIT_BITS = 192 };
 
-/* Allowed relative error of the interpolant, small enough to sample rows against the interpolant */
+/* Largest relative error of the interpolant, small enough to sample rows against the interpolant */
 #define INTERPOLANT_LIMIT 4e-18
 
-/* The interpolant of the layout, with more samples if it was not accurate enough */
+/* Makes the interpolant of the layout. Adds samples while it is not accurate enough. */
 static int interpolant_make(struct law_tables *t)
 {
     for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
@@ -72,8 +72,8 @@ int law_tables_emit(struct emit *e, const struct law_tables *t, bool floats)
 
 /* ---- damping during the approach only ---- */
 
-/* beta from 0 to 8, 1 - eps up to 1/2, and eps from there to 1/64 in 16 cells to an octave. c_0 of a row that is
- * multiplied has HEAD_BITS bits, so that its products with halves of a double are exact. */
+/* Rows of beta from 0 to 8, of 1 - eps up to 1/2, and of eps from there to 1/64 in 16 cells to an octave. In a row that
+ * is multiplied c_0 has HEAD_BITS bits, so that its products with halves of a double are exact. */
 enum { HEAD_BITS = 26, BETA_ROWS = 65, LOSS_ROWS = 17, EPS_FIRST = -6, EPS_ROWS = 80 };
 #define IN_BETA(of, head)                                                                                              \
     .quantity = (of), .variable = VARIABLE_BETA, .step = 0.125, .end = 8, .rows = BETA_ROWS, .head_bits = (head)

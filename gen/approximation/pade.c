@@ -16,13 +16,13 @@ enum {
     TAIL_POWER = 5,      /* eps -> h*^5/beta^5 at zero overlap, docs/theory.md, 4 */
     GUARD_BITS = 64,     /* more bits than requested */
     LOSS_PER_DEGREE = 5, /* bits that the solution of the system loses per degree, start value */
-    MOST_TIMES = 8,      /* the bits of the last attempt, those of the first being 1 */
+    MOST_TIMES = 8,      /* bits of the last attempt, relative to the first */
     ROOT_BITS = 40,      /* relative bits of a printed root */
     PLACE_DIGITS = 8
 };
 
-/* Table I has 2.5839, 3.5839 and 2.9839 where these a_k give 2.58401, 3.58401 and 2.98401: d_0 is near zero, so the
- * last digit of a_3 is worth 2.4e-4 there. */
+/* Table I has 2.5839, 3.5839 and 2.9839 where these a_k give 2.58401, 3.58401 and 2.98401. d_0 is near zero, so a unit
+ * in the last digit of a_3 changes them by 2.4e-4. */
 const char *const published_a[4] = {"1", "3/5", "0.315119", "0.161167"};
 const char *const published_d[5] = {"2.5839", "3.5839", "2.9839", "1.1487", "0.3265"};
 
@@ -39,7 +39,7 @@ void pade_clear(struct pade *f)
     FOR_ALL(arb_poly, clear, f->p, f->q);
 }
 
-/* The coefficient c_k, or 0 for k < 0, which the system's matrix contains if n > m */
+/* Returns the coefficient c_k, or 0 for k < 0, which the system's matrix contains if n > m. */
 static void get_coefficient(arb_t x, const arb_poly_t c, slong k)
 {
     if (k < 0)
@@ -48,7 +48,7 @@ static void get_coefficient(arb_t x, const arb_poly_t c, slong k)
         arb_poly_get_coeff_arb(x, c, k);
 }
 
-/* Q from sum_j q_j c_{i-j} = 0 for i = first .. first+n-1, less `limit` times q_{i+5} for i <= m if there is one */
+/* Computes Q from sum_j q_j c_{i-j} = limit q_{i+5} (i <= m and a limit is given) or 0, i = first .. first+n-1. */
 static bool find_denominator(struct pade *f, const arb_poly_t c, slong first, slong m, slong n, arb_srcptr limit,
                              slong prec)
 {
@@ -71,7 +71,7 @@ static bool find_denominator(struct pade *f, const arb_poly_t c, slong first, sl
     return regular;
 }
 
-/* The equations for i = m+1..m+n, then P = Q c up to z^m */
+/* Solves the equations for i = m+1..m+n. P is then Q c up to z^m. */
 bool pade_of_series(struct pade *f, const arb_poly_t c, slong m, slong n, slong prec)
 {
     const bool regular = find_denominator(f, c, m + 1, m, n, NULL, prec);
@@ -80,7 +80,7 @@ bool pade_of_series(struct pade *f, const arb_poly_t c, slong m, slong n, slong 
     return regular;
 }
 
-/* The conditions at infinity, p_i = limit q_{i+5} for every i, eliminate the p_i: the equations for i = 0..m+4. */
+/* Solves for i = 0..m+4. The conditions at infinity, p_i = limit q_{i+5} for every i, eliminate the p_i. */
 bool pade_two_point_of_series(struct pade *f, const arb_poly_t c, const arb_t limit, slong m, slong prec)
 {
     const bool regular = find_denominator(f, c, 0, m, m + TAIL_POWER, limit, prec);
@@ -89,8 +89,8 @@ bool pade_two_point_of_series(struct pade *f, const arb_poly_t c, const arb_t li
     return regular;
 }
 
-/* The block due to an exact zero in the series of eps (power 1) or of 1/eps (power -1). With C_k = 0 the entry [k/0] is
- * [k-1/0], so [k-1/0], [k/0] and [k-1/1] are one fraction and [k/1] does not exist; likewise [0/k] of 1/eps. */
+/* Finds the block due to an exact zero in the series of eps (power 1) or of 1/eps (power -1). With C_k = 0, [k/0] is
+ * [k-1/0], so [k-1/0], [k/0] and [k-1/1] are one fraction and [k/1] does not exist. [0/k] of 1/eps is analogous. */
 static bool known_block(struct pade_block *b, const struct pade_request *r)
 {
     const struct ratio powers[2] = {{1, 1}, {-1, 1}};
@@ -106,7 +106,7 @@ static bool known_block(struct pade_block *b, const struct pade_request *r)
     return false;
 }
 
-/* Whether the interval of det (c_{m+i-j}), i, j < n, contains 0, as for an inner entry of a block */
+/* True if the interval of det (c_{m+i-j}), i, j < n, contains 0, as for an inner entry of a block. */
 static bool coefficient_vanishes(const arb_poly_t c, slong m, slong n, slong prec)
 {
     if (n <= 0)
@@ -120,8 +120,8 @@ static bool coefficient_vanishes(const arb_poly_t c, slong m, slong n, slong pre
     return arb_contains_zero(det);
 }
 
-/* Vanishing determinants fill squares whose upper left corner is the entry after the fraction's own degrees (Gragg
- * 1972), so one search along the row and one along the column find the square. */
+/* Finds the block by one search along the row and one along the column. Vanishing determinants fill a square whose
+ * upper left corner is the entry after the fraction's own degrees (Gragg 1972). */
 bool pade_block_of(struct pade_block *b, const arb_poly_t c, slong m, slong n, slong prec)
 {
     if (!coefficient_vanishes(c, m, n, prec))
@@ -163,8 +163,8 @@ static bool on_positive_axis(const acb_t z)
     return acb_is_real(z) && arb_is_positive(acb_realref(z));
 }
 
-/* All roots of a real polynomial with a leading coefficient that is not 0. Returns false, without roots, if they are
- * not isolated. */
+/* Isolates all roots of a real polynomial with a leading coefficient that is not 0. Returns false, without roots, if
+ * they are not isolated. */
 static bool isolate_roots(struct pade_roots *roots, const arb_poly_t real, slong prec)
 {
     const slong degree = arb_poly_degree(real);
@@ -234,7 +234,7 @@ bool pade_analyse(struct pade_analysis *a, const struct pade *f, slong prec)
     return poles && zeros;
 }
 
-/* Prints z in the reader's variable: "2.9", or "2.9 + 0.1 i". */
+/* Prints z^root, the value of the printed variable: "2.9", or "2.9 + 0.1 i". */
 static void print_place(FILE *file, const struct pade_analysis *a, const acb_t z)
 {
     LOCAL(acb, place);
@@ -321,8 +321,8 @@ static const char *end_name(enum cor_end end)
     return end == COR_END_ZERO_FORCE ? "zero force" : "zero overlap";
 }
 
-/* 1 - a_1 x + a_2 x^2 - a_3 x^3 + a_4 x^4 with the printed a_k, then 0 as if a_5 vanished: (32),
- * (33). */
+/* Sets the series (32), (33): 1 - a_1 x + a_2 x^2 - a_3 x^3 + a_4 x^4 with the printed a_k, then 0 as if a_5
+ * vanished. */
 static int published_series(arb_poly_t c, slong prec)
 {
     LOCAL(fmpq, exact);
@@ -358,7 +358,7 @@ const char *pade_refusal(const struct pade_request *r)
     return NULL;
 }
 
-/* One attempt. Returns 0 with *regular set, or 1 after a message. */
+/* Makes one attempt. Returns 0 with *regular set, or 1 after a message. */
 static int try_precision(struct pade *f, arb_poly_t c, bool *regular, const struct pade_request *r, slong prec)
 {
     int status = 0;
@@ -374,7 +374,7 @@ static int try_precision(struct pade *f, arb_poly_t c, bool *regular, const stru
             *regular = pade_of_series(f, c, m, n, prec);
             break;
         }
-        /* 1 over the series of 1/eps, whose exact zero is known, but a linear system of balls cannot show it */
+        /* 1 over the series of 1/eps. Its exact zero is known, but a linear system of balls could not show it. */
         arb_poly_one(f->p);
         restitution_power(f->q, c, (struct ratio){-1, 1}, &r->law, n + 1, prec);
         _arb_poly_normalise(f->q);
@@ -400,7 +400,7 @@ static int try_precision(struct pade *f, arb_poly_t c, bool *regular, const stru
     return status;
 }
 
-/* Whether every coefficient has `bits` relative bits. If not, sets *power to one that has not. */
+/* True if every coefficient has `bits` relative bits. If not, sets *power to the first that has fewer. */
 static bool is_accurate(const arb_poly_t p, slong bits, slong *power)
 {
     for (slong i = 0; i < arb_poly_length(p); i++) {
@@ -434,7 +434,7 @@ static int fail_degenerate(const arb_poly_t c, const struct pade_request *r, slo
     return fail_in_block(r, &b, known);
 }
 
-/* The part that `bits` bits do not decide, or NULL; sets *power to that of the inaccurate coefficient. */
+/* Returns the name of a part that `bits` bits do not decide, or NULL. Sets *power for an inaccurate coefficient. */
 static const char *pade_open(const struct pade *f, struct pade_analysis *a, slong bits, slong *power, slong prec)
 {
     if (!is_accurate(f->p, bits, power))

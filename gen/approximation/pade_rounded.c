@@ -15,8 +15,8 @@
 enum {
     BITS = 192,                /* precision of references and of all computations in this file */
     SMALL_STEP = 6,            /* ratio of small sample points, as a power of 2 */
-    FAR_STEP = 5,              /* large ones have the ratio 5/4 */
-    PIECES = 512,              /* number of pieces up to PADE_NEAR, and beyond: on each the condition is bounded */
+    FAR_STEP = 5,              /* large sample points have the ratio 5/4 */
+    PIECES = 512,              /* number of pieces up to PADE_NEAR, and beyond; the condition is bounded on each */
     OPERATIONS_PER_DEGREE = 3, /* z rounded, one product, one sum */
 };
 
@@ -53,8 +53,7 @@ int pade_round(struct pade_rounded *r, const struct pade *f)
     r->root = f->root;
     arb_poly_set(r->p, f->p);
     arb_poly_set(r->q, f->q);
-    /* eps = 1 + O(beta), so below z^root the difference is exactly 0; its interval contains 0.
-     */
+    /* eps = 1 + O(beta), so below z^root the difference is exactly 0, and its interval contains 0. */
     arb_poly_sub(r->l, f->q, f->p, ARF_PREC_EXACT);
     for (slong i = 0; i < r->root; i++)
         if (i < arb_poly_length(r->l) && !arb_contains_zero(arb_poly_get_coeff_ptr(r->l, i)))
@@ -136,7 +135,7 @@ static double upper_bound(const arb_t x)
     return arb_is_finite(x) ? ball_end(x, true) : INFINITY;
 }
 
-/* |approximate/exact - 1|, rounded up */
+/* Returns |approximate/exact - 1|, rounded up. */
 static double relative_difference(const arb_t approximate, const arb_t exact)
 {
     LOCAL(arb, x);
@@ -171,15 +170,15 @@ void pade_approximation_error(struct pade_error *e, const struct pade_rounded *r
     }
 }
 
-/* gamma_k = k u/(1 - k u), u = 2^-53 */
+/* Computes gamma_k = k u/(1 - k u), u = 2^-53. */
 static void gamma_bound(arb_t g, slong k)
 {
     LET(g, BITS, "k/(2^53 - k)", k);
 }
 
-/* Relative error of P(z) by Horner's rule for every z of the interval: each coefficient carries at most
- * OPERATIONS_PER_DEGREE deg P + 1 factors (1 + delta), |delta| <= u (Higham 2002, 5.1), times the condition sum |p_i|
- * z^i / |P(z)|. */
+/* Bounds the relative error of P(z) by Horner's rule for every z of the interval. Each coefficient carries at most
+ * OPERATIONS_PER_DEGREE deg P + 1 factors (1 + delta), |delta| <= u (Higham 2002, 5.1). The condition sum |p_i|
+ * z^i / |P(z)| multiplies their effect. */
 static void horner_error(arb_t error, const arb_poly_t p, const arb_poly_t magnitude, const arb_poly_t slope,
                          const arb_t z)
 {
@@ -193,7 +192,7 @@ static void horner_error(arb_t error, const arb_poly_t p, const arb_poly_t magni
     LET(error, BITS, "error/abs(at_centre + (z - centre)*rise)*gamma", error, at_centre, z, centre, rise, gamma);
 }
 
-/* (1 + n)/(1 - d) (1 + u)^rounded - 1 */
+/* Returns (1 + n)/(1 - d) (1 + u)^rounded - 1. */
 static double quotient_error(const arb_t n, const arb_t d, slong rounded)
 {
     LOCAL(arb, x, gamma);
@@ -202,7 +201,7 @@ static double quotient_error(const arb_t n, const arb_t d, slong rounded)
     return HOLDS(BITS, "d < 1", d) ? upper_bound(x) : INFINITY;
 }
 
-/* z where piece k begins: PIECES equal ones up to PADE_NEAR, as many of one ratio beyond */
+/* Computes z where piece k begins: PIECES equal pieces up to PADE_NEAR, and PIECES of one ratio beyond. */
 static void piece_end(arb_t z, const struct pade_rounded *r, slong beta_max, slong k)
 {
     const slong near = FLINT_MIN(beta_max, PADE_NEAR);
@@ -228,7 +227,7 @@ void pade_evaluation_error(double *eps, double *loss, const struct pade_rounded 
         for (slong k = 0; k < arb_poly_length(poly[i]); k++)
             arb_abs(magnitude[i]->coeffs + k, poly[i]->coeffs + k);
         arb_poly_derivative(slope[i], poly[i], BITS);
-        /* a partial sum of Horner's rule may exceed the doubles: sum |p_i| z^i at the largest z bounds all */
+        /* a partial sum of Horner's rule may exceed the doubles; sum |p_i| z^i at the largest z bounds all of them */
         arb_poly_evaluate(sum, magnitude[i], z, BITS);
         if (!arb_is_finite(sum) || arf_cmpabs_2exp_si(arb_midref(sum), DBL_MAX_EXP - 2) > 0)
             *eps = *loss = INFINITY;

@@ -16,7 +16,7 @@
 enum {
     WORKING_BITS = 320,
     POINTS = 24,      /* a row's error is sampled at POINTS + 1 places */
-    FLOAT_POINTS = 8, /* and that of a row of floats at FLOAT_POINTS + 1 */
+    FLOAT_POINTS = 8, /* rows of floats are sampled at FLOAT_POINTS + 1 */
     FLOAT_PLACE_BITS = 30,
     BITS_TO_LINE = 23 /* in the comment above a table */
 };
@@ -26,7 +26,7 @@ static bool by_octaves(const struct pieces *p)
     return p->variable >= VARIABLE_POWER_OCTAVES;
 }
 
-/* Whether y is a root, while the end of the table is that of its power */
+/* True if y is a root, while the end of the table is given as its power. */
 static bool by_root(const struct pieces *p)
 {
     return p->variable == VARIABLE_ROOT_BETA || p->variable == VARIABLE_ROOT_LOSS;
@@ -37,7 +37,7 @@ slong pieces_columns(const struct pieces *p)
     return p->floats ? PIECES_FLOATS : p->degree + 2;
 }
 
-/* Rows of floats: row 0 up to 2^first, then octaves of equal cells */
+/* Returns the cell of a row. Rows of floats: row 0 up to 2^first, then octaves of equal cells. */
 struct cell pieces_cell(const struct pieces *p, slong row)
 {
     if (p->floats && row == 0)
@@ -54,7 +54,7 @@ struct cell pieces_cell(const struct pieces *p, slong row)
     }
     cell.lo = cell.node - step / 2;
     cell.hi = cell.node + step / 2;
-    if (p->floats) /* in beta itself */
+    if (p->floats) /* in beta, not beta 2^-octave */
         return (struct cell){ldexp(cell.node, (int)cell.octave), ldexp(cell.lo, (int)cell.octave),
                              ldexp(cell.hi, (int)cell.octave), 0, true};
     if (!by_octaves(p) && p->variable != VARIABLE_LOG_BETA)
@@ -118,13 +118,13 @@ struct pieces_function pieces_of_collision(const struct interpolant *f)
     return (struct pieces_function){collision_at, f};
 }
 
-/* s of the header at y */
+/* Computes s of the header at y. */
 static void set_factor(arb_t s, const struct cell *cell, const arb_t y)
 {
     LET(s, WORKING_BITS, cell->plain ? "y - cell->node" : "y^2 - cell->node^2", y, cell->node);
 }
 
-/* A sample point of the cell: a double of few bits between its ends */
+/* Returns a sample point of the cell: a double of few bits between its ends. */
 static double place_between(const struct pieces *p, const struct cell *cell, double fraction)
 {
     if (p->floats) {
@@ -144,7 +144,7 @@ static int cut_exact(arb_ptr c, const struct pieces *p, struct pieces_function f
     arb_set_d(node, cell->node);
     int status = f.at(c, f.context, p, cell, node);
     for (slong j = 0; j < n && status == STATUS_OK; j++) {
-        /* never the node itself, where the quotient is 0/0 */
+        /* never the node, where the quotient is 0/0 */
         arb_set_d(y, place_between(p, cell, (1 + chebyshev_point(j, n)) / 2) + ldexp(1, -41));
         const arb_srcptr f_y = quotient + j;
         status = f.at(quotient + j, f.context, p, cell, y);
@@ -155,7 +155,7 @@ static int cut_exact(arb_ptr c, const struct pieces *p, struct pieces_function f
     arb_poly_interpolate_barycentric(polynomial, t, quotient, n, WORKING_BITS);
     for (slong k = 0; k < n; k++)
         arb_poly_get_coeff_arb(c + 2 + k, polynomial, k);
-    /* c_0 rounded to few bits, or to those of a double */
+    /* c_0 rounded to head_bits, or to a double */
     arb_set_d(node, ball_middle(c));
     if (p->head_bits > 0)
         arf_set_round(arb_midref(node), arb_midref(c), p->head_bits, ARF_RND_NEAR);
@@ -177,7 +177,7 @@ static int cut_row_of_doubles(double *c, struct pieces *p, struct pieces_functio
     return STATUS_OK;
 }
 
-/* y = y x + c */
+/* Computes y = y x + c. */
 static void horner_step(arb_t y, const arb_t x, double c)
 {
     LET(y, WORKING_BITS, "y*x + c", y, x, c);
@@ -201,13 +201,13 @@ static float float_of(uint32_t word)
     return x;
 }
 
-/* c_0' as the evaluator sees it */
+/* Returns c_0' as the evaluator reads it. */
 static double remainder_in(double c_3)
 {
     return (double)float_of(word_of((float)c_3) << 16);
 }
 
-/* The float nearest to c_3 whose lower half of bits is c_0' to 8 bits */
+/* Returns the float nearest to c_3 whose lower half of bits is c_0' to 8 bits. */
 static double with_remainder(double c_3, double remainder)
 {
     const uint32_t low = (word_of((float)remainder) + 0x8000) >> 16;
@@ -221,16 +221,16 @@ static double with_remainder(double c_3, double remainder)
     return nearest;
 }
 
-/* The nearest float. gcc 12 leaves (double)(float) of two neighbours out where it makes a vector of them. */
+/* Returns the nearest float. gcc 12 omits (double)(float) of two neighbours where it vectorizes them. */
 static double nearest_float(double x)
 {
     volatile float y = (float)x;
     return (double)y;
 }
 
-/* a_0 + a_1 t + ... + a_3 t^3 to a row. c_3 is off by d = a_3 - c_3. In the cell of half width h around m, d t^3 is a
- * polynomial of degree 2 plus d h^3 T_3((t - m)/h)/4. The polynomial goes to the other coefficients, its constant term
- * to c_0'. */
+/* Converts a_0 + a_1 t + ... + a_3 t^3 to a row. c_3 is off by d = a_3 - c_3. In the cell of half width h around m, d
+ * t^3 is a polynomial of degree 2 plus d h^3 T_3((t - m)/h)/4. The other coefficients absorb that polynomial, c_0' its
+ * constant term. */
 static void columns_of_cubic(double c[PIECES_FLOATS], const double a[PIECES_FLOATS], const struct cell *cell)
 {
     const double m = (cell->lo + cell->hi) / 2 - cell->node, h2 = pow((cell->hi - cell->lo) / 2, 2);
@@ -242,8 +242,8 @@ static void columns_of_cubic(double c[PIECES_FLOATS], const double a[PIECES_FLOA
     c[2] = nearest_float(a[2] + d * 3 * m);
 }
 
-/* c_0, and the cubic in t through f - c_0 at the Chebyshev points of the cell. At beta = 0 the row is exact: eps never
- * exceeds 1, however the caller rounds. */
+/* Computes c_0, and the cubic in t through f - c_0 at the Chebyshev points of the cell. At beta = 0 the row is exact,
+ * so that eps never exceeds 1 in any rounding mode. */
 static int cut_row_of_floats(double *c, const struct pieces *p, struct pieces_function f, const struct cell *cell)
 {
     LOCAL_VECTOR(t, PIECES_FLOATS);
@@ -274,7 +274,7 @@ static int cut_row_of_floats(double *c, const struct pieces *p, struct pieces_fu
 
 /* ---- the error of a row ---- */
 
-/* The row at y, exactly evaluated */
+/* Evaluates the row at y exactly. */
 static void row_value(arb_t value, const struct pieces *p, const struct cell *cell, const double *c, const arb_t y)
 {
     LOCAL(arb, t, s);
@@ -288,7 +288,7 @@ static void row_value(arb_t value, const struct pieces *p, const struct cell *ce
     horner_step(value, t, c[0]);
 }
 
-/* Sets the row's bits: -log2 of the largest relative error that is found, NaN after a reported failure. Returns the
+/* Sets the row's bits to -log2 of the largest relative error found, or to NaN after reporting a failure. Returns the
  * largest |row/c_0 - 1|. */
 static double sample_row(double *bits, const struct pieces *p, struct pieces_function f, const struct cell *cell,
                          const double *c)
@@ -313,7 +313,7 @@ static double sample_row(double *bits, const struct pieces *p, struct pieces_fun
 
 /* ---- all rows ---- */
 
-/* Whether the rows cover the range of the table */
+/* True if the rows cover the range of the table. */
 static bool covers_end(const struct pieces *p)
 {
     const struct cell last = pieces_cell(p, p->rows - 1);
@@ -325,7 +325,7 @@ static bool covers_end(const struct pieces *p)
 struct cutting {
     struct pieces *p;
     struct pieces_function f;
-    double *rest; /* of each row, |row/c_0 - 1| at most */
+    double *rest; /* upper bound of |row/c_0 - 1| for each row */
     atomic_bool failed, missed;
 };
 
@@ -356,7 +356,7 @@ static void cut_row(void *context, slong row)
         atomic_store(&work->missed, true);
 }
 
-/* Computes all rows. Sets *missed to the first row that misses a bound, or -1. A message if `last`. */
+/* Computes all rows. Sets *missed to the first row that misses a bound, or to -1. If `last`, also reports it. */
 static int cut_rows(struct pieces *p, struct pieces_function f, slong *missed, bool last)
 {
     struct cutting work = {.p = p, .f = f, .rest = xmalloc((size_t)p->rows * sizeof *work.rest)};
@@ -391,7 +391,7 @@ int pieces_make(struct pieces *p, struct pieces_function f)
                          : fail("%s: %ld rows do not reach %g", p->name, (long)p->rows, p->end);
 }
 
-/* The number of rows up to `end` */
+/* Returns the number of rows up to `end`. */
 static slong rows_to_end(const struct pieces *p)
 {
     if (by_octaves(p)) {
@@ -432,8 +432,8 @@ void pieces_clear(struct pieces *p)
     p->value = p->bits = NULL;
 }
 
-/* The variable y of a table, and the range in its title: by octaves, 2^first and the end or, if `log`, log2 of it;
- * otherwise one number */
+/* The variable y of a table, and the range in its title. Octaves print 2^first and the end or, if `log`, its log2.
+ * Other tables print one number. */
 static const struct {
     const char *y, *range;
     bool log;
@@ -487,7 +487,7 @@ static void grid_text(char text[96], const struct pieces *p)
         snprintf(text, 96, "nodes %g + i %g, %g <= y <= %g", p->first, p->step, first.lo, last.hi);
 }
 
-/* The bits of all rows, rounded down to tenths, on lines of their own. The caller frees the text. */
+/* Returns the bits of all rows, rounded down to tenths, on lines of their own. The caller frees the text. */
 static char *bits_text(const struct pieces *p)
 {
     enum { EACH = 8 };

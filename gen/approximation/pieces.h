@@ -2,24 +2,24 @@
 /* The cutter of tables: piecewise polynomials on a uniform grid or by octaves, of the collision's interpolant or of any
  * function of one variable.
  *
- * Row i belongs to the cell of half a step to either side of its node y_i = first + i step, in the variable y, and
- * holds columns c_0, c_0', c_1, ..., c_degree:
+ * Row i belongs to the cell of half a step to either side of its node y_i = first + i step, in the variable y. It has
+ * the columns c_0, c_0', c_1, ..., c_degree:
  *
  *     f = c_0 + (c_0' + s (c_1 + c_2 t + ... + c_degree t^(degree-1))),     t = y - y_i
  *
  * In the first `plain` rows s = t. In the other rows of y = sqrt(beta), s = beta - y_i^2, which is exact in floating
  * point, while t is not. This s has a zero at -y_i, which is too near to the first rows. c_0 is the number of
- * `head_bits` bits, or the double, nearest to f(y_i), and c_0' is its remainder. The other coefficients interpolate (f
- * - f(y_i))/s at the Chebyshev points of the cell and are rounded once.
+ * `head_bits` bits, or the double, nearest to f(y_i), and c_0' is its remainder. The other coefficients interpolate
+ * (f - f(y_i))/s at the Chebyshev points of the cell and are rounded once.
  *
- * Rows of floats are cubics in beta: row 0 belongs to 0 <= beta < 2^first, and its node is 0; each octave from there to
- * `end` has 2^octave_bits equal cells, whose nodes are their middles. A row holds four floats,
+ * Rows of floats are cubics in beta. Row 0 belongs to 0 <= beta < 2^first, and its node is 0. Each octave from there to
+ * `end` has 2^octave_bits equal cells, whose nodes are their middles. A row consists of four floats,
  *
  *     f = c_0 + (c_0' + t (c_1 + t (c_2 + t c_3))),     t = beta - node
  *
- * The remainder c_0' of c_0 has 8 bits. They are the lower half of the bits of c_3: moved to the upper half, these bits
- * are the float c_0'. The upper half of c_3 gives it a relative error of 2^-8. c_1 and c_2 compensate three quarters of
- * the effect. */
+ * The remainder c_0' of c_0 has 8 bits. They are the lower half of the bits of c_3. Moved to the upper half, these bits
+ * are the float c_0'. They give c_3, which its upper half determines, a relative error of 2^-8. c_1 and c_2 compensate
+ * three quarters of the effect. */
 #ifndef COR_GEN_APPROXIMATION_PIECES_H
 #define COR_GEN_APPROXIMATION_PIECES_H
 
@@ -28,15 +28,15 @@
 
 /* The variable y of a table. In tables by octaves 2^k <= x < 2^(k+1), y is x 2^-k. The 2^octave_bits rows of an octave
  * have their nodes in the middle of equal cells. x is eps, beta, ln(beta), beta_c - beta, or beta^5, which is
- * proportional to the impact speed of spheres. VARIABLE_LOSS is 1 - eps. Roots are those of the interpolant's layout,
- * square roots for spheres. */
+ * proportional to the impact speed of spheres. VARIABLE_LOSS is 1 - eps. Roots are the roots of the interpolant's
+ * layout, square roots for spheres. */
 enum variable {
     VARIABLE_BETA,
     VARIABLE_ROOT_BETA,
     VARIABLE_LOG_BETA,
     VARIABLE_LOSS,
     VARIABLE_ROOT_LOSS,
-    VARIABLE_OTHER, /* of another function than the collision's */
+    VARIABLE_OTHER, /* of a function other than the collision's */
     VARIABLE_POWER_OCTAVES,
     VARIABLE_EPS_OCTAVES,
     VARIABLE_BETA_OCTAVES,
@@ -48,24 +48,24 @@ enum { PIECES_OCTAVE_BITS = 3, PIECES_PER_OCTAVE = 1 << PIECES_OCTAVE_BITS };
 struct pieces {
     enum quantity quantity;
     enum variable variable;
-    slong root;         /* of VARIABLE_ROOT_... */
+    slong root;         /* root of VARIABLE_ROOT_... */
     double first, step; /* of the nodes; octaves: first k */
     double end;         /* first beta, ln(beta), beta^5, loss, eps or beta_c - beta beyond the table */
-    slong octave_bits;  /* of octaves */
+    slong octave_bits;  /* log2 of the number of rows in an octave */
     slong rows, degree, plain;
-    slong head_bits;     /* bits of c_0; 0: those of a double or float */
+    slong head_bits;     /* bits of c_0; 0: the bits of a double or float */
     bool floats;         /* rows of floats; `first` is an octave */
-    const char *words;   /* y in words where it is not the collision's variable, otherwise NULL */
+    const char *words;   /* y in words if it is not the collision's variable, otherwise NULL */
     const char *name;    /* name of the function that returns a row, cor_rows_...; the macros COR_ROWS_..._FIRST, ...
-                          * give its geometry */
-    const char *title;   /* first line of its comment */
+                          * describe its geometry */
+    const char *title;   /* first line of the comment */
     double least_bits;   /* accuracy that every piece must reach */
     double most_rest;    /* upper limit of |row/c_0 - 1|; 0: no limit */
     arb_ptr coefficient; /* rows x columns, intervals that round to the doubles of the table */
-    double *value;       /* the same as doubles, or the floats */
+    double *value;       /* rounded to doubles, or the floats */
     double *bits;        /* accuracy of the rounded row: sampled, or proved */
-    bool to_prove;       /* by row_proof.h, and not to be sampled before */
-    bool proved;         /* by row_proof.h, all rows */
+    bool to_prove;       /* row_proof.h will prove the rows, so they are not sampled before */
+    bool proved;         /* row_proof.h has proved all rows */
 };
 
 /* The cell of a row: its node and its ends as values of y. In tables by octaves y = x 2^-octave. */
@@ -79,49 +79,49 @@ struct cell pieces_cell(const struct pieces *p, slong row);
 enum { PIECES_FLOATS = 4 };
 slong pieces_columns(const struct pieces *p);
 
-/* What rows are cut from: f at y in a cell. Returns 0, or 1 after reporting the failure. */
+/* The function from which rows are cut: computes f at y in a cell. Returns 0, or 1 after reporting the failure. */
 struct pieces_function {
     int (*at)(arb_t f, const void *context, const struct pieces *p, const struct cell *cell, const arb_t y);
     const void *context;
 };
 struct pieces_function pieces_of_collision(const struct interpolant *f);
 
-/* Computes p, whose fields up to most_rest are set. Fails if a piece misses its bound. pieces_clear in either case. */
+/* Computes p from its fields up to most_rest. Fails if a piece misses its bound. Call pieces_clear in either case. */
 int pieces_make(struct pieces *p, struct pieces_function f);
 void pieces_clear(struct pieces *p);
 
-/* The same with the widest cells that meet the bounds. Cells start with p's own width, which is halved until no piece
- * misses a bound. The caller sets `first`, `end` and the first step or octave_bits; the function sets `rows` and
+/* Computes p with the widest cells that meet the bounds. Cells start with p's own width, which is halved until no piece
+ * misses a bound. The caller sets `first`, `end` and the first step or octave_bits. The function sets `rows` and
  * `plain`. */
 int pieces_fit(struct pieces *p, struct pieces_function f);
 
-/* The geometry of the table as macros, under NAME in capitals, and the function NAME(i) that returns row i. The comment
- * above them has the grid, the worst error and the bits of each row.
+/* Writes the geometry of the table as macros, under NAME in capitals, and the function NAME(i) that returns row i. The
+ * comment above them contains the grid, the worst error and the bits of each row.
  *
  *     _FIRST, _STEP, _PER_UNIT, _ROWS   nodes FIRST + i STEP, 0 <= i < ROWS, PER_UNIT = 1/STEP
  *     _END                              as the field `end`
  *     _PLAIN_ROWS                       number of rows with s = t, if not all have it
  *
- * and of octaves, where FIRST is the first x:
+ * Octaves have the following, where FIRST is the first x:
  *
  *     _FIRST, _FIRST_OCTAVE, _OCTAVE_BITS, _ROWS, _END   FIRST = 2^FIRST_OCTAVE; 2^OCTAVE_BITS rows to an octave
  *
- * Floats have no _FIRST_OCTAVE: FIRST is the end of row 0. */
+ * Floats have no _FIRST_OCTAVE, and FIRST is the end of row 0. */
 int pieces_emit(struct emit *e, const struct pieces *p);
 
-/* Computes a table, by pieces_make or, without rows, by pieces_fit, and writes it. Returns as these. */
+/* Computes a table, by pieces_make or, without rows, by pieces_fit, and writes it. Returns as these do. */
 int pieces_write(struct emit *e, struct pieces *p, struct pieces_function f);
 
 /* ---- sampled_function.c: rows of a function of one variable that can be enclosed ----
  *
- * It is computed at the Chebyshev points of blocks of rows, and rounded to SAMPLE_BITS. Rows are cut from the
- * polynomials through these samples, so that all later steps are arithmetic with the same result for every library.
- * Between the samples, at two places of each block, the polynomials are compared with enclosures. */
+ * The function is computed at the Chebyshev points of blocks of rows, and rounded to SAMPLE_BITS. Rows are cut from the
+ * polynomials through these samples, so that all later steps are arithmetic with the same result for every library. The
+ * polynomials are compared with enclosures at two places of each block, between the samples. */
 
-/* f at y, or at y 2^k of octave k, enclosed with a working precision of `prec` bits if `proved`, otherwise a sample */
+/* Computes f at y, or at y 2^k of octave k. If `proved`, encloses it with `prec` working bits, otherwise samples it. */
 typedef void function_of_ball(arb_t f, const void *what, const arb_t y, bool proved, slong prec);
 
-/* Cuts p, a table of VARIABLE_OTHER or one of octaves, and writes it, as pieces_write. */
+/* Cuts p, a table of VARIABLE_OTHER or by octaves, and writes it, as pieces_write does. */
 int sampled_function_write(struct emit *e, struct pieces *p, function_of_ball *value, const void *what);
 
 #endif

@@ -12,17 +12,17 @@
 
 enum {
     PREC = 320,    /* of the interpolants, whose coefficients in powers are large and cancel */
-    HALVINGS = 10, /* of a cell, at most, to bound a polynomial */
-    POINTS = 16,   /* on each side of its middle, where the polynomial is evaluated first */
+    HALVINGS = 10, /* largest number of halvings of a cell, to bound a polynomial */
+    POINTS = 16,   /* on each side of the middle, where the polynomial is evaluated first */
     LAST_COEFFICIENTS = 6
 };
 
-/* ln(beta) from which the creep's series proves the duration at zero overlap. Intervals in sqrt(beta) reach there. */
+/* Least ln(beta) at which the creep's series proves the duration at zero overlap. Intervals in sqrt(beta) reach it. */
 #define CREEP_FROM 2.1
 
 /* ---- the error of the interpolant ---- */
 
-/* Exact Chebyshev point j of n in ascending order */
+/* Computes Chebyshev point j of n in ascending order exactly. */
 static void exact_point(arb_t x, slong j, slong n)
 {
     LOCAL(fmpq, angle);
@@ -31,9 +31,9 @@ static void exact_point(arb_t x, slong j, slong n)
     arb_neg(x, x);
 }
 
-/* Bound of the Lebesgue constant for the nodes of an interval. For the n Chebyshev points it is L < 1 + (2/pi) ln(n);
- * for nodes that differ by d at most it is L/(1 - L d (n-1)^2) at most, by Markov's inequality. Not finite if d is too
- * large. */
+/* Bounds the Lebesgue constant for the nodes of an interval. For the n Chebyshev points it is L < 1 + (2/pi) ln(n). For
+ * nodes that differ by at most d it is at most L/(1 - L d (n-1)^2), by Markov's inequality. The bound is not finite if
+ * d is too large. */
 static void bound_lebesgue(arb_t bound, arb_srcptr node, const struct interval *interval)
 {
     const slong n = interval->count;
@@ -51,8 +51,8 @@ static void bound_lebesgue(arb_t bound, arb_srcptr node, const struct interval *
         arb_pos_inf(bound);
 }
 
-/* f is within 2 M rho^(1-n)/(rho - 1) of a polynomial of degree n - 1, and the interpolant within 1 + L times that and
- * L times the error of the values. */
+/* Bounds the error of the interpolant. f is within 2 M rho^(1-n)/(rho - 1) of a polynomial of degree n - 1, and the
+ * interpolant within 1 + L times that distance plus L times the error of the values. */
 static void polynomial_error(arb_t error, const struct ellipse_bound *bound, enum quantity quantity,
                              const arb_t constant, arb_srcptr value, const struct interval *interval)
 {
@@ -68,7 +68,7 @@ static void polynomial_error(arb_t error, const struct ellipse_bound *bound, enu
         largest, bits);
 }
 
-/* Whether the last Chebyshev coefficients a_k of the interpolant agree with the proof: |a_k| <= 2 M rho^-k + 2 error. A
+/* True if the last Chebyshev coefficients a_k of the interpolant agree with the proof: |a_k| <= 2 M rho^-k + 2 error. A
  * wrong sample or node would enter all coefficients alike. */
 static bool coefficients_agree(const arb_poly_t p, const struct ellipse_bound *bound, enum quantity quantity,
                                const arb_t error, slong n)
@@ -126,8 +126,8 @@ void interpolant_on(arb_poly_t y, const struct interpolant *f, int i, enum quant
 
 /* ---- the constant of the creep ---- */
 
-/* C from collision j of an interval in ln(beta): the time from zero force to zero overlap, without the series. Returns
- * false if the fall begins where the series has no bound. */
+/* Computes C from collision j of an interval in ln(beta): the time from zero force to zero overlap, without the series.
+ * Returns false if the motion from zero force begins where the series has no bound. */
 static bool creep_constant_of(arb_t constant, const struct interpolant_proof *proof, int i, slong j)
 {
     const slong bits = proof->f->layout->interval[i].bits;
@@ -155,7 +155,7 @@ static bool creep_constant_of(arb_t constant, const struct interpolant_proof *pr
     return known;
 }
 
-/* Every collision of the interval gives the same C. */
+/* Intersects the C of all collisions of the interval, which must agree. */
 static int prove_creep(struct interpolant_proof *proof, int i)
 {
     const struct interval *const interval = &proof->f->layout->interval[i];
@@ -232,24 +232,24 @@ void interpolant_proof_free(struct interpolant_proof *proof)
 
 /* ---- a row on a piece of its cell ---- */
 
-/* The part of a cell that lies in one interval, lo <= x <= hi, and functions of x on it */
+/* The part of a cell in one interval, lo <= x <= hi, and functions of x on it */
 struct piece {
     const struct interpolant_proof *proof;
     const struct pieces *p;
     struct cell cell;
     int i;
     const struct interval *interval;
-    arb_poly_t x, stored; /* the interval's variable; the number that it stores, its error included */
+    arb_poly_t x, stored; /* the interval's variable; the number that it stores, with its error */
     arb_poly_t beta;
 };
 
-/* Whether the creep's series, not a polynomial, gives a quantity */
+/* True if the creep's series, not a polynomial, gives a quantity. */
 static bool is_creep(const struct interval *interval, enum quantity quantity)
 {
     return interval->variable == INTERVAL_LOG && quantity == DURATION_ZERO_OVERLAP;
 }
 
-/* C + a_1 r + a_2 r^2 + ..., with the remainder */
+/* Computes C + a_1 r + a_2 r^2 + ..., with the remainder. */
 static void creep_sum(arb_poly_t y, const struct interpolant_proof *proof, const arb_poly_t r)
 {
     LOCAL(arb, most, remainder);
@@ -313,7 +313,7 @@ static bool is_inverse(const struct pieces *p)
     return p->variable == VARIABLE_LOSS || p->variable == VARIABLE_ROOT_LOSS || p->variable == VARIABLE_EPS_OCTAVES;
 }
 
-/* 1 - eps, from what the interval stores for eps */
+/* Computes 1 - eps from the number that the interval stores for eps. */
 static void loss_of(arb_poly_t y, const struct piece *w)
 {
     static const char *const of_stored[] = {[FORM_VALUE] = "1 - w->stored",
@@ -333,7 +333,7 @@ void interpolant_proof_eps(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const 
     arb_poly_set(x, w.x);
 }
 
-/* The variable y of the table. Returns false if it is not shown to be defined. */
+/* Computes the variable y of the table. Returns false if it is not proved to be defined. */
 static bool variable_of(arb_poly_t y, const struct piece *w)
 {
     const bool by_root = w->interval->variable == INTERVAL_ROOT, quotient = w->interval->form == FORM_QUOTIENT;
@@ -353,7 +353,7 @@ static bool variable_of(arb_poly_t y, const struct piece *w)
     return done;
 }
 
-/* The row, c_0 + (c_0' + s (c_1 + c_2 t + ...)) */
+/* Computes the row, c_0 + (c_0' + s (c_1 + c_2 t + ...)). */
 static bool row_of(arb_poly_t row, const struct piece *w, const double *c)
 {
     const double node = w->cell.node;
@@ -370,11 +370,11 @@ static bool row_of(arb_poly_t row, const struct piece *w, const double *c)
     return done;
 }
 
-/* Makes difference/scale the relative error of the row. */
+/* Computes the relative error of the row as difference/scale. */
 static bool relative_error(arb_poly_t difference, arb_poly_t scale, const struct piece *w, const double *c)
 {
     const bool quotient = w->interval->form == FORM_QUOTIENT, by_root = w->interval->variable == INTERVAL_ROOT;
-    const char *value = "row", *of = "w->stored"; /* the row times what makes it this number, and the number */
+    const char *value = "row", *of = "w->stored"; /* formulas of the row and of the number that it approximates */
     LOCAL(arb_poly, row, loss);
     const bool done = row_of(row, w, c);
     if (is_eps(sampled_quantity(w->p->quantity)))
@@ -410,7 +410,7 @@ static bool relative_error(arb_poly_t difference, arb_poly_t scale, const struct
     return done;
 }
 
-/* Bound of the row's relative error for lo <= x <= hi in interval i; infinite without a proof */
+/* Bounds the row's relative error for lo <= x <= hi in interval i. The bound is infinite without a proof. */
 static double piece_error(const struct interpolant_proof *proof, const struct pieces *p, slong row, const double *c,
                           int i, double lo, double hi)
 {
@@ -426,7 +426,7 @@ static double piece_error(const struct interpolant_proof *proof, const struct pi
 
 /* ---- cells ---- */
 
-/* More than the rounding of a few functions of libm */
+/* Exceeds the rounding errors of a few functions of libm */
 #define SLACK 1e-13
 
 /* A range of sqrt(beta), or of ln(beta) for tables in that variable */
@@ -435,7 +435,7 @@ struct range {
     double lo, hi;
 };
 
-/* sqrt(beta) where an inverse function has the argument x, nearly */
+/* Computes sqrt(beta), nearly, where an inverse function has the argument x. */
 static bool inverse_place(double *z, const struct interpolant_proof *proof, enum quantity quantity, double x)
 {
     LOCAL(arb, place, value);
@@ -447,7 +447,7 @@ static bool inverse_place(double *z, const struct interpolant_proof *proof, enum
     return found;
 }
 
-/* A range that should contain every place of the cell */
+/* Computes a range that should contain every place of the cell. */
 static bool cell_range(struct range *range, const struct interpolant_proof *proof, const struct pieces *p,
                        const struct cell *cell)
 {
@@ -488,7 +488,7 @@ static bool cell_range(struct range *range, const struct interpolant_proof *proo
     return true;
 }
 
-/* Sign of y - limit, y the table's variable at x in interval i: 1 or -1 if proved, otherwise 0 */
+/* Returns the sign of y - limit, with the table's variable y at x in interval i: 1 or -1 if proved, otherwise 0. */
 static int side_of(const struct interpolant_proof *proof, const struct pieces *p, slong row, int i, double x,
                    double limit)
 {
@@ -501,17 +501,17 @@ static int side_of(const struct interpolant_proof *proof, const struct pieces *p
     return !done ? 0 : arb_is_nonnegative(range) ? 1 : arb_is_nonpositive(range) ? -1 : 0;
 }
 
-/* The part of a cell that lies in interval i, lo <= x <= hi */
+/* The part of a cell in interval i, lo <= x <= hi */
 struct part {
     int interval;
     double lo, hi;
 };
 enum { MOST_PARTS = 16 };
 
-/* The part of interval i from `reached` on, a place of the range's variable, which becomes that of the part's end. A
- * range in sqrt(beta) that goes beyond the last such interval ends with ln(beta). For the duration at zero overlap a
- * range in ln(beta) begins with sqrt(beta), up to CREEP_FROM at least. Returns 1, 0 if the interval has no part, or -1
- * if it begins too late. */
+/* Computes the part of interval i that begins at `reached`, a place of the range's variable, and moves `reached` to the
+ * end of the part. A range in sqrt(beta) that goes beyond the last such interval ends with ln(beta). For the duration
+ * at zero overlap a range in ln(beta) begins with sqrt(beta), up to CREEP_FROM at least. Returns 1, 0 if the interval
+ * has no part, or -1 if it begins too late. */
 static int part_of(struct part *part, double *reached, const struct range *range, const struct interval *interval,
                    enum quantity stored)
 {
@@ -537,8 +537,8 @@ static int part_of(struct part *part, double *reached, const struct range *range
     return 1;
 }
 
-/* Splits a cell into parts that lie in intervals whose error is known. Returns their number, or 0 if they do not cover
- * the cell. */
+/* Splits a cell into parts within intervals whose error is known. Returns their number, or 0 if they do not cover the
+ * cell. */
 static int split_cell(struct part *part, const struct interpolant_proof *proof, const struct pieces *p, slong row)
 {
     const struct interpolant_layout *const layout = proof->f->layout;
@@ -561,7 +561,7 @@ static int split_cell(struct part *part, const struct interpolant_proof *proof, 
     return reached < range.hi ? 0 : parts;
 }
 
-/* Whether an end of an inverse's range is not inside the cell. 1 - eps = 0 at beta = 0. */
+/* True if an end of an inverse's range is proved not to be inside the cell. 1 - eps = 0 at beta = 0. */
 static bool end_reached(const struct interpolant_proof *proof, const struct pieces *p, slong row,
                         const struct part *part, bool first)
 {
@@ -573,7 +573,7 @@ static bool end_reached(const struct interpolant_proof *proof, const struct piec
     return side_of(proof, p, row, part->interval, x, high ? cell.hi : cell.lo) == (high ? 1 : -1);
 }
 
-/* Bound of the row's relative error in its whole cell; infinite without a proof */
+/* Bounds the row's relative error in its whole cell. The bound is infinite without a proof. */
 static double row_error(const struct interpolant_proof *proof, const struct pieces *p, slong row, const double *c)
 {
     struct part part[MOST_PARTS];

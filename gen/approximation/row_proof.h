@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Proofs that rows of the sphere's tables are close to the functions, everywhere in their cells (docs/theory.md,
- * 8).
+/* Proofs that rows of the sphere's tables are close to the functions, everywhere in their cells (docs/theory.md, 8).
  *
- * The interpolant of an interval is within `error` of the function: ellipse_bound.h bounds the function in an ellipse
- * around the interval, which bounds its distance to the best polynomial; the interpolant is nearly as close. On a cell,
+ * The interpolant of an interval is within `error` of the function. ellipse_bound.h bounds the function in an ellipse
+ * around the interval, which bounds its distance to the best polynomial. The interpolant is nearly as close. On a cell,
  * row and interpolant become polynomials of one variable, and intervals enclose their difference. */
 #ifndef COR_GEN_APPROXIMATION_ROW_PROOF_H
 #define COR_GEN_APPROXIMATION_ROW_PROOF_H
@@ -17,7 +16,7 @@
 int interpolant_error(double *error, const struct interpolant *f, int i, enum quantity quantity,
                       const struct ellipse_bound *bound);
 
-/* The interpolant of interval i with its error for lo <= x <= hi, as a function of t (enclosed_function.h) */
+/* Computes the interpolant of interval i with its error for lo <= x <= hi, as a function of t (enclosed_function.h). */
 void interpolant_on(arb_poly_t y, const struct interpolant *f, int i, enum quantity quantity, double error, double lo,
                     double hi);
 
@@ -28,41 +27,41 @@ struct interpolant_proof {
     arb_t creep_constant; /* C of creep_series.h */
 };
 
-/* Whether the stated bounds on ellipses are proved again, which takes seconds, or used as stated */
+/* Prove the stated bounds on ellipses again, which takes seconds, or use them as stated */
 enum ellipse_source { ELLIPSES_PROVED, ELLIPSES_STATED };
 
-/* Proves the error of the polynomials of an interpolant with the layout interpolant_sphere_proof, of a set of
- * quantities, but for those that ellipse_bound_set leaves out. Returns NULL after reporting on stderr what could not be
- * proved. */
+/* Proves the error of the polynomials of an interpolant with the layout interpolant_sphere_proof, for a set of
+ * quantities without those that ellipse_bound_set leaves out. Returns NULL after reporting on stderr the part that
+ * could not be proved. */
 struct interpolant_proof *interpolant_proof_new(const struct interpolant *f, unsigned quantities,
                                                 enum ellipse_source source);
 void interpolant_proof_free(struct interpolant_proof *proof);
 
-/* The interval's variable x, beta and eps of one end for lo <= x <= hi in interval i, as functions of t
- * (enclosed_function.h); eps where the error is finite. The error of the interpolant is included. */
+/* Computes the interval's variable x, beta and eps at one end for lo <= x <= hi in interval i, as functions of t
+ * (enclosed_function.h); eps only where the error is finite. The error of the interpolant is included. */
 void interpolant_proof_eps(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const struct interpolant_proof *proof, int i,
                            enum quantity quantity, double lo, double hi);
 
-/* duration/beta at zero overlap as a function of t, from eps beta^(5/3) and duration beta^(2/3) at zero force, u =
- * ln(beta) and mu = beta^(-5/3): the time of zero force and the creep's, 2 ln(Y) + C + a_1/Y + ..., Y = sqrt(eps
- * beta^(5/3))/mu. Returns false if a function is not shown to be positive. */
+/* Computes duration/beta at zero overlap as a function of t from eps beta^(5/3) and duration beta^(2/3) at zero force,
+ * u = ln(beta) and mu = beta^(-5/3). It is the time of zero force plus the creep 2 ln(Y) + C + a_1/Y + ..., where
+ * Y = sqrt(eps beta^(5/3))/mu. Returns false if a function is not proved to be positive. */
 bool interpolant_proof_creep(arb_poly_t duration, const struct interpolant_proof *proof, const arb_poly_t eps,
                              const arb_poly_t time, const arb_poly_t u, const arb_poly_t mu);
 
-/* -log2 of a proved bound of the relative error of a row of doubles c, p->degree + 2 columns, in its cell; NaN if there
- * is no proof. */
+/* Returns -log2 of a proved bound of the relative error of a row of doubles c, p->degree + 2 columns, in its cell, or
+ * NaN without a proof. */
 double row_proof_bits(const struct interpolant_proof *proof, const struct pieces *p, slong row, const double *c);
 
-/* Proves all rows of p and replaces the sampled p->bits. Returns 0, or 1 after reporting a row that misses its bound.
- */
+/* Proves all rows of p and replaces the sampled p->bits. Returns 0, or 1 after reporting a row that misses its
+ * bound. */
 int row_proof_table(struct pieces *p, const struct interpolant_proof *proof);
 
-/* ---- far_proof.c: proofs that the formulas of the sphere's tables beyond their rows, in mu = beta^(-5/3) and u =
- * ln(beta), are close to the functions for every finite double (docs/theory.md, 8) ----
+/* ---- far_proof.c: proofs that the formulas of the sphere's tables beyond their rows, in mu = beta^(-5/3) and
+ * u = ln(beta), are close to the functions for every finite double (docs/theory.md, 8) ----
  *
  * On cells of u, the last of which are long, formula and function become polynomials of one variable. */
 
-/* The formulas are proved from just below u = 10 on, their inverse from 9.7 on, where eps > 2^-23; both up to the
+/* The formulas are proved from just below u = 10, their inverse from 9.7, where eps > 2^-23. Both proofs reach the
  * largest double. */
 #define FAR_PROOF_FROM 9.99
 #define FAR_PROOF_INVERSE_FROM 9.7
@@ -78,23 +77,23 @@ struct far_proof {
 };
 
 /* Encloses the functions up to beta_max, with interpolants through collisions and bounds on ellipses around them as
- * above. `rows`, which must live as long as the proof, has a proof of the duration at zero overlap. Returns 0, or
- * 1 after reporting the failure. Call far_proof_clear in either case. */
+ * above. `rows` contains a proof of the duration at zero overlap and must outlive the proof. Returns 0, or 1 after
+ * reporting the failure. Call far_proof_clear in either case. */
 int far_proof_init(struct far_proof *proof, const struct interpolant_proof *rows, double beta_max);
 void far_proof_clear(struct far_proof *proof);
 
-/* The quantity without its power of beta on lo <= u <= hi, as a function of t (enclosed_function.h). Returns false if
- * nothing is known of it there. */
+/* Computes the quantity without its power of beta on lo <= u <= hi, as a function of t (enclosed_function.h). Returns
+ * false if it is not known there. */
 bool far_proof_function(arb_poly_t y, const struct far_proof *proof, enum quantity quantity, double lo, double hi);
 
-/* -log2 of a proved bound of the relative error of a formula, whose coefficients are the columns of law_tables_far_row
- * or, for BETA_ZERO_FORCE, law_tables_far_inverse_row, as doubles; NaN if there is no proof. */
+/* Returns -log2 of a proved bound of the relative error of a formula, or NaN without a proof. c: the columns of
+ * law_tables_far_row or, for BETA_ZERO_FORCE, law_tables_far_inverse_row, as doubles. */
 double far_proof_bits(const struct far_proof *proof, enum quantity quantity, const double *c);
 
 /* ---- law_proof.c: proofs that the polynomials of any law's interpolant are close to eps (docs/theory.md, 9) ----
  *
  * ellipse_bound_of_law bounds eps in an ellipse around an interval. Intervals whose ellipses cannot be covered have no
- * proof: those of zero force near beta = 0, and those where eps is tiny. */
+ * proof: intervals of zero force near beta = 0, and intervals where eps is tiny. */
 
 struct law_proof {
     const struct interpolant *f;
@@ -102,17 +101,17 @@ struct law_proof {
     double *error; /* bound of |polynomial - stored number| on each interval, infinite without a proof */
 };
 
-/* Proves the intervals of eps, of one end, that meet beta_min to beta_max, with errors below `wanted` if possible. The
- * ellipses are as small as that allows. Returns NULL after a message if a polynomial is shown to be wrong. */
+/* Proves the intervals of eps at one end that meet beta_min to beta_max, with errors below `wanted` if possible. The
+ * ellipses are as small as that allows. Returns NULL after a message if a polynomial is proved to be wrong. */
 struct law_proof *law_proof_new(const struct interpolant *f, enum quantity eps, double beta_min, double beta_max,
                                 double wanted);
 void law_proof_free(struct law_proof *proof);
 
-/* The proved interval that contains u = ln(beta), to 1e-12, and reaches farthest, up to *end; -1 if there is none */
+/* Returns the proved interval that contains u = ln(beta), to 1e-12, and reaches farthest, up to *end, or -1. */
 int law_proof_interval(double *end, const struct law_proof *proof, double u);
 
-/* eps for lo <= ln(beta) <= hi in interval i, and ln(beta), as functions of t (enclosed_function.h). Returns false
- * where there is no proof. */
+/* Computes eps for lo <= ln(beta) <= hi in interval i, and ln(beta), as functions of t (enclosed_function.h). Returns
+ * false without a proof. */
 bool law_proof_eps(arb_poly_t eps, arb_poly_t log_beta, const struct law_proof *proof, int i, double lo, double hi);
 
 #endif

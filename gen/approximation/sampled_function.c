@@ -16,7 +16,7 @@ enum {
     BLOCK_POINTS = 40
 };
 
-/* Allowed error of a block's polynomial relative to the function */
+/* Largest error of a block's polynomial relative to the function */
 #define BLOCK_LIMIT 1e-20
 
 struct block {
