@@ -9,7 +9,7 @@
 
 enum { WORKING_BITS = 320, EXPONENT_BITS = 480, HEAD_BITS = 26 };
 
-/* Bits that each row must reach: 0.7 units of the last place, beside 0.6 of the evaluation */
+/* Bits that each row must reach: 0.7 units of the last place, in addition to 0.6 of the evaluation */
 #define LEAST_BITS 53.5
 
 /* ---- L = -ln(eps), x > 0 ---- */
@@ -63,8 +63,8 @@ static void crossley_approach_only(arb_t L, const arb_t beta)
 
 /* ---- laws ---- */
 
-/* Rows of (1 - eps)/x on a grid up to x = near_end and of eps by octaves up to `end`; of x/(1 - eps) up to 1 - eps =
- * 1/2, and of x by octaves of eps from 2^least_octave to there */
+/* Rows of four forms: (1 - eps)/x on a grid up to x = near_end; eps by octaves up to `end`; x/(1 - eps) up to
+ * 1 - eps = 1/2; x by octaves of eps from 2^least_octave to there */
 struct closed_form {
     const char *stem, *title;
     bool is_crossley;
@@ -72,7 +72,7 @@ struct closed_form {
     slong slope, over; /* dL/dx at x = 0 is slope/over, times pi for a damping ratio */
     double near_end, end;
     int least_octave;
-    exponent_function *inverse; /* NULL: x is solved for; L is concave */
+    exponent_function *inverse; /* NULL: x is solved for, which requires a concave L */
 };
 static const struct closed_form laws[] = {
     {"ratio%s_zero_overlap", "linear and Tsuji, zero overlap", false, zero_overlap, 1, 1, 0.25, 0.75, -6,
@@ -86,15 +86,15 @@ static const struct closed_form laws[] = {
 };
 enum { LAWS = sizeof laws / sizeof *laws };
 
-/* dL/dx at x = 0, or dx/dL */
+/* Computes dL/dx at x = 0, or dx/dL. */
 static void slope_at_0(arb_t slope, const struct closed_form *law, bool of_inverse)
 {
     const slong sign = of_inverse ? -1 : 1, power = law->is_crossley ? 0 : sign, p = law->slope, q = law->over;
     LET(slope, WORKING_BITS, "(p/q)^sign*pi^power", p, q, sign, power);
 }
 
-/* x where L is `wanted` > 0. Where L is concave, the secant method from two values on the left stays there. Both sides
- * of the result are compared. */
+/* Computes the x at which L is `wanted` > 0. For a concave L the secant method from two values on the left stays there.
+ * Compares both sides of the result. */
 static int damping_of(arb_t x, const struct closed_form *law, const arb_t wanted)
 {
     enum { STEPS = 60 };
@@ -134,7 +134,7 @@ struct closed_rows {
     enum form form;
 };
 
-/* The value of the form at the place y of a cell */
+/* Computes the value of the form at the place y of a cell. */
 static int closed_form_at(arb_t f, const void *context, const struct pieces *p, const struct cell *cell, const arb_t y)
 {
     (void)p;
@@ -168,7 +168,7 @@ static int closed_form_at(arb_t f, const void *context, const struct pieces *p, 
 static int emit_form(struct emit *e, const struct closed_form *law, enum form form)
 {
     static const struct {
-        const char *part, *words; /* of the name, and of the title */
+        const char *part, *words; /* part of the name; words of the title */
         enum variable variable;
     } of[] = {{"_loss", "(1 - eps)/%s", VARIABLE_OTHER},
               {"_eps", "eps", VARIABLE_BETA_OCTAVES},

@@ -22,7 +22,7 @@
 struct generated {
     const char *name;
     int (*write)(FILE *file);
-    const char *poisson; /* Poisson's ratio of a table of modes, which has no such function; otherwise NULL */
+    const char *poisson; /* Poisson's ratio of a table of modes, which has no `write`; otherwise NULL */
 };
 
 static const struct generated files[] = {
@@ -66,7 +66,7 @@ static int disk_write(FILE *file, const char *poisson)
     return status;
 }
 
-/* Opens a file in memory, and closes it with the status of what was written. */
+/* Opens a file in memory. content_close returns the status of the writes. */
 static FILE *content_open(struct content *c, const char *name)
 {
     c->name = name;
@@ -80,7 +80,7 @@ static int content_close(const struct content *c, FILE *file, int status)
     return fclose(file) == 0 || status != STATUS_OK ? status : fail("no memory for %s", c->name);
 }
 
-/* A file of generated/, in memory */
+/* Writes a file of generated/ to memory. */
 static int generated_make(struct content *c, const struct generated *row)
 {
     FILE *const file = content_open(c, row->name);
@@ -109,7 +109,7 @@ static int manifest_make(struct content *manifest, const struct content *c, int 
     return content_close(manifest, file, STATUS_OK);
 }
 
-/* Checks, before minutes of computing, that the files can be written. The check leaves no files. */
+/* Checks that the files can be written, before minutes of computing. The check leaves no files. */
 static int probe_directory(const char *directory, const struct tables_request *request)
 {
     const struct disk_table disk = {.poisson = request->poisson};
@@ -149,13 +149,13 @@ static int write_all(const struct content *c, int n, const char *directory)
     if (status == STATUS_OK)
         status = output_commit_all(out, n);
     for (int i = 0; i < n; i++) {
-        output_discard(&out[i]); /* what was not committed */
+        output_discard(&out[i]); /* files that were not committed */
         free(path[i]);
     }
     return status;
 }
 
-/* The text behind lines that are not compared */
+/* Returns the text after lines that are not compared. */
 static const char *skip_versions(const char *at)
 {
     while (strncmp(at, MANIFEST_VERSION_WORD, strlen(MANIFEST_VERSION_WORD)) == 0)
@@ -163,7 +163,7 @@ static const char *skip_versions(const char *at)
     return at;
 }
 
-/* Number of the first line in which the file differs from the expected text, or 0. */
+/* Returns the number of the first line in which the file differs from the expected text, or 0. */
 static long first_difference(const struct content *c, const char *text, size_t size)
 {
     const char *made = skip_versions(c->text), *found = skip_versions(text);
@@ -197,7 +197,7 @@ static int check_all(const struct content *c, int n, const char *directory)
     return status;
 }
 
-/* The file of the collisions, in memory: anew, those that corgen was built with, or as the directory has it */
+/* Makes the file of the collisions in memory: computed again, from the build of corgen, or from the directory. */
 static int limits_make(struct content *c, const struct tables_request *request, const char *directory)
 {
     const struct generated row = {DISK_LIMITS_FILE, disk_limits_write, NULL};
@@ -244,8 +244,8 @@ static int make_material(struct content *c, int *n, const struct tables_request 
     return status;
 }
 
-/* Byte equality proves only that the text follows from the numbers; a sample of collisions is recomputed to check the
- * numbers. */
+/* Recomputes a sample of collisions. Equal bytes prove only that the text follows from the numbers, not that the
+ * numbers are correct. */
 static int check_limits(const struct tables_request *request)
 {
     if (request->all)

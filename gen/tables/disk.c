@@ -21,7 +21,7 @@ enum {
     CHECK_LENGTH = 9 /* including the end of the line */
 };
 
-/* 0.33 is 033, 0.9 is 090, -0.5 is m050, 1/3 is 1_3. */
+/* Writes the name of nu: 0.33 is 033, 0.9 is 090, -0.5 is m050, 1/3 is 1_3. */
 static void nu_name(char name[NU_NAME], const char *poisson)
 {
     size_t n = 0, digits = 0;
@@ -46,7 +46,7 @@ const char *disk_table_name(char name[DISK_TABLE_NAME], const struct disk_table 
     return name;
 }
 
-/* The command that writes the file again */
+/* Writes the command that makes the file again. */
 static void command_text(char text[LINE_LENGTH], const struct disk_table *table)
 {
     if (table->embed)
@@ -116,7 +116,7 @@ struct lines {
     uint32_t check;
 };
 
-/* A line, and the check of all text up to it; the format ends with a space. */
+/* Writes a line and the check of all text up to it. The format ends with a space. */
 __attribute__((format(printf, 2, 3))) static void put_line(struct lines *out, const char *format, ...)
 {
     char text[LINE_LENGTH];

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Tables and headers that corgen writes. A function for each of them, files of generated/ and headers of corgen law and
- * corgen pade, writes it to a stream and returns STATUS_OK, or another status after reporting the failure. A new file
- * of generated/ needs such a function and a row of files[] in directory.c. */
+/* Tables and headers that corgen writes: the files of generated/ and the headers of corgen law and corgen pade. Each
+ * has a function that writes it to a stream and returns STATUS_OK, or another status after reporting the failure. A new
+ * file of generated/ needs such a function and a row of files[] in directory.c. */
 #ifndef COR_GEN_TABLES_FILES_H
 #define COR_GEN_TABLES_FILES_H
 
@@ -16,14 +16,14 @@
 #include "support/emit_c.h"
 
 /* sphere_rows.h, the tables of spheres; cor_sphere.h, which includes them, the evaluator as a header to embed;
- * sphere_float_tables.h, the tables of float arithmetic. The tables share data that are computed once, until
+ * sphere_float_tables.h, the tables of float arithmetic. The tables share data that are computed once and freed by
  * sphere_tables_clear. */
 int sphere_header_write(FILE *file);
 int sphere_rows_write(FILE *file);
 int sphere_float_tables_write(FILE *file);
 void sphere_tables_clear(void);
 
-/* eps and its inverse of the laws for which eps has a closed form */
+/* eps and its inverse of the laws whose eps has a closed form */
 int closed_form_tables_write(FILE *file);
 
 /* Times of Tsuji's damping and of Hunt and Crossley's law without a closed form; contact time and load of the disk */
@@ -32,15 +32,15 @@ int hunt_crossley_tables_write(FILE *file);
 int disk_law_tables_write(FILE *file);
 
 /* The tables of the law (3/2, 0), and the header of any law x'' + beta x^b x' + x^a = 0, which needs no other file and
- * has functions NAME_eps_zero_overlap, ... The name is a C identifier of at most LAW_NAME_MAX characters. Both evaluate
- * tables of approximation/law_layout.h by runtime/table/law.h (docs/internals.md). */
+ * has functions NAME_eps_zero_overlap, ... The name is a C identifier of at most LAW_NAME_MAX characters. Both contain
+ * tables of approximation/law_layout.h, which runtime/table/law.h evaluates (docs/internals.md). */
 enum { LAW_NAME_MAX = 48 };
 int hertz_dashpot_tables_write(FILE *file);
 int law_header_write(FILE *file, const struct cor_exponents *law, const char *name);
 
-/* J(nu), the share of a half-space's compliance that radiates waves (docs/laws.md). |J| is below WAVE_ELLIPSE_BOUND on
- * the ellipse with foci 0 and WAVE_TAU_END whose half axes add up to WAVE_ELLIPSE times half of WAVE_TAU_END, and J is
- * analytic inside: tests/gen/test_waves.c proves both, arc by arc. */
+/* J(nu), the share of a half-space's compliance that radiates waves (docs/laws.md). An ellipse has the foci 0 and
+ * WAVE_TAU_END, and half axes that add up to WAVE_ELLIPSE times half of WAVE_TAU_END. J is analytic inside, and |J| is
+ * below WAVE_ELLIPSE_BOUND on the ellipse: tests/gen/test_waves.c proves both, arc by arc. */
 int wave_tables_write(FILE *file);
 #define WAVE_TAU_END 1.75
 #define WAVE_ELLIPSE 1.5
@@ -53,15 +53,15 @@ enum { DISK_TABLE_MODES = 1800, DISK_TABLE_POISSON = 60 /* characters */, DISK_T
 struct disk_table {
     struct decimal poisson; /* not owned; file names and comments contain its text unchanged */
     slong count;
-    bool embed; /* also for C++, with decimal doubles */
+    bool embed; /* C++ also compiles the header; doubles are decimal */
     struct disk_modes modes;
 };
 
-/* The table's name in C and in file names, as in disk_modes_nu033.h */
+/* Returns the table's name in C and in file names, as in disk_modes_nu033.h. */
 const char *disk_table_name(char name[DISK_TABLE_NAME], const struct disk_table *table, const char *extension);
 
-/* Finds the modes, which begin as {0}, and writes them. Each returns STATUS_OK, or STATUS_FAILED after reporting the
- * reason. Call disk_modes_clear(&table->modes) in either case. */
+/* Finds the modes, which begin as {0}, and writes them. Each function returns STATUS_OK, or STATUS_FAILED after
+ * reporting the reason. Call disk_modes_clear(&table->modes) in either case. */
 int disk_table_solve(struct disk_table *table);
 int disk_header_write(FILE *file, const struct disk_table *table);
 int disk_file_write(FILE *file, const struct disk_table *table);
@@ -69,17 +69,17 @@ int disk_file_write(FILE *file, const struct disk_table *table);
 /* ---- disk_limits.h, the table behind cor_disk_eps ----
  *
  * Collisions of disks of all modes with a rigid wall, over cells of speed and Poisson's ratio that are refined until
- * their polynomials are accurate enough. The collisions take a quarter of an hour of CPU time and are kept: corgen is
- * built with them. */
+ * their polynomials are accurate enough. The collisions take a quarter of an hour of CPU time, so corgen is built with
+ * a copy of them. */
 
 #define DISK_LIMITS_FILE "disk_limits.h"
 
 struct cor_disk_limit_piece;
 
-/* Each returns STATUS_OK, or STATUS_FAILED after reporting the reason. */
+/* These functions return STATUS_OK, or STATUS_FAILED after reporting the reason. */
 int disk_limits_collide(void); /* computes all collisions */
-/* Whether a table is in memory: that of disk_limits_collide, or that with which corgen was built, with other pieces
- * unless `piece` is NULL. A corgen of COR_BOOTSTRAP is built with none. */
+/* True if a table is in memory: the table of disk_limits_collide, otherwise the table with which corgen was built. If
+ * `piece` is not NULL, these pieces replace its own. A corgen of COR_BOOTSTRAP is built without a table. */
 bool disk_limits_known(const struct cor_disk_limit_piece *piece);
 
 /* Writes the table in memory. */
@@ -96,15 +96,15 @@ int disk_limits_check_all(void);
 
 struct pade_header {
     const char *name;  /* prefix of the arrays; in capitals, of the macros */
-    const char *title; /* first line of its comment, which describes it */
+    const char *title; /* first line of the header's comment */
     enum cor_end end;
-    slong beta_max;                      /* its bounds hold up to this beta */
+    slong beta_max;                      /* the bounds hold up to this beta */
     const struct references *references; /* NULL: no approximation error is stated */
 };
 
 /* Emits name_p, name_q, name_l (ascending powers of z), NAME_P, NAME_Q, NAME_L, name_eps(beta) and name_loss(beta),
- * which need math.h; with references also NAME_{EPS,LOSS}_{APPROXIMATION,EVALUATION,MAX}_REL up to NAME_BETA_MAX.
- * Returns 0, or 1 after reporting the reason. */
+ * which need math.h. With references it also emits NAME_{EPS,LOSS}_{APPROXIMATION,EVALUATION,MAX}_REL up to
+ * NAME_BETA_MAX. Returns 0, or 1 after reporting the reason. */
 int pade_emit(struct emit *e, const struct pade_header *h, const struct pade *f, const struct pade_analysis *a);
 
 /* ---- directory.c: all files of generated/, or the mode tables of one material. corgen writes them, or checks that it

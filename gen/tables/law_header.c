@@ -88,7 +88,7 @@ static int emit_threshold_fields(struct emit *e, const struct law_tables *t, enu
     return status;
 }
 
-/* A quantity of beta, or the inverse of eps */
+/* Emits a quantity of beta, or the inverse of eps. */
 static int emit_quantity(struct emit *e, const struct law_tables *t, const char *name, enum quantity quantity,
                          bool inverse)
 {
@@ -115,7 +115,7 @@ static int emit_quantity(struct emit *e, const struct law_tables *t, const char 
 /* Writes the public functions PREFIX_eps_zero_overlap, ... */
 static void emit_functions(struct emit *e, const struct law_tables *t, const char *name, const char *prefix)
 {
-    /* of each end; the values are texts of emit_lines with the name of the law and the end, once or twice */
+    /* for each end; the values are texts of emit_lines with the name of the law and the end, once or twice */
     static const struct {
         const char *name, *argument, *value;
     } functions[] = {
@@ -170,7 +170,7 @@ static const char accuracy_text[] =
     "to 80 bits (proved); between them they are off by %.1e at most (sampled). Errors of the rows stand above each\n"
     "table (sampled).\n";
 
-/* gcc 12 at -O2 leaves a call, and with it a copy of the law's constants in every function: five times the time. */
+/* gcc 12 at -O2 would leave a call, and a copy of the law's constants in every function: five times the time. */
 static const char always_inline[] =
     "/* Where a compiler leaves a call between these functions, it copies the law's constants for each result. */\n"
     "#if !defined(COR_INLINE) && defined(__GNUC__) && !defined(__CUDACC__) && !defined(__HIPCC__)\n"
@@ -241,7 +241,7 @@ static void write_included(FILE *file, struct emit *e, const struct law_tables *
     free(how);
 }
 
-/* prefix: of the functions, where the library has them; NULL: an embedded header */
+/* prefix: prefix of the library's functions; NULL: an embedded header */
 static int write_law(FILE *file, const struct cor_exponents *law, const char *name, const char *prefix)
 {
     struct law_tables t = {.f = NULL};

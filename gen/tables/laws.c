@@ -15,7 +15,7 @@
 
 enum { GUARD_BITS = 40, GAUSS_POINTS = 56, GAUSS_BITS = 320 };
 
-/* Integrates from 0 to 1 by a rule of GAUSS_POINTS in two parts, because singularities lie near 1 or around the middle.
+/* Integrates from 0 to 1 by a rule of GAUSS_POINTS in two parts, because singularities are near 1 or around the middle.
  * The nodes and weights on [0, 1] are computed once. */
 static void integrate_gauss(arb_t y, acb_calc_func_t f, void *parameters, slong prec)
 {
@@ -42,9 +42,9 @@ static void integrate_gauss(arb_t y, acb_calc_func_t f, void *parameters, slong 
     }
 }
 
-/* The integral of a real function f from 0 to 1: if `proved`, enclosed to at best `prec` bits by an adaptive rule that
- * takes 5 to 10 ms; otherwise 20 times faster by Gauss's, without its error. Samples, which are compared with
- * enclosures, need no more. */
+/* Integrates a real function f from 0 to 1. If `proved`, encloses the integral to at best `prec` bits by an adaptive
+ * rule that takes 5 to 10 ms. Otherwise uses Gauss's rule, which is 20 times faster and gives no error. That suffices
+ * for samples, because they are compared with enclosures. */
 static void integrate_function(arb_t y, bool proved, acb_calc_func_t f, void *parameters, slong prec)
 {
     if (!proved) {
@@ -59,7 +59,7 @@ static void integrate_function(arb_t y, bool proved, acb_calc_func_t f, void *pa
     arb_set(y, acb_realref(sum));
 }
 
-/* A time at a damping ratio zeta > 0 or beta > 0, or of the disk at q >= 1/4. Closed forms are enclosed in any case. */
+/* Computes a time at a damping ratio zeta > 0 or beta > 0, or of the disk at q >= 1/4. Always encloses closed forms. */
 typedef void law_time(arb_t t, bool proved, const arb_t x, slong prec);
 
 /* ---- Tsuji's damping, (a, b) = (3/2, 1/4) ----
@@ -81,7 +81,7 @@ static int tsuji_integrand(acb_ptr y, const acb_t x, void *parameters, slong ord
     return 0;
 }
 
-/* (5/4)^(-3/5) G(end); the first factor is w0^(-6/5). */
+/* Computes (5/4)^(-3/5) G(end). The first factor is w0^(-6/5). */
 static void tsuji_integral(arb_t g, bool proved, const arb_t zeta, const arb_t end, slong prec)
 {
     LOCAL(acb, om);
@@ -98,7 +98,7 @@ static void tsuji_time_of_max_overlap(arb_t t, bool proved, const arb_t zeta, sl
     tsuji_integral(t, proved, zeta, end, prec);
 }
 
-/* V(y), y = zeta/(10 sqrt(1 - zeta^2)), zeta < 1, and exp(2 pi y) (1 - zeta^2)^(-2/5) V(y): closed forms */
+/* V(y), y = zeta/(10 sqrt(1 - zeta^2)), zeta < 1, and exp(2 pi y) (1 - zeta^2)^(-2/5) V(y) have closed forms. */
 static void tsuji_overlap_factor(arb_t v, bool proved, const arb_t y, slong prec)
 {
     (void)proved;
@@ -137,9 +137,9 @@ static void tsuji_duration_zero_force(arb_t t, bool proved, const arb_t zeta, sl
     LET(t, more, "t - part*exp(pi*zeta/(5*sqrt(1 - zeta^2)))", t, part, zeta);
 }
 
-/* The force is twice the elastic force for a time (5/8)^(2/5) (2/5) B(m; 2/5, 1/2), m = 8 zeta^2/(1 + 8 zeta^2). From
- * phase phi on, where phi = atan2(2 zeta om, 1 + 2 zeta^2), phi/om = k 2F1(1/2, 1; 3/2; -(k om)^2), k = 2 zeta/(1 + 2
- * zeta^2), the law without limit holds: exp(-zeta phi/(5 om)) (t_F - (5/4)^(-3/5) G(phi/om)). */
+/* The force is twice the elastic force for a time (5/8)^(2/5) (2/5) B(m; 2/5, 1/2), m = 8 zeta^2/(1 + 8 zeta^2). After
+ * phase phi = atan2(2 zeta om, 1 + 2 zeta^2) the law without limit holds: exp(-zeta phi/(5 om)) (t_F - (5/4)^(-3/5)
+ * G(phi/om)). phi/om = k 2F1(1/2, 1; 3/2; -(k om)^2), k = 2 zeta/(1 + 2 zeta^2). */
 static void tsuji_duration_limited(arb_t t, bool proved, const arb_t zeta, slong prec)
 {
     const slong more = prec + 2 * GUARD_BITS;
@@ -161,12 +161,12 @@ static void tsuji_duration_limited(arb_t t, bool proved, const arb_t zeta, slong
 
 /* ---- Hunt and Crossley's law ----
  *
- * With tau = ln((1 + beta)/(1 + beta v)) during loading, tau = ln((1 + beta v)/(1 - h)) from the end backwards, and k =
- * a/(a + 1),
+ * With tau = ln((1 + beta)/(1 + beta v)) during loading, tau = ln((1 + beta v)/(1 - h)) from the end backwards, and
+ * k = a/(a + 1),
  *
  *     t = beta^(2k - 1) int ((a + 1) tau B(tau))^-k d tau,   B = sign (p E(-sign tau) - 1), E(x) = (exp(x) - 1)/x
  *
- * loading: p = 1 + beta, sign +, up to ln(1 + beta); rebound: p = 1 - h, sign -, up to -ln(1 - h). */
+ * Loading: p = 1 + beta, sign +, up to ln(1 + beta). Rebound: p = 1 - h, sign -, up to -ln(1 - h). */
 
 struct crossley_integrand {
     struct ratio k;
@@ -174,7 +174,7 @@ struct crossley_integrand {
     arb_srcptr p, end;
 };
 
-/* With k = l/m and tau = end x^m, the integrand tau^-k ... d tau becomes x^(m - 1 - l) ((a + 1) B)^-k dx, times m
+/* With k = l/m and tau = end x^m, the integrand tau^-k ... d tau becomes x^(m - 1 - l) ((a + 1) B)^-k dx times m
  * end^(1 - k); a + 1 = m/(m - l). E(2 z) = exp(z) sinc(i z). */
 static int crossley_integrand(acb_ptr y, const acb_t x, void *parameters, slong order, slong prec)
 {
@@ -188,7 +188,7 @@ static int crossley_integrand(acb_ptr y, const acb_t x, void *parameters, slong 
     return 0;
 }
 
-/* the integral times m end^(1 - k) beta^(2k - 1) */
+/* Computes the integral times m end^(1 - k) beta^(2k - 1). */
 static void crossley_part(arb_t t, bool proved, struct ratio k, slong sign, const arb_t p, const arb_t end,
                           const arb_t beta, slong prec)
 {
@@ -232,7 +232,7 @@ CROSSLEY_TIME(duration, 3_2, 3, 5)
 
 /* ---- the disk's contact law, runtime/disk/quasistatic.c ---- */
 
-/* 1 + t = -W_-1(-exp(-1 - q)) */
+/* Computes 1 + t = -W_-1(-exp(-1 - q)). */
 static void disk_one_plus_t(arb_t y, const arb_t q, slong prec)
 {
     LET(y, prec, "-exp(-1 - q)", q);
@@ -240,7 +240,7 @@ static void disk_one_plus_t(arb_t y, const arb_t q, slong prec)
     arb_neg(y, y);
 }
 
-/* The load over the compression, pi/(1 + t), q = ln(delta_limit/delta): closed form */
+/* Computes the load over the compression, pi/(1 + t), q = ln(delta_limit/delta), a closed form. */
 static void disk_load_factor(arb_t factor, bool proved, const arb_t q, slong prec)
 {
     (void)proved;
@@ -252,8 +252,8 @@ struct disk_integrand {
     arb_srcptr y, t, c, end; /* y = 1 + t */
 };
 
-/* (exp(u) - 1 - u)/u^2; for |u| < 1 the series 1/2 (1 + u/3 (1 + u/4 (1 + ...))), whose terms from the 50th on are
- * below 2^-214 */
+/* Computes (exp(u) - 1 - u)/u^2. For |u| < 1 it uses the series 1/2 (1 + u/3 (1 + u/4 (1 + ...))), whose 50th and later
+ * terms are below 2^-214. */
 static void exp_less_two_terms(acb_t y, const acb_t u, slong prec)
 {
     enum { TERMS = 50 };
@@ -284,7 +284,7 @@ static int disk_integrand(acb_ptr f, const acb_t x, void *parameters, slong orde
     return 0;
 }
 
-/* The contact time, q = 2 ln(v_limit/v). The integral ends at u = U = 192. From there on the integrand in u is below
+/* Computes the contact time, q = 2 ln(v_limit/v). The integral ends at u = U = 192. Beyond, the integrand in u is below
  * sqrt(2) (t + u) exp(-u/2), and the rest of tau is below 2 (t + U + 2) exp(-U/2) < (t + U + 2) 2^-137. */
 static void disk_contact_time(arb_t tau, bool proved, const arb_t q, slong prec)
 {
@@ -322,7 +322,7 @@ enum { FAR_BITS = 400 };
 struct time_rows {
     const char *name, *title, *variable;
     law_time *time;
-    const char *damping; /* zeta or beta of the variable y; NULL: they are y, in rows by octaves of 1/step cells */
+    const char *damping; /* y as a function of zeta or beta; NULL: y is that, by octaves of 1/step cells */
     double from, step, end;
     double least_bits;
 };
@@ -372,24 +372,24 @@ static const struct time_rows disk_rows[] = {
 
 /* ---- beyond the rows ---- */
 
-/* A formula for strong damping: constants that are known, and then `terms` coefficients of a sum that agrees with as
- * many enclosed values. Its row has the nearest doubles, the first `split` of them each with its remainder. */
+/* A formula for strong damping: `known` constants, then `terms` coefficients of a sum that agrees with an equal number
+ * of enclosed values. Its row has the nearest doubles, and after each of the first `split` its remainder. */
 struct far_form {
     const char *name;
-    const char *comment; /* above this form and those after it */
+    const char *comment; /* above this form and the following ones */
     /* sum_k c_k basis_k = value, equation i of `terms` */
     void (*equation)(arb_ptr basis, arb_t value, const struct far_form *f, slong i);
     slong known, terms, split;
-    /* of tsuji_equation */
+    /* for tsuji_equation */
     law_time *time;
     struct ratio power; /* t zeta^power is expanded */
     slong mu_power;     /* mu = zeta^-mu_power */
     struct {
         int mu, log;
     } term[6];
-    struct ratio k; /* of crossley_equation: a/(a + 1) */
+    struct ratio k; /* for crossley_equation: a/(a + 1) */
     void (*constants)(arb_ptr c, const struct far_form *f);
-    int (*check)(const struct far_form *f); /* of the row; NULL: none */
+    int (*check)(const struct far_form *f); /* checks the row; NULL: no check */
 };
 
 enum { FAR_MOST = 16 };
@@ -411,7 +411,7 @@ static int far_solve(arb_ptr c, const struct far_form *f)
     return solved ? STATUS_OK : fail("the coefficients of %s cannot be solved for", f->name);
 }
 
-/* The row, as exact doubles. Returns the number of its columns, or 0 after reporting the failure. */
+/* Computes the row, as exact doubles. Returns the number of its columns, or 0 after reporting the failure. */
 static slong far_row(arb_ptr row, const struct far_form *f)
 {
     const slong known = f->known, all = known + f->terms;
@@ -441,15 +441,15 @@ static void tsuji_equation(arb_ptr basis, arb_t value, const struct far_form *f,
             f->term[k].mu);
 }
 
-/* y^(4/5) V(y) */
+/* Computes y^(4/5) V(y). */
 static void scaled_overlap_factor(arb_t v, const arb_t y)
 {
     tsuji_overlap_factor(v, true, y, FAR_BITS);
     LET(v, FAR_BITS, "v*y^(4/5)", v, y);
 }
 
-/* y^(4/5) V(y) = v_0 (1 + v_1/y^2 + ...): Stirling's series of |Gamma(9/10 + i y)|^2, whose terms at y = 10 are below
- * 2^-57 from the eighth on */
+/* y^(4/5) V(y) = v_0 (1 + v_1/y^2 + ...): Stirling's series of |Gamma(9/10 + i y)|^2. At y = 10 its eighth and later
+ * terms are below 2^-57. */
 static void overlap_equation(arb_ptr basis, arb_t value, const struct far_form *f, slong i)
 {
     LOCAL(arb, y);
@@ -505,8 +505,8 @@ static const struct far_form tsuji_far[] = {
 
 /* ---- Hunt and Crossley beyond the rows ---- */
 
-/* The time of the largest overlap, s = ln(1 + beta) >= 26.25, in units of beta^(2k - 1) ((a + 1)(1 + beta))^-k: s + K +
- * (k_0 + k_1 s + k_2 s^2)/(1 + beta), K = -psi(1 - k) - gamma. Here for k_j, times 1 + beta. */
+/* The time of the largest overlap, s = ln(1 + beta) >= 26.25, in units of beta^(2k - 1) ((a + 1)(1 + beta))^-k:
+ * s + K + (k_0 + k_1 s + k_2 s^2)/(1 + beta), K = -psi(1 - k) - gamma. Gives k_j, multiplied by 1 + beta. */
 static void crossley_equation(arb_ptr basis, arb_t t, const struct far_form *f, slong i)
 {
     LOCAL(arb, s, beta, K);
@@ -519,17 +519,17 @@ static void crossley_equation(arb_ptr basis, arb_t t, const struct far_form *f, 
         arb_pow_ui(basis + j, s, (ulong)j, FAR_BITS);
 }
 
-/* K */
+/* Computes K. */
 static void loading_constant(arb_ptr K, const struct far_form *f)
 {
     LET(K, FAR_BITS, "digamma(1) - digamma(1 - f->k)", f->k);
 }
 
-/* The rebound, beta > 64: with U = beta + 1 - ln(1 + beta) and k = a/(a + 1), in units of beta^(2k - 1) ((a + 1))^-k,
+/* Computes the rebound, beta > 64. With U = beta + 1 - ln(1 + beta), in units of beta^(2k - 1) ((a + 1))^-k, it is
  *
  *     (a + 1) U^(1 - k) + U^-k sum_p c_p U^-p,   c_p = sum_(j=1..p) binom(k+j-1, j) binom(k+p-1, p-j) (p-j)!/j^(p-j+1)
  *
- * from (U - x - exp(-x))^-k by the binomial series in exp(-x), then in x/U. */
+ * for k = a/(a + 1), from (U - x - exp(-x))^-k by the binomial series in exp(-x), then in x/U. */
 static void rebound_coefficients(arb_ptr c, const struct far_form *f)
 {
     LOCAL(arb, n, first, second);
@@ -599,7 +599,7 @@ static int rows_write(struct emit *e, const struct time_rows *rows, slong head_b
     return sampled_function_write(e, &p, time_at, rows);
 }
 
-/* n tables, with head_bits of c_0, 0: all; and far forms up to one without a name */
+/* Writes n tables, with head_bits of c_0 (0: all), and the far forms up to one without a name. */
 static int file_write(FILE *file, const char *name, const char *what, const char *how, const struct time_rows *rows,
                       int n, slong head_bits, const struct far_form *far)
 {
@@ -622,7 +622,7 @@ static int file_write(FILE *file, const char *name, const char *what, const char
     return status;
 }
 
-/* How the times are made and known: the end of two banners */
+/* End of two banners: how the times and their errors are computed */
 static const char how_times[] =
     "The rows interpolate polynomials through samples by two Gauss rules of 56 points, which agree with enclosures by\n"
     "adaptive quadrature to 1e-20 at two places of each block of rows. Errors of the rows stand above each table\n"

@@ -24,10 +24,10 @@
 #define NU_STEP 0.1375
 enum { X_ROOTS = 20, NU_ROOTS = 5, ROOTS = X_ROOTS * NU_ROOTS };
 #define LAST_NU (FIRST_NU + (double)NU_ROOTS * NU_STEP)
-/* Largest number of divisions of a cell. A fifth helps little (docs/disks.md). Coordinates are in sixths of the
- * side of a cell that is divided FINEST times, so that they do not depend on this number. */
+/* Largest number of divisions of a cell. A fifth helps little (docs/disks.md). The unit of coordinates is a sixth of
+ * the side of a cell that is divided FINEST times, so coordinates do not depend on this number. */
 enum { MOST_CUTS = 4, FINEST = 8, SIXTHS = 6, ROOT_SIDE = SIXTHS << FINEST };
-/* The smallest cells and pieces, of which a root has PER_ROOT to its side */
+/* The smallest cells and pieces. PER_ROOT of them make the side of a root. */
 enum {
     PER_ROOT = 1 << MOST_CUTS,
     SMALLEST = ROOT_SIDE / PER_ROOT,
@@ -38,13 +38,13 @@ enum {
 };
 _Static_assert((int)PER_ROOT == COR_DISK_LIMIT_PER_ROOT, "the smallest pieces are the smallest cells");
 
-/* Tolerances of the collisions up to a speed and beyond it, and the factor on the error of a cell's polynomial at the 9
- * points between its 16 */
+/* Tolerances of the collisions up to CALM_SPEED and beyond it, and the factor on the error of a cell's polynomial at
+ * the 9 points between its 16 */
 #define CALM_SPEED COR_DISK_EPS_CALM_SPEED
 #define CALM_TOLERANCE 1.5e-5
 #define FAST_TOLERANCE 5e-5
 #define SAFETY 1.5
-/* A cell with this or a smaller uncertainty is not divided any more. */
+/* A cell with this uncertainty or less is not divided. */
 #define CALM_WANTED 2e-5
 #define FAST_WANTED 1e-4
 
@@ -55,8 +55,8 @@ struct scene {
     int32_t x, nu, value, estimate; /* in COR_DISK_LIMIT_UNIT */
 };
 
-/* x and nu of its first corner in sixths; values and uncertainty in COR_DISK_LIMIT_UNIT; value [4 j + i] is at place i
- * of x and place j of nu. */
+/* x and nu: its first corner in sixths. The unit of `value` and `uncertainty` is COR_DISK_LIMIT_UNIT. value [4 j + i]
+ * is at place i of x and place j of nu. */
 enum { SIDE = COR_DISK_LIMIT_SIDE, POINTS = COR_DISK_LIMIT_POINTS };
 struct cell {
     int32_t x, nu;
@@ -66,12 +66,12 @@ struct cell {
 
 struct limits {
     bool known;
-    long seconds; /* processor time of their computation */
+    long seconds; /* processor time of the collisions */
     long scenes;
     int cells, pieces, places;
     struct cell cell[PLACES_MAX];
     uint16_t cell_at[ROWS][COLUMNS];
-    /* what the library evaluates */
+    /* the library evaluates these */
     struct cor_disk_limit_piece piece[PLACES_MAX];
     uint16_t square[SQUARES], place[PLACES_MAX];
 };
@@ -107,15 +107,15 @@ static struct cor_disk_limit_table make_evaluable(void)
                                          table->square, table->place, table->piece};
 }
 
-/* Whether a collision at x is asked for CALM_TOLERANCE: in all roots that begin below CALM_SPEED, so that no cell has
- * collisions of both tolerances */
+/* True if the tolerance of a collision at x is CALM_TOLERANCE. These are all roots that begin below CALM_SPEED, so that
+ * no cell has collisions of both tolerances. */
 static bool is_calm(int32_t x)
 {
     const int32_t column = x > 0 ? (x - 1) / ROOT_SIDE : 0;
     return speed_at(column * ROOT_SIDE) < CALM_SPEED;
 }
 
-/* The speed at which the last of these roots ends */
+/* Returns the speed at which the last of these roots ends. */
 static double calm_end(void)
 {
     int32_t x = ROOT_SIDE;
@@ -133,7 +133,7 @@ static int by_place(const void *a, const void *b)
 }
 
 struct collisions {
-    struct scene *scene; /* in order of place, and where those of one material begin */
+    struct scene *scene; /* in order of place; index of the first one of a material */
     long first;
     struct hard_wall_tables tables;
     atomic_bool failed;
@@ -155,7 +155,7 @@ static void scene_collide(void *context, slong i)
     scene->estimate = (int32_t)ceil(out.error_estimate / COR_DISK_LIMIT_UNIT);
 }
 
-/* Computes all scenes. They are in order of place, so that those of one material are together. */
+/* Computes all scenes. They are in order of place, so that scenes of one material are together. */
 static int collide_all(struct scene *scene, long count, const char *name)
 {
     struct collisions run = {.scene = scene};
@@ -172,7 +172,7 @@ static int collide_all(struct scene *scene, long count, const char *name)
     return run.failed ? STATUS_FAILED : STATUS_OK;
 }
 
-/* ---- scenes that are known ---- */
+/* ---- scenes with known results ---- */
 
 struct scenes {
     struct scene *scene; /* in order of place */
@@ -198,7 +198,7 @@ static int32_t sixth_of(const struct cell *cell)
     return (ROOT_SIDE / SIXTHS) >> cell->depth;
 }
 
-/* Point k of a cell, in sixths of its side: both even for its 16 values, or both odd for 9 that test the polynomial */
+/* Returns point k of a cell. i and j, in sixths of its side, are both even (16 values) or both odd (9 tests). */
 enum { PLACES = POINTS + 9 };
 static struct scene point_of(const struct cell *cell, int k, int *i, int *j)
 {
@@ -207,7 +207,7 @@ static struct scene point_of(const struct cell *cell, int k, int *i, int *j)
     return (struct scene){cell->x + *i * sixth_of(cell), cell->nu + *j * sixth_of(cell), 0, 0};
 }
 
-/* The scene at a place, if it is known */
+/* Returns the scene at a place, or NULL if it is not known. */
 static const struct scene *known_scene(const struct scenes *scenes, struct scene key)
 {
     return scenes->count ? bsearch(&key, scenes->scene, (size_t)scenes->count, sizeof key, by_place) : NULL;
@@ -236,7 +236,7 @@ static int find_scenes(struct scenes *scenes, const struct cell *cell, int cells
     return status;
 }
 
-/* Weights of Lagrange's interpolation at a from the points 0, 1, 2, 3. They are exact at the a of corgen, few bits. */
+/* Computes the weights of Lagrange's interpolation at a from 0, 1, 2, 3. They are exact for an a of few bits. */
 static void set_weights(double a, double weight[SIDE])
 {
     const double b = a - 1, c = a - 2, d = a - 3;
@@ -246,7 +246,7 @@ static void set_weights(double a, double weight[SIDE])
     weight[3] = a * b * c / 6;
 }
 
-/* The polynomial of a cell alone, with the weights of a place, in COR_DISK_LIMIT_UNIT */
+/* Evaluates only the cell's own polynomial, with the weights of a place, in COR_DISK_LIMIT_UNIT. */
 static double cell_value(const struct cell *cell, const double x_weight[SIDE], const double nu_weight[SIDE])
 {
     double sum = 0;
@@ -278,7 +278,7 @@ static void fill_cell(struct cell *cell, const struct scenes *scenes)
     cell->uncertainty = (int32_t)ceil(hypot(SAFETY * missed, estimate)) + 1;
 }
 
-/* What is wanted of a cell that begins at x */
+/* Returns the largest uncertainty of a cell that begins at x. */
 static double wanted_at(int32_t x)
 {
     return is_calm(x + 1) ? CALM_WANTED : FAST_WANTED;
@@ -301,7 +301,7 @@ static void add_cell(struct cell cell)
     table->cell[table->cells++] = cell;
 }
 
-/* Cells of one depth become part of the table or are divided; *cell becomes the list of their quarters. */
+/* Adds cells of one depth to the table or divides them. *cell becomes the list of the quarters. */
 static int cell_refine(struct scenes *scenes, struct cell **cell, int *cells)
 {
     int status = find_scenes(scenes, *cell, *cells), cut_cells = 0;
@@ -330,8 +330,8 @@ struct part {
     int first[2], side[2];
 };
 
-/* The cell beyond the first or last side of a part's cell, across from the part's middle, if it is smaller, or NULL.
- * axis is the one that the side ends. */
+/* Returns the cell beyond the first or last side of a part's cell, opposite the part's middle, if it is smaller, or
+ * NULL. axis is perpendicular to the side. */
 static const struct cell *smaller_beyond(const struct part *part, int axis, int last)
 {
     const int side = PER_ROOT >> part->cell->depth, end = axis ? ROWS : COLUMNS;
@@ -343,14 +343,14 @@ static const struct cell *smaller_beyond(const struct part *part, int axis, int 
     return other->depth > part->cell->depth ? other : NULL;
 }
 
-/* The place of a point on an axis of a cell, 0 to 3; `at` is in thirds of the smallest piece. */
+/* Returns the place of a point on an axis of a cell, 0 to 3. The unit of `at` is a third of the smallest piece. */
 static double place_in(const struct cell *cell, int axis, int at)
 {
     const int first = (axis ? cell->nu : cell->x) / SMALLEST;
     return (double)(at - 3 * first) / (double)(PER_ROOT >> cell->depth);
 }
 
-/* The polynomial on a side of a cell */
+/* Evaluates the polynomial on a side of a cell. */
 static double value_on_side(const struct cell *cell, int axis, int last, int at)
 {
     double weight[2][SIDE] = {{0}};
@@ -359,8 +359,8 @@ static double value_on_side(const struct cell *cell, int axis, int last, int at)
     return cell_value(cell, weight[0], weight[1]);
 }
 
-/* The table's function in a part of a cell, (17.5) of docs/theory-disks.md, at place i of x and j of nu. The numbers
- * have few bits, so that the result is exact. */
+/* Evaluates the table's function in a part of a cell, (17.5) of docs/theory-disks.md, at place i of x and j of nu. The
+ * numbers have few bits, so that the result is exact. */
 static double value_in_part(const struct part *part, int i, int j)
 {
     const int at[2] = {3 * part->first[0] + i * part->side[0], 3 * part->first[1] + j * part->side[1]};
@@ -378,7 +378,7 @@ static double value_in_part(const struct part *part, int i, int j)
     return value;
 }
 
-/* Four values at 0, 1/3, 2/3, 1, `stride` apart, become the coefficients of the polynomial through them. */
+/* Converts four values at 0, 1/3, 2/3, 1, `stride` apart, to the coefficients of the polynomial through them. */
 static void to_powers(double *value, int stride)
 {
     const double a = value[0], b = value[stride], c = value[2 * stride], d = value[3 * stride];
@@ -424,7 +424,7 @@ static bool add_pieces(const struct part *part, uint16_t piece_at[ROWS][COLUMNS]
     return true;
 }
 
-/* The least a for which 2^a equal parts of a square along an axis hold one piece each */
+/* Returns the least a for which 2^a equal parts of a square along an axis contain one piece each. */
 static int square_bits(uint16_t piece_at[ROWS][COLUMNS], int x, int nu, int axis)
 {
     int bits = 0;
@@ -632,8 +632,8 @@ bool disk_limits_known(const struct cor_disk_limit_piece *piece)
 /* ---- check of the table ---- */
 
 struct check {
-    long places[2], wrong; /* on the grid, and between its points */
-    double worst[2];       /* the largest difference there, and relative to the uncertainty */
+    long places[2], wrong; /* on the grid; between its points */
+    double worst[2];       /* largest difference on the grid; between, relative to the uncertainty */
 };
 
 static void check_scene(struct check *check, const struct scene *scene, const struct cell *cell)
@@ -674,7 +674,7 @@ static uint64_t sample_draw(uint64_t *state, uint64_t below)
     return (*state * UINT64_C(2685821657736338717) >> 33) % below;
 }
 
-/* Samples one row of one cell, and thus one material, because its modes take as long as a collision. */
+/* Samples one row of one cell, and thus one material, because the modes of a material take as long as a collision. */
 int disk_limits_check_sample(uint64_t seed)
 {
     uint64_t state = 2 * seed + 1;

@@ -10,7 +10,7 @@
 
 enum { NAME_MAX_LENGTH = 128 };
 
-/* A function NAME_WHAT of the variable: factor P(z)/Q(z) by Horner's rule, where P is the array NAME_p or NAME_l */
+/* Emits a function NAME_WHAT of the variable: factor P(z)/Q(z) by Horner's rule. P is the array NAME_p or NAME_l. */
 static void emit_quotient(struct emit *e, const char *name, const char *what, const char *p, const struct pade *f,
                           const char *factor)
 {
@@ -40,7 +40,7 @@ static void print_error(FILE *text, const char *what, double error, const fmpq_t
     flint_free(place);
 }
 
-/* The comment above the arrays. */
+/* Returns the comment above the arrays. */
 static char *pade_comment(const struct pade_header *h, const struct pade *f, const struct pade_analysis *a,
                           const struct pade_error *approximation, double eps, double loss)
 {

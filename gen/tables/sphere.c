@@ -105,10 +105,10 @@ enum { FAR_TABLES = sizeof far_tables / sizeof *far_tables };
 static struct {
     bool made;
     struct law_tables tables;
-    double far_bits, inverse_bits; /* proved, of all formulas for large beta and of the inverse */
+    double far_bits, inverse_bits; /* proved bits of all formulas for large beta, and of the inverse */
 } data;
 
-/* Proves the formulas for large beta and the inverse of the one for eps. */
+/* Proves the formulas for large beta and the inverse of the formula for eps. */
 static int prove_far(const struct law_tables *t, const struct interpolant_proof *rows)
 {
     struct far_proof proof;
@@ -134,7 +134,7 @@ static int prove_far(const struct law_tables *t, const struct interpolant_proof 
     return status;
 }
 
-/* Proves the rows of every table, and what follows them at large beta. */
+/* Proves the rows of every table and the formulas beyond them. */
 static int prove_tables(struct law_tables *t)
 {
     struct interpolant_proof *proof = interpolant_proof_new(t->f, SET_ALL, ELLIPSES_PROVED);
@@ -169,7 +169,7 @@ void sphere_tables_clear(void)
     data.made = false;
 }
 
-/* A comment with the proved relative error, rounded up */
+/* Emits a comment with the proved relative error, rounded up. */
 static void emit_far_comment(struct emit *e, const char *form, double bits)
 {
     emit_comment(e, "%s\nRelative error, proved for every finite double: below 2^-%.1f.", form, floor(10 * bits) / 10);
@@ -237,7 +237,7 @@ int sphere_header_write(FILE *file)
 {
     struct emit e;
     emit_open(&e, file, "COR_SPHERE_EMBEDDED_H", header_banner);
-    /* COR_ROWS is defined otherwise than in runtime/table/rows.h: each table is local to its function, for GPUs. */
+    /* COR_ROWS differs from runtime/table/rows.h: each table is local to its function, for GPUs. */
     fprintf(file,
             "\n%s\n%s\n%s\n%s"
             "#define COR_ROWS(type, name, rows, columns) \\\n"

@@ -11,11 +11,11 @@
 
 /* ---- the Chebyshev series on 0 <= tau <= 7/4 ---- */
 
-/* J is interpolated at SAMPLES points. The first TERMS terms of the series are kept, because the others are below
- * 1e-17. */
+/* J is interpolated at SAMPLES points. Only the first TERMS terms of the series are stored, because the others are
+ * below 1e-17. */
 enum { SAMPLES = 110, TERMS = 40, SAMPLE_BITS = 80 };
 
-/* c_k of J = sum c_k T_k(8 tau/7 - 1), through SAMPLES points, enclosed */
+/* Encloses c_k of J = sum c_k T_k(8 tau/7 - 1) through SAMPLES points. */
 static void chebyshev_series(arb_ptr c)
 {
     enum { BITS = SAMPLE_BITS + 40 };
@@ -40,7 +40,7 @@ static void chebyshev_series(arb_ptr c)
     }
 }
 
-/* Rounds c to doubles. Returns a proved bound on the error from omitted terms, the enclosures of the samples and this
+/* Rounds c to doubles. Returns a proved bound on the error from omitted terms, the enclosures of the samples and the
  * rounding. */
 static double round_series(arb_ptr c)
 {
