@@ -7,9 +7,9 @@
 #include "support/formula.h"
 #include "support/local.h"
 
-/* Let N = n + 1, u = a_{n+1}/(2N) and A = 1/(1 - u). Then a_n = (z/(2N)) A, and x = n - a_n. A is stored as h/d, and A
- * - 1 as k/d, because 1 - A cancels for n > kappa. d = 1 unless |A| > 1; then h = 1, so that nothing overflows where
- * J_n vanishes. In these variables, with capital letters for kappa', b_n = (g/N) B and y = n - b_n,
+/* Let N = n + 1, u = a_{n+1}/(2N) and A = 1/(1 - u). Then a_n = (z/(2N)) A, and x = n - a_n. A is stored as h/d, and
+ * A - 1 as k/d, because 1 - A cancels for n > kappa. d = 1 unless |A| > 1. Then h = 1, so that nothing overflows where
+ * J_n vanishes. Capital letters are for kappa'; b_n = (g/N) B and y = n - b_n. In these variables
  *
  *     -n(n-1)/2 T0 + (g/N) ((n-1)(T1 - s T2/2) + T0/2) = 0        n >= 1
  *     e d - s k = 0                                              n = 0
@@ -25,8 +25,8 @@ struct wave {
     slong zeros; /* number of zeros of J_n below kappa */
 };
 
-/* Computes the wave from a->z. The zeros of J_m and J_{m+1} interlace, j_{m,k} < j_{m+1,k} < j_{m,k+1}: below kappa,
- * J_m has one zero more than J_{m+1} if J_{m+1}/J_m < 0, and otherwise the same number. Returns 0 if a sign is
+/* Computes the wave from a->z. The zeros of J_m and J_{m+1} interlace: j_{m,k} < j_{m+1,k} < j_{m,k+1}. Below kappa,
+ * J_m therefore has one zero more than J_{m+1} if J_{m+1}/J_m < 0, otherwise an equal number. Returns 0 if a sign is
  * undecided. */
 static int wave_set(struct wave *a, slong n, slong prec)
 {
@@ -62,7 +62,7 @@ static int wave_set(struct wave *a, slong n, slong prec)
     return decided;
 }
 
-/* z d/dz of h, d and k. z dA/dz is N (1 - A) + z A^2/(4N), Riccati's equation for a_n. */
+/* Computes z d/dz of h, d and k. z dA/dz is N (1 - A) + z A^2/(4N), Riccati's equation for a_n. */
 static void wave_derivative(struct wave *x, const struct wave *a, slong n, slong prec)
 {
     arb_zero(x->d);
@@ -93,7 +93,7 @@ void disk_clear(struct disk *d)
 
 struct waves {
     arb_t g;
-    struct wave a, b; /* of kappa and kappa' */
+    struct wave a, b; /* waves of kappa and kappa' */
 };
 
 #define OF_WAVES(w) w->g, w->a.z, w->a.h, w->a.d, w->a.k, w->b.z, w->b.h, w->b.d, w->b.k
@@ -115,7 +115,7 @@ static int waves_set(struct waves *v, const struct disk *d, slong n, const arb_t
     return wave_set(&v->a, n, d->prec) && (n == 0 || wave_set(&v->b, n, d->prec));
 }
 
-/* T0, T1, T2 are bilinear. With the derivatives of one wave they are one half of the product rule. */
+/* Computes T0, T1, T2. They are bilinear, so with the derivatives of one wave they are one half of the product rule. */
 static void set_products(arb_ptr t, const struct disk *disk, const struct wave *a, const struct wave *b)
 {
     LET(t + 0, disk->prec, "(disk->e*a->d - disk->s*a->k)*b->d - 2*b->k*a->d", disk->e, a->d, disk->s, a->k, b->d,
@@ -124,7 +124,7 @@ static void set_products(arb_ptr t, const struct disk *disk, const struct wave *
     LET(t + 2, disk->prec, "a->h*b->h", a->h, b->h);
 }
 
-/* f = rest - n(n-1)/2 T0 is the left side of the equation; rest contains the terms with the factor g */
+/* Computes f = rest - n(n-1)/2 T0, the left side of the equation. rest contains the terms with the factor g. */
 static void combine_products(arb_t f, arb_t rest, arb_srcptr t0, const struct disk *disk, const arb_t g, slong n)
 {
     const arb_srcptr t1 = t0 + 1, t2 = t0 + 2;
@@ -134,9 +134,9 @@ static void combine_products(arb_t f, arb_t rest, arb_srcptr t0, const struct di
 
 enum { UNDECIDED_SIGN = 3 };
 
-/* Negative eigenvalues of the stiffness at the rim, free minus clamped, n >= 1. Up to positive factors, the 2 x 2
- * matrices have det(clamped) = D = x y - n^2, det(free) = F/D, where F is the left side of the equation, and diagonals
- * -y/D and -P/D, where P = y + D/g. Returns UNDECIDED_SIGN if a sign is undecided. */
+/* Returns the number of negative eigenvalues of the stiffness at the rim, free minus clamped, n >= 1. Up to positive
+ * factors, the 2 x 2 matrices have det(clamped) = D = x y - n^2, det(free) = F/D and diagonals -y/D and -P/D. F is the
+ * left side of the equation, and P = y + D/g. Returns UNDECIDED_SIGN if a sign is undecided. */
 static int count_eigenvalues(arb_srcptr t0, const struct disk *disk, const struct waves *v, slong n)
 {
     const slong prec = disk->prec;

@@ -15,7 +15,7 @@
 #include "support/local.h"
 #include "support/parallel.h"
 
-/* Bits of omega that C and S, and the recurrences, usually lose. A mode that loses more is computed again. */
+/* Bits of omega that C and S, and the recurrences, usually lose. If a mode loses more, it is computed again. */
 enum {
     GUARD_BITS = 24,
     NEWTON_MAX = 12,
@@ -95,8 +95,8 @@ static bool polish_root(arb_t w, const struct disk *wide, slong n, slong l, slon
     return proved;
 }
 
-/* Bisects by the count alone, which always converges, until Newton's method converges. Undecided counts raise the
- * number of bits. Returns false if `limit` bits do not separate root (n, l) from its neighbour. */
+/* Bisects by the count until Newton's method converges. The count always converges. Undecided counts raise the number
+ * of bits. Returns false if `limit` bits do not separate root (n, l) from its neighbour. */
 static bool bisect_by_count(arb_t w, const struct disk *wide, slong n, slong l, slong bits, slong limit)
 {
     struct disk disk = *wide;
@@ -141,7 +141,7 @@ static bool bisect_by_count(arb_t w, const struct disk *wide, slong n, slong l, 
     return found;
 }
 
-/* Encloses the mode from an approximation to its omega; an approximation that is not positive is ignored. */
+/* Encloses the mode from an approximation to its omega. An approximation that is not positive is ignored. */
 static bool enclose_mode(struct disk_mode *mode, const struct disk *wide, const arb_t omega, slong bits, slong limit)
 {
     LOCAL(arb, w);
@@ -186,8 +186,8 @@ struct work {
     const arb_struct *w;
 };
 
-/* The lowest modes in doubles: the first `count`, the next one, and those that doubles do not separate from it. If they
- * cannot be computed, there are none, and the proof will miss them. */
+/* Finds the lowest modes in doubles: the first `count`, the next one, and those that doubles do not separate from it.
+ * Finds none if they cannot be computed; the proof then fails. */
 static struct cor_disk_mode *find_candidates(slong *found, const struct disk *disk, slong count)
 {
     const struct cor_mode_material material = {disk->e_double, disk->s_double};
@@ -253,7 +253,7 @@ static void count_order(void *pointer, slong i)
     } while (work->below[n] == DISK_UNDECIDED && precision_raise(&p));
 }
 
-/* Number of modes of all n below an omega between mode[count - 1] and mode[count], or DISK_UNDECIDED. */
+/* Returns the number of modes of all n below an omega between mode[count - 1] and mode[count], or DISK_UNDECIDED. */
 static slong count_all(const struct disk_modes *modes, slong count, const struct disk *wide, slong digits)
 {
     LOCAL(arf, low, high);
@@ -362,7 +362,7 @@ int disk_modes_rounded(struct cor_disk_modes *modes, const fmpq_t nu, slong coun
     for (slong i = 0; i < count; i++) {
         const struct disk_mode *const m = &exact.mode[i];
         mode[i] = (struct cor_disk_mode){(int)m->n, (int)m->l, 0, 0, 0};
-        digits_to_double(&mode[i].omega, m->omega); /* number_is_decided has tried it */
+        digits_to_double(&mode[i].omega, m->omega); /* number_is_decided has tested this */
         digits_to_double(&mode[i].c, m->c);
         digits_to_double(&mode[i].s, m->s);
     }

@@ -24,16 +24,16 @@ void disk_modes_clear(struct disk_modes *modes);
 
 /* Computes the `count` lowest modes for -1 < nu < 1, at least DISK_MARGIN from the ends, and proves that no mode is
  * missing. The intervals of omega, c and s are so narrow that digits_of_ball gives `digits` decimal digits and
- * digits_to_double a double; s of n = 0 is exactly 0. The result does not depend on the number of threads,
+ * digits_to_double a double. s of n = 0 is exactly 0. The result does not depend on the number of threads,
  * parallel_threads(). Returns 0, or 1 after reporting the failure. */
 int disk_modes_solve(struct disk_modes *modes, const fmpq_t nu, slong count, slong digits);
 
-/* Sets *modes to these modes, with every double nearest to the exact value; modes->mode is malloc'ed. Returns 0 or 1
- * likewise. */
+/* Sets *modes to these modes, with every double nearest to the exact value. modes->mode is malloc'ed. Returns 0 or 1 as
+ * above. */
 int disk_modes_rounded(struct cor_disk_modes *modes, const fmpq_t nu, slong count);
 
-/* Computes the mode (n, l) to about `bits` relative bits from an approximation to its omega, which may be wrong; from 0
- * by the count alone, which is slower. Returns 0 or 1 likewise. */
+/* Computes the mode (n, l) to about `bits` relative bits from an approximation to its omega, which may be wrong. For
+ * omega = 0 it uses only the count, which is slower. Returns 0 or 1 as above. */
 int disk_mode_solve(struct disk_mode *mode, const fmpq_t nu, slong n, slong l, double omega, slong bits);
 void disk_mode_init(struct disk_mode *mode);
 void disk_mode_clear(struct disk_mode *mode);
@@ -51,7 +51,7 @@ void disk_mode_clear(struct disk_mode *mode);
 struct disk {
     arb_t e, s; /* 1 + nu and 1 - nu */
     double e_double, s_double;
-    slong prec; /* of the functions below; a copy of the struct may have another */
+    slong prec; /* precision of the functions below; a copy of the struct may have another precision */
 };
 
 void disk_init(struct disk *d, const fmpq_t nu, slong prec);
@@ -60,15 +60,15 @@ void disk_clear(struct disk *d);
 /* The result of an undecided count; more precision or another w may decide it. */
 #define DISK_UNDECIDED (-1)
 
-/* Number of roots of one n below omega, w = omega^2 > 0, without the translation n = 1, omega = 0; or DISK_UNDECIDED.
- * */
+/* Returns the number of roots of one n below omega, w = omega^2 > 0, without the translation n = 1, omega = 0, or
+ * DISK_UNDECIDED. */
 slong disk_count(const struct disk *d, slong n, const arb_t w);
 
-/* A step of Newton's method: w (1 - step) is nearer to a root. Returns 0 if the interval is too wide. */
+/* Computes a step of Newton's method: w (1 - step) is nearer to a root. Returns 0 if the interval is too wide. */
 int disk_newton(arb_t step, const struct disk *d, slong n, const arb_t w);
 
-/* C and S of a mode by (26), (28), C > 0, from an interval that contains the w of a root. Returns 0 if the interval is
- * too wide. */
+/* Computes C and S of a mode by (26), (28), C > 0, from an interval that contains the w of a root. Returns 0 if the
+ * interval is too wide. */
 int disk_amplitudes(arb_t c, arb_t s, const struct disk *d, slong n, const arb_t w);
 
 #endif
