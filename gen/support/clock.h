@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The clock of corgen, of the benchmarks and of the figures of the papers. */
+/* The clock of corgen, of the benchmarks and of the figures of the papers */
 #ifndef COR_GEN_SUPPORT_CLOCK_H
 #define COR_GEN_SUPPORT_CLOCK_H
 
 #include <time.h>
 
-/* Seconds of a monotonic clock; only differences have a meaning. */
+/* Returns the seconds of a monotonic clock. Only differences have a meaning. */
 static inline double clock_seconds(void)
 {
     struct timespec now;

@@ -14,9 +14,9 @@
 #include "support/clock.h"
 #include "support/flint.h"
 
-static _Thread_local bool console_thread; /* the one that sets steps of progress and measures them */
+static _Thread_local bool console_thread; /* true in the thread that sets steps of progress and measures them */
 
-/* The line of progress. A thread shows it again and again, so that no computation is silent. */
+/* The line of progress. A thread prints it repeatedly, so that no computation is silent. */
 enum { STEP_NAME = 64, UPDATES_PER_SECOND = 5, PRINTABLE = 5 };
 static const double SILENT_SECONDS = 0.5;
 
@@ -26,8 +26,8 @@ struct step {
     double left, since;
 };
 
-static pthread_mutex_t line_lock = PTHREAD_MUTEX_INITIALIZER; /* protects what follows */
-static struct step whole, part;                               /* part: shown if it has a name */
+static pthread_mutex_t line_lock = PTHREAD_MUTEX_INITIALIZER; /* protects the variables below */
+static struct step whole, part;                               /* part is shown if it has a name */
 static bool line_shown, line_held = true;
 
 static void line_erase(void)
@@ -37,7 +37,7 @@ static void line_erase(void)
     line_shown = false;
 }
 
-/* The number of bytes of the first character; 0 if they are not UTF-8, a control character or a noncharacter */
+/* Returns the length of the first character in bytes, 0 if not UTF-8, a control character or a noncharacter. */
 static size_t character_length(const char *text)
 {
     static const unsigned least[] = {0x20, 0xa0, 0x800, 0x10000};
@@ -53,7 +53,7 @@ static size_t character_length(const char *text)
     return valid && code != 0x7f && code >> 11 != 0x1b && (code & 0xfffe) != 0xfffe ? more + 1 : 0;
 }
 
-/* Writes the first character of a text, or \xNN for its first byte. Returns the number of bytes that it stands for. */
+/* Writes the first character of a text, or \xNN for its first byte. Returns the number of bytes that were read. */
 static size_t print_piece(char piece[PRINTABLE], const char *text)
 {
     const size_t length = character_length(text);
@@ -61,7 +61,7 @@ static size_t print_piece(char piece[PRINTABLE], const char *text)
     return length ? length : 1;
 }
 
-/* Without malloc, which may have failed */
+/* Prints without malloc, which may have failed. */
 static void print_message(const char *format, va_list arguments)
 {
     static char message[1 << 16];
@@ -94,7 +94,7 @@ int usage_error(const char *format, ...)
     return STATUS_USAGE;
 }
 
-/* Memory. GMP and FLINT would abort; exit() runs the clean-up of unfinished files. */
+/* Memory. GMP and FLINT would abort; exit() cleans up unfinished files. */
 
 static FLINT_NORETURN void library_gave_up(void)
 {
@@ -123,7 +123,7 @@ void *xrealloc(void *old, size_t size)
     return check_granted(realloc(old, size ? size : 1), size);
 }
 
-/* There is no room behind a power of two. */
+/* The array is full if `count` is a power of two. */
 void *xgrow(void *old, size_t count, size_t size)
 {
     return (count & (count - 1)) == 0 ? xrealloc(old, (count ? 2 * count : 1) * size) : old;
@@ -175,7 +175,7 @@ void console_start(void)
 
 static bool line_watched;
 static const char *command_name = "";
-static int steps_entered; /* and not left yet */
+static int steps_entered; /* steps entered and not yet left */
 
 static void line_show(const struct step *step)
 {
@@ -220,7 +220,7 @@ void progress_resume(void)
     pthread_mutex_unlock(&line_lock);
 }
 
-/* Changes a step; a step of another name begins now. */
+/* Changes a step. A step of another name begins now. */
 static void step_set(struct step *step, const char *name, long done, long total, double left)
 {
     if (!console_thread || !line_watched)

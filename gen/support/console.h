@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Exit statuses of every subcommand. */
+/* Exit statuses of every subcommand */
 enum { STATUS_OK = 0, STATUS_FAILED = 1, STATUS_USAGE = 2 };
 
 /* main calls this first, once. Afterwards a failed allocation ends the program with a message and STATUS_FAILED. */
@@ -18,21 +18,21 @@ void console_start(void);
 int fail(const char *format, ...) __attribute__((format(printf, 1, 2)));
 int usage_error(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* Progress: one line on a terminal, which a thread rewrites five times per second, also while a computation calls none
- * of these functions. progress_start starts it for a subcommand; it does nothing if stderr is not a terminal. The line
+/* Progress: one line on a terminal. A thread rewrites it five times per second, even while a computation calls none of
+ * these functions. progress_start starts it for a subcommand. It does nothing if stderr is not a terminal. The line
  * shows the name of the subcommand, or of the last profile_step. progress("step", done, total) shows a step of it
  * instead, until progress_end(); total = 0: unknown. Only the thread that called console_start changes the line. */
 void progress_start(const char *command);
 void progress(const char *step, long done, long total);
-/* The same with the remaining time in seconds; a negative number means unknown. */
+/* As progress, with the remaining time in seconds; a negative number means unknown. */
 void progress_left(const char *step, long done, long total, double left);
 void progress_end(void);
 
-/* Erases the line and shows none, because something else is printed, or read, on the terminal; and shows it again. */
+/* Erase the line while other text is printed or read on the terminal, and show it again. */
 void progress_hold(void);
 void progress_resume(void);
 
-/* Enters a step that consists of other steps. Until progress_leave, the line shows this step alone, with the numbers
+/* Enters a step that consists of other steps. Until progress_leave, the line shows only this step, with the numbers
  * given to progress_at. Inner steps and inner calls of progress() and progress_end() print nothing. */
 void progress_enter(const char *step, long total);
 void progress_at(long done);
@@ -44,25 +44,25 @@ void profile_enable(void);
 void profile_step(const char *name); /* ends the current step and starts the next; NULL starts none */
 void profile_report(void);
 
-/* malloc, realloc, strdup and printf to such memory, which end the program with a message instead of returning NULL. */
+/* malloc, realloc, strdup and printf to such memory. They end the program with a message and never return NULL. */
 void *xmalloc(size_t size);
 void *xrealloc(void *old, size_t size);
-void *xgrow(void *old, size_t count, size_t size); /* room for one more; `count` grows by one from call to call */
+void *xgrow(void *old, size_t count, size_t size); /* makes room for one more; `count` grows by one from call to call */
 char *xstrdup(const char *text);
-/* The text for a terminal, a table or a picture: \xNN for each byte of a control character or not of UTF-8. */
+/* Returns the text for a terminal, a table or a picture: \xNN for each byte of a control character or not of UTF-8. */
 char *xprintable(const char *text);
 char *xprintf(const char *format, ...) __attribute__((format(printf, 1, 2)));
 char *xvprintf(const char *format, va_list arguments) __attribute__((format(printf, 1, 0)));
 
 /* ---- words.c: unknown words of a command line, and names that a C function cannot have ---- */
 
-/* The number of letters that are left out, put in, exchanged, or swapped with their neighbour, between two words of at
- * most WORD_MOST letters; capitals count as small letters. */
+/* Returns the number of letters that are omitted, inserted, exchanged, or swapped with their neighbour, between two
+ * words of at most WORD_MOST letters. Capitals count as small letters. */
 enum { WORD_MOST = 63 };
 size_t slips_between(const char *a, const char *b);
 
-/* A usage error about a word that is none of `words`, a list that ends with NULL: the message, the word that was meant,
- * if few slips of the keyboard lead from it to the given one, and all words, each behind `dashes`. Returns
+/* Reports a usage error about a word that is not in `words`, a list that ends with NULL. Prints the message, the
+ * intended word if few typing errors lead from it to the given one, and all words, each after `dashes`. Returns
  * STATUS_USAGE. */
 int refuse_word(const char *word, const char *const *words, const char *dashes, const char *format, ...)
     __attribute__((format(printf, 4, 5)));

@@ -24,36 +24,35 @@ struct decimal {
     enum decimal_forms forms; /* the forms that the text uses */
 };
 
-/* Reads a text of any form whose exponent has at most exponent_digits digits. If the result is false, *x is
- * unchanged. */
+/* Reads a text of any form whose exponent has at most exponent_digits digits. If it returns false, *x is unchanged. */
 bool decimal_parse(struct decimal *x, const char *text, int exponent_digits);
 
 /* Reads a constant of the program. Ends the program if the text is not a number. */
 void decimal_set(struct decimal *x, const char *text);
 
-void decimal_clear(struct decimal *x); /* x may be a number that was never given, all zero */
+void decimal_clear(struct decimal *x); /* x may be all zero, a number that was never given */
 
 /* The allowed range of a number. `low` and `high` are texts of numbers, or NULL for no limit. */
 struct decimal_range {
     const char *low, *high;
     bool low_allowed, high_allowed;
-    bool nearest;        /* the double nearest to the number must be in the range, too, and finite */
+    bool nearest;        /* the double nearest to the number must also be in the range, and finite */
     const char *allowed; /* in words: "a number from 0 to 1e6" */
 };
 bool decimal_inside(const struct decimal_range *range, const fmpq_t x);
 
-/* The double nearest to x, ties to even. The result is infinite beyond the largest double; a subnormal result is
- * rounded once. */
+/* Returns the double nearest to x, ties to even, or infinity beyond the largest double. A subnormal result is rounded
+ * once. */
 double decimal_nearest(const fmpq_t x);
 
-/* The double nearest to a number as it is written, or INFINITY. */
+/* Returns the double nearest to a number as it is written, or INFINITY. */
 double decimal_value(const struct decimal *x);
 
 /* The text of a number that is a macro */
 #define TEXT_OF_(x) #x
 #define TEXT_OF(x) TEXT_OF_(x)
 
-/* The shortest decimal text of at most 17 digits that reads back as x, or "nan" or "inf". */
+/* Writes the shortest decimal text of at most 17 digits that reads back as x, or "nan" or "inf". */
 enum { DECIMAL_TEXT = 32 };
 const char *decimal_text(char text[DECIMAL_TEXT], double x);
 

@@ -17,7 +17,7 @@ slong digits_to_bits(slong digits)
     return (digits * 3322 + 999) / 1000 + GUARD_BITS; /* log2(10) < 3.322 */
 }
 
-/* The shortest spelling that shows every digit of "-12345" with the point after the first `point` digits */
+/* Returns the shortest spelling that shows every digit of "-12345" with the point after the first `point` digits. */
 static char *digits_spell(const char *mantissa, long point)
 {
     static const char zeros[LEADING_ZEROS_MAX + 1] = "0000";
@@ -87,7 +87,7 @@ struct precision precision_start(slong digits)
 
 struct precision precision_doubling(slong bits, slong limit)
 {
-    /* the step doubles, too: bits + bits, + 2 bits, + 4 bits, ..., from the last half of the limit on no more */
+    /* the step also doubles: bits + bits, + 2 bits, + 4 bits, ..., but not in the last half of the limit */
     return (struct precision){.bits = bits, .step = bits, .limit = limit / 2 + 1};
 }
 

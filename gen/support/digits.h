@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Proved decimal digits: an interval is printed only if both of its ends round to the same string.
- */
+/* Proved decimal digits: an interval is printed only if both of its ends round to the same string. */
 #ifndef COR_GEN_SUPPORT_DIGITS_H
 #define COR_GEN_SUPPORT_DIGITS_H
 
@@ -8,12 +7,12 @@
 
 #include "support/flint.h"
 
-/* The value of x correctly rounded to `digits` significant decimal digits, as a malloc'ed string ("1.0933620739",
- * "-5.04e-12", "0" for an exact zero, "inf" for a midpoint at infinity), or NULL if the interval is too wide to decide
- * the digits. */
+/* Returns the value of x correctly rounded to `digits` significant decimal digits, as a malloc'ed string
+ * ("1.0933620739", "-5.04e-12", "0" for an exact zero, "inf" for a midpoint at infinity). Returns NULL if the interval
+ * is too wide to decide the digits. */
 char *digits_of_ball(const arb_t x, slong digits);
 
-/* Working precision in bits for `digits` decimal digits, with guard bits. */
+/* Returns the working precision in bits for `digits` decimal digits, with guard bits. */
 slong digits_to_bits(slong digits);
 
 /* Sets *y to the correctly rounded double of an interval, subnormals included. Returns 0 and leaves *y unchanged if the
@@ -28,11 +27,11 @@ struct precision {
     slong bits, step, limit;
 };
 
-/* Start for decimal digits, with steps of 32, 64, 128, ... bits up to three times the bits of the digits plus 512. A
+/* Starts for decimal digits, with steps of 32, 64, 128, ... bits up to three times the bits of the digits plus 512. A
  * number that is undecided there must be zero or a tie, which interval (ball) arithmetic cannot exclude. */
 struct precision precision_start(slong digits);
 
-/* Start from `bits` bits, which double as long as they do not exceed `limit`. */
+/* Starts from `bits` bits, which double while they do not exceed `limit`. */
 struct precision precision_doubling(slong bits, slong limit);
 
 /* Raises the number of bits. Returns false at the limit. */

@@ -14,7 +14,7 @@
 
 enum { COMMENT_DIGITS = 25, BITS_OF_SMALL = 40, WIDTH = 120, NUMBER_MAX = 40 };
 
-/* Writes a comment. A star and a slash in the text are separated, and no line ends in a space. */
+/* Writes a comment. Separates a star and a slash in the text, and ends no line with a space. */
 static void put_comment(FILE *file, const char *text)
 {
     size_t length = strlen(text);
@@ -68,7 +68,7 @@ void emit_comment(struct emit *e, const char *format, ...)
     free(text);
 }
 
-/* The fraction if x is exact and has a binary denominator of few bits, otherwise its digits */
+/* Returns the fraction if x is exact and has a binary denominator of few bits, otherwise its digits. */
 static char *number_text(const arb_t x)
 {
     if (!arb_is_exact(x) || arb_bits(x) > BITS_OF_SMALL || arf_cmpabs_2exp_si(arb_midref(x), BITS_OF_SMALL) > 0 ||
@@ -104,7 +104,7 @@ static const char *real_type(const struct emit *e)
     return e->single ? "float" : "double";
 }
 
-/* The shortest text of a number of the type in C and C++ that reads back to the same bits */
+/* Writes the shortest text of a number of the type in C and C++ that reads back to the same bits. */
 static const char *print_real(char text[NUMBER_MAX], const struct emit *e, double x)
 {
     const int most = e->single ? 9 : 17;
@@ -127,7 +127,7 @@ void emit_digits(FILE *file)
         fprintf(file, "table,row,column,value,digits\n");
 }
 
-/* Elements of a table, {...}, separated by commas, in lines that are filled */
+/* Writes elements of a table, {...}, separated by commas, in lines that are filled. */
 static void put_number(struct emit *e, const char *number, bool opens, bool closes)
 {
     const int length = (int)strlen(number) + opens + closes;
@@ -138,7 +138,7 @@ static void put_number(struct emit *e, const char *number, bool opens, bool clos
     e->column += fprintf(e->file, "%s%s%s", opens ? "{" : "", number, closes ? "}" : "");
 }
 
-/* A number of a table by its row and column, and with its digits where these are wanted */
+/* Writes one table entry. Also appends it with its digits to the digits file, if that is open. */
 static int put_ball(struct emit *e, const arb_t x, slong column, bool opens, bool closes)
 {
     double y;
@@ -167,7 +167,7 @@ static void table_open(struct emit *e, const char *name)
     e->column = 0;
 }
 
-/* Tables of one row stay local: compilers make constants of their numbers. */
+/* Tables of one row stay local, because compilers make constants of their numbers. */
 void emit_rows_open(struct emit *e, const char *type, const char *name, slong rows, slong columns)
 {
     table_open(e, name);
@@ -331,7 +331,7 @@ void emit_lines(struct emit *e, const char *text, ...)
     va_end(arguments);
 }
 
-/* c_0 + x * (c_1 + x * (... + x * c_n)): Horner's rule. text[k] is c_k; the last may be the number 1. */
+/* Writes c_0 + x * (c_1 + x * (... + x * c_n)), Horner's rule. text[k] is c_k; the last may be the number 1. */
 static void put_horner(struct emit *e, const char *name, const char *x, char (*text)[NUMBER_MAX], slong degree,
                        bool monic)
 {

@@ -11,29 +11,29 @@
 
 struct emit {
     FILE *file;
-    bool single;              /* emit_lines and those after it write float */
+    bool single;              /* emit_lines and the functions after it write float */
     bool decimal;             /* rows and structs in 17 decimal digits, which every C and C++ compiler reads, instead of
-                   * hexadecimal */
-    bool shared;              /* rows as runtime/table/rows.h has them, decimal or not */
-    const char *table, *type; /* the rows or structs that are being written, how many of them are, and how long the last
-                       * line is */
+                               * hexadecimal */
+    bool shared;              /* rows as in runtime/table/rows.h, decimal or not */
+    const char *table, *type; /* name of the current rows or structs, their type, the number of elements written, and
+                               * the length of the last line */
     slong row;
     int column;
     bool local; /* the table is local to its function */
 };
 
-/* From now on each double of emit_row and emit_struct is also a line of a csv file, table,row,column,value,digits, with
- * 25 significant digits (a fraction of small integers where the number is one), except in headers with `decimal` that
- * are not `shared`. NULL ends that. */
+/* Also writes each double of emit_row and emit_struct to a csv file, table,row,column,value,digits, with 25 significant
+ * digits (a fraction of small integers where the number is one). Headers with `decimal` that are not `shared` are
+ * excepted. NULL ends the csv file. */
 void emit_digits(FILE *file);
 
-/* Writes the licence line, the banner and the include guard, in capitals. The banner is plain text. Its line breaks are
- * kept, and no text can end the comment early. */
+/* Writes the licence line, the banner and the include guard, in capitals. The banner is plain text with line breaks. No
+ * text can end the comment early. */
 void emit_open(struct emit *e, FILE *file, const char *guard, const char *banner);
 void emit_close(struct emit *e);
 
-/* The same for NAME_tables.h of generated/: `what` it has, the commands that write and check it, and how its errors are
- * known; then lines that include other headers */
+/* Opens NAME_tables.h of generated/. what: its contents. how: the source of its errors. Adds the commands that write
+ * and check it, and `includes`, lines that include other headers. */
 void emit_open_tables(struct emit *e, FILE *file, const char *name, const char *what, const char *how,
                       const char *includes);
 #define EMIT_INCLUDE_ROWS "#include \"runtime/table/rows.h\"\n"
@@ -46,11 +46,10 @@ void emit_comment(struct emit *e, const char *format, ...) __attribute__((format
  * interval that is too wide to be rounded. */
 int emit_doubles(struct emit *e, const char *name, arb_srcptr value, slong length);
 
-/* A function const TYPE *name(int i) that returns row i, TYPE double or float. The table is local to it if it has one
- * row or if `decimal` and not `shared`, so that the same text works on a GPU, and otherwise stands where
- * runtime/table/rows.h says. Call
- * open, emit_row or emit_float_row for each row, and close. Numbers fill the lines. emit_row returns 0, or 1 after
- * reporting the interval that is too wide. emit_one_row writes a table of one row. */
+/* Writes a function const TYPE *name(int i) that returns row i, TYPE double or float. The table is local to it if it
+ * has one row or if `decimal` and not `shared`, so that the same text works on a GPU. Otherwise runtime/table/rows.h
+ * decides. Call open, emit_row or emit_float_row for each row, and close. Numbers fill the lines. emit_row returns 0,
+ * or 1 after reporting the interval that is too wide. emit_one_row writes a table of one row. */
 void emit_rows_open(struct emit *e, const char *type, const char *name, slong rows, slong columns);
 int emit_row(struct emit *e, arb_srcptr value, slong columns);
 void emit_float_row(struct emit *e, const double *value, slong columns);
@@ -63,27 +62,27 @@ void emit_structs_open(struct emit *e, const char *type, const char *name, slong
 int emit_struct(struct emit *e, const slong *whole, slong wholes, arb_srcptr value, slong values);
 void emit_structs_close(struct emit *e);
 
-/* #define TABLE_WHAT: a number of a table's geometry, under the table's name in capitals. Reals are written in decimal
- * and read back to the same bits. */
+/* Writes #define TABLE_WHAT: a number of a table's geometry, under the table's name in capitals. Reals are written in
+ * decimal and read back to the same bits. */
 void emit_geometry_real(struct emit *e, const char *table, const char *what, double x);
 void emit_geometry_integer(struct emit *e, const char *table, const char *what, slong n);
 
-/* In a function that builds a struct x: sets its field, a pair with hi and lo, from an interval. */
+/* In a function that builds a struct x, sets its field, a pair with hi and lo, from an interval. */
 int emit_pair_field(struct emit *e, const char *field, const arb_t value);
 
-/* Writes a text in which $T is the type of real numbers, $B its number of bits and $F the ending of its functions
- * and numbers, "f" or nothing, and of which these take an argument: $s a text, $S a text in capitals, $d an int, $x a
- * double that the type holds, written so that it reads back to the same bits, and $b such a double's bits as a whole
- * number. */
+/* Writes a text in which $T is the type of real numbers, $B its number of bits and $F the ending of its functions and
+ * numbers, "f" or nothing. The following take an argument: $s a text, $S a text in capitals, $d an int, $x a double
+ * that the type contains, written so that it reads back to the same bits, and $b the bits of such a double as an
+ * integer. */
 void emit_lines(struct emit *e, const char *text, ...);
-uint64_t emit_bits_of(bool single, double x); /* of $b */
+uint64_t emit_bits_of(bool single, double x); /* for $b */
 
-/* Define `name` as a polynomial in a variable by Horner's rule, of which every product is added, so that compilers
- * round alike but for fused products: of c[0], c[step], ... up to c[degree], or of a row of a table. */
+/* Define `name` as a polynomial in a variable by Horner's rule: of c[0], c[step], ... up to c[degree], or of a row of a
+ * table. Every product is added, so that compilers differ only by fused products. */
 void emit_let_polynomial(struct emit *e, const char *name, const char *x, const double *c, slong degree, slong step);
 void emit_let_row_polynomial(struct emit *e, const char *name, const char *table, const char *row, const char *t,
                              slong degree);
-/* A table local to a function, for them */
+/* Writes a table local to a function, for these polynomials. */
 void emit_table(struct emit *e, const char *name, const double *value, slong rows, slong columns);
 
 /* The text of a bound: x >= 0 rounded up to two significant digits, such as "5.3e-11" */

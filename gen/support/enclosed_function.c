@@ -89,7 +89,7 @@ void enclosed_variable(arb_poly_t x, double lo, double hi)
     _arb_poly_normalise(x);
 }
 
-/* exp(c) (1 + w + w^2/2 + ...), w = p - c. The terms after the last are below |w|^(TERMS + 1) exp(|w|)/(TERMS + 1)!. */
+/* exp(c) (1 + w + w^2/2 + ...), w = p - c. The omitted terms are below |w|^(TERMS + 1) exp(|w|)/(TERMS + 1)!. */
 bool enclosed_exp(arb_poly_t y, const arb_poly_t p)
 {
     enum { TERMS = 30 };
@@ -116,7 +116,7 @@ bool enclosed_exp(arb_poly_t y, const arb_poly_t p)
     return true;
 }
 
-/* The root of a positive function: the root s of its polynomial's middle, and the rest, |p - s^2|/s at most. */
+/* Encloses the root: the root s of the polynomial's middle, and the rest, at most |p - s^2|/s. */
 bool enclosed_square_root(arb_poly_t y, const arb_poly_t p)
 {
     LOCAL(arb_poly, s, rest);
@@ -140,8 +140,8 @@ bool enclosed_square_root(arb_poly_t y, const arb_poly_t p)
     return done;
 }
 
-/* c_0 = p(0), and ln(1 + w) or 1/(1 + w) - 1 for w = p/c_0 - 1, by a power series. Its terms after the last are below
- * |w|^(TERMS + 1)/(1 - |w|) together. */
+/* Computes c_0 = p(0), and ln(1 + w) or 1/(1 + w) - 1 for w = p/c_0 - 1, by a power series. The sum of its omitted
+ * terms is below |w|^(TERMS + 1)/(1 - |w|). */
 static bool series_in_rest(arb_poly_t y, arb_t c, const arb_poly_t p, bool logarithm)
 {
     enum { TERMS = 64, LEFT_OUT = TERMS + 1 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Enclosures of functions of t, -1 <= t <= 1. A polynomial with intervals as coefficients represents a function if at
- * every t the value of the function is the value of the polynomial for some numbers of the intervals, which may depend
+/* Enclosures of functions of t, -1 <= t <= 1. A polynomial with intervals as coefficients represents a function if, at
+ * every t, the value of the function is the value of the polynomial for some numbers of the intervals. These may depend
  * on t. Sums and products of such polynomials represent sums and products. Terms of high degree, which are at most the
  * sums of their coefficients, become part of the constant term's radius. */
 #ifndef COR_GEN_SUPPORT_ENCLOSED_FUNCTION_H
@@ -12,8 +12,8 @@
 
 enum { ENCLOSED_BITS = 160 };
 
-/* LET_FUNCTION(y, "mu/sqrt(1 - x^2)", mu, x) as LET of formula.h, also with functions: + - * /, whole powers > 0, exp,
- * log and sqrt. It returns false, and a function that is not finite, if one is not shown to be defined. */
+/* LET_FUNCTION(y, "mu/sqrt(1 - x^2)", mu, x) is LET of formula.h for functions too: + - * /, whole powers > 0, exp,
+ * log, sqrt. It returns false, and a function that is not finite, if an operation is not proved to be defined. */
 extern const struct formula_algebra enclosed_algebra;
 #define LET_FUNCTION(y, ...) formula_function(y, &enclosed_algebra, FORMULA(__VA_ARGS__))
 
@@ -25,32 +25,31 @@ void enclosed_add_number(arb_poly_t p, const arb_t c);
 void enclosed_add_double(arb_poly_t p, double c);
 void enclosed_add_radius(arb_poly_t p, const arb_t radius);
 
-/* The interval of all values, by the sum of the coefficients */
+/* Computes the interval of all values, by the sum of the coefficients. */
 void enclosed_range(arb_t range, const arb_poly_t p);
 
-/* p(middle + half t) */
+/* Computes p(middle + half t). */
 void enclosed_rescale(arb_poly_t y, const arb_poly_t p, const arb_t middle, const arb_t half, slong prec);
 
-/* The variable on lo <= x <= hi */
+/* Computes the variable on lo <= x <= hi. */
 void enclosed_variable(arb_poly_t x, double lo, double hi);
 
-/* exp(p). The radius is small if p differs little from its value at t = 0, by less than 1. Returns
- * true. */
+/* Computes exp(p). The radius is small if p differs by less than 1 from its value at t = 0. Returns true. */
 bool enclosed_exp(arb_poly_t y, const arb_poly_t p);
 
-/* The root of a positive function. Returns false if it is not shown to be positive. */
+/* Computes the root of a positive function. Returns false if it is not proved to be positive. */
 bool enclosed_square_root(arb_poly_t y, const arb_poly_t p);
 
-/* ln(p) and 1/p of a function that differs from its value at t = 0, which is positive, by less than half that value.
- * Returns false otherwise. */
+/* Compute ln(p) and 1/p of a function that differs from its value at t = 0, which is positive, by less than half that
+ * value. Return false otherwise. */
 bool enclosed_logarithm(arb_poly_t y, const arb_poly_t p);
 bool enclosed_inverse(arb_poly_t y, const arb_poly_t p);
 
-/* An approximate |f/g| at t */
+/* Returns an approximate |f/g| at t. */
 double enclosed_ratio_at(const arb_poly_t f, const arb_poly_t g, double t);
 
-/* Upper bound of |f/g|, infinite where g may vanish. Halves the range, `halvings` times at most, until the bound is
- * near `known`, a value that the ratio reaches or that is small enough. */
+/* Bounds |f/g| from above. The bound is infinite where g may vanish. Halves the range, at most `halvings` times, until
+ * the bound is near `known`, a value that the ratio reaches or that is small enough. */
 double enclosed_largest_ratio(const arb_poly_t f, const arb_poly_t g, double known, int halvings);
 
 #endif

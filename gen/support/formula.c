@@ -33,7 +33,7 @@ static void value_clear(struct value *x)
 }
 LOCAL_STRUCT(value)
 
-/* The real part, the first of both members */
+/* Returns the real part, the first of both members. */
 static arb_ptr real_of(struct value *x)
 {
     return (arb_ptr)x->ball;
@@ -54,7 +54,7 @@ static _Noreturn void refuse_formula(const struct reader *r)
     abort();
 }
 
-/* The next character if it is among `which`, or 0, where the text stays. */
+/* Reads the next character if it is in `which`. Otherwise returns 0 and reads nothing. */
 static char next_of(struct reader *r, const char *which)
 {
     while (*r->at == ' ')
@@ -178,7 +178,7 @@ static bool is_named(const char *name, const char *word, size_t length)
     return *name == *word && strncmp(name, word, length) == 0 && name[length] == '\0';
 }
 
-/* A name consists of letters, digits, _ . -> and an index in brackets. */
+/* Returns the length of a name: letters, digits, _ . -> and an index in brackets. */
 static size_t name_length(const char *text)
 {
     size_t n = 0;
@@ -225,13 +225,13 @@ static void read_function(struct value *y, struct reader *r, const char *name, s
     expect_sign(r, ")");
 }
 
-/* True of an operand's name, and of a law's with its exponent .a, .b, ->a or ->b */
+/* True for an operand's name, and for a law's name with its exponent .a, .b, ->a or ->b. */
 static bool is_operand(const struct operand *x, const char *name, size_t length)
 {
     if (!x->law)
         return is_named(x->name, name, length);
     const bool field = x->name[0] == '&';
-    const size_t stem = strlen(x->name + field), end = stem + (field ? 1 : 2); /* of "." or "->" */
+    const size_t stem = strlen(x->name + field), end = stem + (field ? 1 : 2); /* length of "." or "->" */
     return length == end + 1 && strncmp(x->name + field, name, stem) == 0 &&
            strncmp(field ? "." : "->", name + stem, end - stem) == 0 && (name[end] == 'a' || name[end] == 'b');
 }
@@ -263,7 +263,7 @@ static void read_operand(struct value *y, const struct reader *r, const char *na
         fmpq_set_si(y->exact, x->ratio.den ? x->ratio.num : x->whole, x->ratio.den ? (ulong)x->ratio.den : 1);
 }
 
-/* A number, an operand, a function or a sum in parentheses, and its power */
+/* Reads a number, an operand, a function or a sum in parentheses, and its power. */
 static void read_factor(struct value *y, struct reader *r)
 {
     if (next_of(r, "-")) {
@@ -321,7 +321,7 @@ static void read_sum(struct value *y, struct reader *r)
     }
 }
 
-/* A sum, after which the text ends or goes on with one of `ends`, which is returned */
+/* Reads a sum. After it the text must end or continue with one of `ends`, which is returned. */
 static char read_side(struct value *x, struct reader *r, const char *ends)
 {
     read_sum(x, r);

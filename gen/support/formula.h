@@ -4,17 +4,17 @@
  *     LET(y, prec, "2*x/(1 - exp(-2*x)) - k^(1/3)", x, k);       y = ..., with prec bits
  *     if (HOLDS(prec, "abs(x) + 1/8 < m->bound", x, m->bound))   false also where balls do not decide
  *     EXACT(q, "(1 - nu^2)/Y", nu, Y);                           a rational number, without rounding
- *     RATIO("a/(b + 1)", a, b)                                   the same as a struct ratio
+ *     RATIO("a/(b + 1)", a, b)                                   a rational number as a struct ratio
  *
- * After the text come the operands, 9 at most, under the names that they have in C: arb_t, fmpq_t, struct ratio, slong,
- * int or double; the result may be one of them. The operands law and &s->law, of the type struct cor_exponents, stand
- * for their exponents law->a and law->b, s->law.a and s->law.b. + - * / ^ group as usual, -x^2 = -(x^2) and
- * x^y^z = x^(y^z). Whole numbers, rational operands and what is made of these alone are exact, and are rounded only
- * where they meet a ball or a double. Functions: abs, acos, acosh, asin, digamma, exp, expm1, gamma, log, log1p, sinc,
- * sinh, sqrt, and max and min of two numbers; the number pi. A text that is no formula ends the program.
+ * At most 9 operands follow the text, with their C names: arb_t, fmpq_t, struct ratio, slong, int or double. The result
+ * may be one of them. An operand law or &s->law, of the type struct cor_exponents, provides its exponents law->a and
+ * law->b, s->law.a and s->law.b. + - * / ^ group as usual, -x^2 = -(x^2) and x^y^z = x^(y^z). Whole numbers, rational
+ * operands and results of only these are exact. They are rounded only where they meet a ball or a double. Functions:
+ * abs, acos, acosh, asin, digamma, exp, expm1, gamma, log, log1p, sinc, sinh, sqrt, and max and min of two numbers. The
+ * number pi is available. A text that is not a formula ends the program.
  *
- * LET_COMPLEX computes with acb_t, too, of which it knows + - * / ^, exp, sinc, sinh and sqrt. Roots and powers that
- * are not whole are not finite on their cut if `analytic`. */
+ * LET_COMPLEX also computes with acb_t, with + - * / ^, exp, sinc, sinh and sqrt. With `analytic`, roots and powers
+ * that are not whole are not finite on their cut. */
 #ifndef COR_GEN_SUPPORT_FORMULA_H
 #define COR_GEN_SUPPORT_FORMULA_H
 
@@ -35,9 +35,9 @@ struct operand {
     acb_srcptr plane; /* complex */
     const arb_poly_struct *function;
     const fmpq *exact;
-    struct ratio ratio; /* den = 0: none */
-    slong whole;        /* if there is no other */
-    double real;        /* NaN: none */
+    struct ratio ratio; /* den = 0: absent */
+    slong whole;        /* if all others are absent */
+    double real;        /* NaN: absent */
     const struct cor_exponents *law;
 };
 
@@ -50,8 +50,8 @@ struct operand {
 void formula_ball(arb_t y, slong prec, const char *text, const struct operand *operands);
 void formula_complex(acb_t y, bool analytic, slong prec, const char *text, const struct operand *operands);
 
-/* Formulas of functions, LET_FUNCTION of enclosed_function.h: what they are computed with. All but products return
- * false where the result is not shown to be defined. */
+/* The operations of formulas of functions, LET_FUNCTION of enclosed_function.h. All but products return false where the
+ * result is not proved to be defined. */
 struct formula_algebra {
     slong bits;
     void (*multiply)(arb_poly_t z, const arb_poly_t x, const arb_poly_t y);
@@ -64,7 +64,7 @@ bool formula_holds(slong prec, const char *text, const struct operand *operands)
 void formula_exact(fmpq_t q, const char *text, const struct operand *operands);
 struct ratio formula_ratio(const char *text, const struct operand *operands);
 
-#ifdef __cppcheck__ /* which does not read _Generic */
+#ifdef __cppcheck__ /* cppcheck does not read _Generic */
 #define FORMULA(...) FORMULA_TEXT(__VA_ARGS__, 0), NULL
 #else
 #define FORMULA(...)                                                                                                   \

@@ -16,13 +16,13 @@
 
 #define CSS_PIXELS 96.0 /* in an inch */
 
-extern char **environ; /* POSIX has it in no header */
+extern char **environ; /* no header of POSIX declares it */
 
-/* The variable `picture` of a script holds its format. */
+/* The variable `picture` of a script contains its format. */
 static const char *const format[] = {"svg", "png", "pdf"};
 enum { FORMATS = sizeof format / sizeof *format };
 
-/* The place in the list, or FORMATS */
+/* Returns the place in the list, or FORMATS. */
 static int format_of(const char *path)
 {
     const char *const dot = strrchr(file_name(path), '.');
@@ -103,7 +103,7 @@ static int run_program(FILE *script, FILE *out, const char *picture)
     return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
 }
 
-/* The lines that name the version of gnuplot, which would make pictures differ from machine to machine */
+/* True for lines that name the version of gnuplot, which would make pictures differ between machines. */
 static bool names_version(const char *line)
 {
     return strncmp(line, "<desc>", 6) == 0 || strstr(line, "Gnuplot") || strstr(line, "GNUPLOT");

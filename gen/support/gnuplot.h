@@ -6,15 +6,15 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* A picture's format is the ending of its file: .svg, .png or .pdf, and svg where there is none. Returns STATUS_OK, or
- * STATUS_USAGE after a message that names the option --plot. */
+/* Checks the format of a picture, the ending of its file: .svg, .png or .pdf; svg without an ending. Returns STATUS_OK,
+ * or STATUS_USAGE after a message that names the option --plot. */
 int gnuplot_check(const char *path);
 
-/* Begins a script: terminal, colours (black, grey, light, blue, red, green, violet, amber), axes. Returns NULL after
- * a message if there is no room for it. */
+/* Begins a script: terminal, colours (black, grey, light, blue, red, green, violet, amber), axes. Returns NULL after a
+ * message if there is no space for it. */
 FILE *gnuplot_begin(int width, int height);
 
-/* Runs and closes the script, which holds its data, and copies the picture that it prints to `out`, in the format of
+/* Runs and closes the script, which contains its data. Copies the picture that it prints to `out`, in the format of
  * `path`; svg without the lines that name the version of gnuplot. Returns STATUS_OK, or STATUS_FAILED after a
  * message. */
 int gnuplot_run(FILE *script, FILE *out, const char *path);
@@ -22,16 +22,16 @@ int gnuplot_run(FILE *script, FILE *out, const char *path);
 /* Writes any text as a string of gnuplot, "...", which prints as xprintable(text). */
 void gnuplot_quote(FILE *script, const char *text);
 
-/* A curve eps(speed). Speeds are positive and rise; an eps of NaN is left out. */
+/* A curve eps(speed). Speeds are positive and rise; an eps of NaN is omitted. */
 struct eps_curve {
     const char *title;
     const double *speed, *eps;
     size_t count;
 };
 
-/* Draws curves with the label of the abscissa, and eps from `least` to 1: 0, or NAN, from the least eps. Writes the
- * picture in the format of `path`, whole or not at all. Returns STATUS_OK, or STATUS_FAILED after a
- * message, also where gnuplot is not installed. */
+/* Draws curves with the label of the abscissa, and eps from `least` to 1. least = NAN: from the smallest eps. Writes
+ * the picture in the format of `path`, whole or not at all. Returns STATUS_OK, or STATUS_FAILED after a message, also
+ * if gnuplot is not installed. */
 int eps_plot(const char *path, const char *title, const char *label, double least, const struct eps_curve *curve,
              size_t curves);
 

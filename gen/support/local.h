@@ -3,13 +3,13 @@
  *
  *     LOCAL(arb, x, y);
  *
- * declares arb_t x, y, initialised. Whatever way leads out of their block clears them, after the value of a return has
- * been computed (the attribute `cleanup` of gcc and clang). And members of a structure:
+ * declares arb_t x, y, initialised. They are cleared on every way out of their block, after the value of a return has
+ * been computed (the attribute `cleanup` of gcc and clang). For members of a structure:
  *
  *     FOR_ALL(arb, init, s->x, s->y);    FOR_ALL(arb, clear, s->x, s->y);
  *
- * LOCAL_MATRIX(rows, columns, a, b) declares matrices, LOCAL_VECTOR(x, n) a vector. LOCAL_STRUCT and LOCAL_FROM make
- * the same of structures. */
+ * LOCAL_MATRIX(rows, columns, a, b) declares matrices, and LOCAL_VECTOR(x, n) a vector. LOCAL_STRUCT and LOCAL_FROM do
+ * the same for structures. */
 #ifndef COR_GEN_SUPPORT_LOCAL_H
 #define COR_GEN_SUPPORT_LOCAL_H
 
@@ -20,12 +20,12 @@
 #define LOCAL(type, ...) LOCAL_FROM(type, type##_local(), __VA_ARGS__)
 #define LOCAL_MATRIX(rows, columns, ...) LOCAL_FROM(arb_mat, arb_mat_local(rows, columns), __VA_ARGS__)
 
-/* an arb_ptr to n numbers */
+/* Declares an arb_ptr to n numbers. */
 #define LOCAL_VECTOR(x, n)                                                                                             \
     __attribute__((cleanup(arb_vector_clear))) const struct arb_vector x##_vector = {_arb_vec_init(n), n};             \
     arb_ptr x = x##_vector.entry
 
-/* a struct name, from name_init(arguments) to name_clear: LOCAL_INIT(taylor, y, (&y, law, prec)) */
+/* Declares a struct name, from name_init(arguments) to name_clear: LOCAL_INIT(taylor, y, (&y, law, prec)) */
 #define LOCAL_INIT(name, x, arguments)                                                                                 \
     __attribute__((cleanup(name##_clear))) struct name x;                                                              \
     name##_init arguments
@@ -65,7 +65,7 @@
             type##_##action(*one_);                                                                                    \
     } while (0)
 
-/* makes LOCAL(name, x) of a struct name with name_init and name_clear */
+/* Makes LOCAL(name, x) of a struct name with name_init and name_clear. */
 #define LOCAL_STRUCT(name)                                                                                             \
     typedef struct name name##_t[1];                                                                                   \
     LOCAL_TYPE(name, struct name)
@@ -80,7 +80,7 @@ LOCAL_TYPE(acb, acb_struct)
 LOCAL_TYPE(arb_poly, arb_poly_struct)
 LOCAL_TYPE(acb_poly, acb_poly_struct)
 
-/* The double nearest to the middle of a ball, and doubles that bound |x| from above, and x from above or below */
+/* Return the double nearest to the middle of a ball, and doubles that bound |x| above, and x above or below. */
 static inline double ball_middle(const arb_t x)
 {
     return arf_get_d(arb_midref(x), ARF_RND_NEAR);

@@ -19,7 +19,7 @@
 
 static const char *volatile interrupted_text;
 
-/* The handler raises the signal again with its default action, so that the parent sees the expected exit status. */
+/* Raises the signal again with its default action, so that the parent sees the expected exit status. */
 static void on_interrupt(int number)
 {
     const char *text = interrupted_text;
@@ -36,7 +36,7 @@ void output_say_on_interrupt(const char *text)
     sigfillset(&action.sa_mask);
     interrupted_text = text;
     for (size_t i = 0; i < sizeof interrupting / sizeof *interrupting; i++)
-        /* a signal that the parent ignores (nohup) stays ignored */
+        /* a signal that the parent ignores (nohup) remains ignored */
         if (sigaction(interrupting[i], NULL, &before) == 0 && before.sa_handler == SIG_DFL)
             sigaction(interrupting[i], &action, NULL);
 }
@@ -49,7 +49,7 @@ void output_report_size_limit(void)
 /* ---- the file of a path ---- */
 
 #define TEMPORARY ".corgen-XXXXXX"
-enum { LINKS_MOST = 40 /* as the kernel follows */ };
+enum { LINKS_MOST = 40 /* as many as the kernel follows */ };
 
 const char *file_name(const char *path)
 {
@@ -57,14 +57,14 @@ const char *file_name(const char *path)
     return slash ? slash + 1 : path;
 }
 
-/* The name beside the path: its folder and `last`, malloc'ed */
+/* Returns `last` in the folder of the path, malloc'ed. */
 static char *path_next_to(const char *path, const char *last)
 {
     return xprintf("%.*s%s", (int)(file_name(path) - path), path, last);
 }
 
-/* The file that a path names behind all symbolic links, malloc'ed. It need not exist. Two paths of one file have the
- * same target, if its folder exists. */
+/* Returns the file that a path names behind all symbolic links, malloc'ed. It need not exist. Two paths of one file
+ * have the same target, if its folder exists. */
 static char *target_of(const char *path)
 {
     char *target = xstrdup(path), link[PATH_MAX];
@@ -113,7 +113,7 @@ static void signals_block(sigset_t *before)
     sigprocmask(SIG_BLOCK, &all, before);
 }
 
-/* True if the folder of the target accepts a new file; otherwise errno is the reason. */
+/* True if the folder of the target accepts a new file. Otherwise errno is the reason. */
 static bool folder_accepts(const char *target)
 {
     char *const name = path_next_to(target, TEMPORARY);
@@ -210,7 +210,7 @@ int output_open(struct output *out, const char *path)
 
 /* ---- committing ---- */
 
-/* Closes what is written directly, and completes the bytes of the others. */
+/* Closes files that are written directly, and completes the bytes of the others. */
 static int output_complete(struct output *out)
 {
     errno = 0;
@@ -224,7 +224,7 @@ static int output_complete(struct output *out)
     return good ? STATUS_OK : output_failure("write", out);
 }
 
-/* Writes the bytes into a temporary file beside the target, with the mode of the target, or of a fresh file. */
+/* Writes the bytes into a temporary file next to the target, with the mode of the target, or of a new file. */
 static int output_prepare(struct output *out)
 {
     struct stat old;
@@ -375,7 +375,7 @@ void table_clear(struct table *t)
     *t = (struct table){0};
 }
 
-/* Whether a cell is a number, not nan, inf or nothing: corgen begins all numbers with a digit. */
+/* True if a cell is a number, but not nan or inf. corgen begins all numbers with a digit. */
 static bool is_number(const char *text)
 {
     return isdigit((unsigned char)text[*text == '-']);
@@ -386,14 +386,14 @@ static bool is_integer(const char *text)
     return is_number(text) && text[strspn(text, "-0123456789")] == '\0';
 }
 
-/* Prints once in a thousand cells, and only on a terminal. */
+/* Prints progress once in a thousand cells, and only on a terminal. */
 static void print_progress(const struct table *t, long cell)
 {
     if (cell > 0 && cell % 1024 == 0)
         progress("printing rows", cell / t->columns, t->cells / t->columns);
 }
 
-/* A text, with `before` in front of each character of `escaped` */
+/* Prints a text, with `before` in front of each character of `escaped`. */
 static void print_escaped(const char *text, const char *escaped, char before, FILE *file)
 {
     fputc('"', file);
@@ -405,7 +405,7 @@ static void print_escaped(const char *text, const char *escaped, char before, FI
     fputc('"', file);
 }
 
-/* A cell that is no number of JSON, as nan and inf, is null, and so is an empty text. */
+/* Prints a cell. nan, inf and empty texts become null in JSON. */
 static void print_json_cell(const struct table *t, char kind, const char *cell, FILE *file)
 {
     if (kind == TABLE_TEXT ? !*cell : !is_number(cell))

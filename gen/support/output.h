@@ -9,36 +9,36 @@
 enum output_format { FORMAT_TEXT, FORMAT_CSV, FORMAT_JSON, FORMAT_LATEX };
 
 /* If the path names a regular file or no file, the output stays in memory until it is committed. A commit writes a
- * temporary file in the same folder, .corgen-XXXXXX, and renames it over the file, while signals wait: only SIGKILL at
- * this moment leaves it. The new file has the mode of the file that it replaces. Of a symbolic link, the file behind
- * all links is made or replaced. A file with several hard links is refused.
+ * temporary file in the same folder, .corgen-XXXXXX, and renames it over the file. Signals wait meanwhile, so only
+ * SIGKILL at this moment leaves it. The new file has the mode of the file that it replaces. For a symbolic link, the
+ * file behind all links is created or replaced. A file with several hard links is refused.
  *
  * All other paths are written directly: standard output (path NULL or /dev/stdout), a terminal, a pipe, /dev/null. */
 struct output {
     FILE *file;
-    FILE *screen;     /* a terminal that also shows progress, so that `bytes` are written in one piece; or NULL */
+    FILE *screen;     /* a terminal that also shows progress, so that `bytes` are written at once; or NULL */
     const char *path; /* as given, for messages; NULL = standard output */
     char *target;     /* the file to be replaced, behind all links; NULL = written directly */
-    char *temporary;  /* its new text, while a commit runs */
-    char *bytes;      /* of the target or the screen */
+    char *temporary;  /* the temporary file with the new text, during a commit */
+    char *bytes;      /* text for the target or the screen */
     size_t size;
 };
 
-/* Lets a write beyond the limit of a file's size fail, which is reported, instead of ending the process. output_open
- * does this, too. */
+/* Makes a write beyond the limit of a file's size fail, which is reported, instead of ending the process. output_open
+ * also does this. */
 void output_report_size_limit(void);
 
-/* What SIGINT, SIGTERM and SIGHUP print before they end the process, kept by the caller; NULL: nothing. */
+/* Sets the text that SIGINT, SIGTERM and SIGHUP print before they end the process, or NULL. The caller owns it. */
 void output_say_on_interrupt(const char *text);
 
-/* Whether the path, or NULL, is written directly, so that no file can be kept beside it. */
+/* True if the path, or NULL, is written directly, so that no file can be stored next to it. */
 bool output_is_direct(const char *path);
 
 /* True if two paths name one regular file: by symbolic or hard links, or by two names of one folder. */
 bool output_same_file(const char *path, const char *other);
 
-/* Each function returns STATUS_OK, or STATUS_FAILED after reporting the reason on stderr. A failure leaves no files
- * behind. output_check refuses a path that output_open would refuse, so that no computation is in vain. */
+/* These functions return STATUS_OK, or STATUS_FAILED after reporting the reason on stderr. A failure leaves no files
+ * behind. output_check refuses a path that output_open would refuse, before a computation is done in vain. */
 int output_check(const char *path);
 int output_open(struct output *out, const char *path);
 int output_commit(struct output *out); /* also reports a full disk behind standard output */
@@ -47,23 +47,23 @@ int output_commit(struct output *out); /* also reports a full disk behind standa
  * the renames. If one file fails, all are discarded. */
 int output_commit_all(struct output *out, int n);
 
-/* On a terminal, shows what has been written so far, and no progress meanwhile. */
+/* On a terminal, shows the text written so far. Progress is hidden meanwhile. */
 void output_show(struct output *out);
 
 void output_discard(struct output *out);
 int output_text(const char *path, const char *text); /* opens, writes and commits */
 int output_finish(struct output *out, int status);   /* commits if the status is STATUS_OK, otherwise discards */
 
-/* The last part of a path */
+/* Returns the last part of a path. */
 const char *file_name(const char *path);
 
-/* All that a file holds, or standard input, "-", malloc'ed, and a zero behind it. NULL with errno if it cannot be read
- * or has `most` bytes or more */
+/* Returns the contents of a file, or of standard input, "-", malloc'ed and followed by a zero. Returns NULL with errno
+ * if it cannot be read or has `most` bytes or more. */
 char *read_file(const char *path, size_t most, size_t *size);
 
-/* A table of strings: the header row names the columns exactly as the contract does. In JSON the table is an array of
- * objects. Numbers are numbers, with all their digits; what is missing or infinite is null. In csv a missing number, an
- * empty cell, is nan. */
+/* A table of strings. The header row names the columns exactly as the contract does. In JSON the table is an array of
+ * objects. Numbers are numbers, with all their digits; missing and infinite numbers are null. In csv a missing number,
+ * an empty cell, is nan. */
 enum {
     TABLE_NUMBER = 'n',
     TABLE_DIGITS = 'd', /* numbers with more digits than a double may hold: texts with json_strings */
@@ -73,21 +73,21 @@ struct table {
     char *header;  /* its commas are zeros; column[] points into it */
     char **column; /* names */
     int columns;
-    char *kinds; /* of the columns, a letter each */
+    char *kinds; /* kinds of the columns, a letter each */
     bool json_strings;
     char **cell; /* row-major, malloc'ed strings */
     long cells;
 };
 
-/* The names of the columns, separated by commas, and their kinds. A table begins as {0} or cleared. */
+/* Sets the names of the columns, separated by commas, and their kinds. A table begins as {0} or cleared. */
 void table_init(struct table *t, const char *header, const char *kinds);
 void table_add(struct table *t, char *cell);            /* takes ownership, row-major order */
 void table_add_text(struct table *t, const char *text); /* escaped as by xprintable */
 void table_add_integer(struct table *t, long value);
-void table_add_number(struct table *t, double x, int digits); /* nan if it is */
-void table_add_known(struct table *t, double x, int digits);  /* an empty cell if it is not known, NaN */
+void table_add_number(struct table *t, double x, int digits); /* nan if x is NaN */
+void table_add_known(struct table *t, double x, int digits);  /* an empty cell if x is NaN, not known */
 void table_print(const struct table *t, enum output_format format, FILE *file); /* not FORMAT_LATEX */
-/* The same in parts, csv and json alone: the rows that the table holds, `first` if none were printed before. */
+/* Print a table in parts, only csv and json: the rows that the table contains. first: none were printed before. */
 void table_print_start(const struct table *t, enum output_format format, FILE *file);
 void table_print_rows(const struct table *t, enum output_format format, bool first, FILE *file);
 void table_print_end(enum output_format format, FILE *file);

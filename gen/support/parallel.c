@@ -44,12 +44,12 @@ static const double PROGRESS_SECONDS = 0.2;
 struct loop {
     void (*task)(void *context, slong i);
     void *context;
-    int (*finish)(void *context, slong i); /* or NULL, and no tick and no list `ready` */
+    int (*finish)(void *context, slong i); /* or NULL; then `tick` and `ready` are unused */
     void (*tick)(void *context);
     slong count;
     atomic_long next;
     atomic_int status;
-    pthread_mutex_t mutex; /* protects what follows */
+    pthread_mutex_t mutex; /* protects the fields below */
     pthread_cond_t is_done;
     slong done, finished;
     bool *ready;
@@ -108,10 +108,10 @@ static void loop_run(struct loop *loop)
     const slong wanted = FLINT_MIN((slong)parallel_threads(), loop->count);
     pthread_t *thread = xmalloc((size_t)FLINT_MAX(wanted, 1) * sizeof *thread);
     pthread_condattr_t attributes;
-    sigset_t all, before; /* no signal for the threads, so that the thread that cleans up receives them */
+    sigset_t all, before; /* the threads receive no signals; the thread that cleans up does */
     slong started = 0;
     pthread_condattr_init(&attributes);
-    pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC); /* that of clock_seconds */
+    pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC); /* the clock of clock_seconds */
     pthread_cond_init(&loop->is_done, &attributes);
     pthread_condattr_destroy(&attributes);
     pthread_mutex_init(&loop->mutex, NULL);

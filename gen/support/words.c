@@ -33,7 +33,7 @@ size_t slips_between(const char *a, const char *b)
     return slips[m][n];
 }
 
-/* NULL: none is near */
+/* Returns the nearest word, or NULL if none is near. */
 static const char *nearest_word(const char *word, const char *const *words)
 {
     const char *nearest = NULL;
