@@ -22,7 +22,7 @@ extern const struct ellipse_bound ellipse_stated[ELLIPSES];
  * because the ellipse is too large. */
 int ellipse_bound_make(struct ellipse_bound *bound, const struct interval *interval, double rho);
 
-/* Does the same for eps at one end of another law; other moduli are 0. Returns false without a message if the cover
+/* Bounds eps at one end of another law in this way; other moduli are 0. Returns false without a message if the cover
  * fails. Zero force has no bounds near beta = 0. */
 bool ellipse_bound_of_law(struct ellipse_bound *bound, const struct interpolant *f, const struct interval *interval,
                           enum quantity eps, double rho);

@@ -101,8 +101,8 @@ struct samples {
     arb_poly_struct polynomial[QUANTITIES];
 };
 
-/* Coefficients for u beyond the last interval. The scaled quantity is a sum of 1, u; mu, mu u, mu u^2; mu^2, ..., mu^2
- * u^3 up to terms in mu^3, mu = beta^(-(a+1)/(b+1)). For other laws the duration at zero overlap is this sum times
+/* Far coefficients: for u beyond the last interval. The scaled quantity is a sum of 1, u; mu, mu u, mu u^2; mu^2, ...,
+ * mu^2 u^3 up to terms in mu^3, mu = beta^(-(a+1)/(b+1)). For other laws the duration at zero overlap is this sum times
  * beta^(a/(b+1)) plus `fall` times beta^((a-1)/n). `fall` is 0 if a - b = 1 or n = 1 - a, because the sum then contains
  * that term (docs/theory.md, 9). */
 enum { INTERPOLANT_FAR = 9 };
@@ -170,8 +170,8 @@ void interpolant_tail(arb_t y, const struct interpolant *f, enum quantity quanti
                       const arb_t x, slong prec);
 struct ratio interpolant_tail_power(const struct cor_exponents *law, enum quantity quantity);
 
-/* Computes an inverse function at an exact x: BETA_... at eps = x, for spheres from 2^-13 (zero overlap) or 2^-23.6
- * (zero force) to 1; BETA_QUOTIENT_... at the loss x, 0 to 3/4. Returns 0, or 1 after reporting the failure. */
+/* Computes an inverse function at an exact x. For BETA_... x is eps, for spheres from 2^-13 (zero overlap) or 2^-23.6
+ * (zero force) to 1. For BETA_QUOTIENT_... x is the loss, 0 to 3/4. Returns 0, or 1 after reporting the failure. */
 int interpolant_inverse(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t x, slong prec);
 
 /* Returns the far coefficients of a quantity. */

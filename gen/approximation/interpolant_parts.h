@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Declarations shared by the parts of the interpolant, each of which calls only the parts before it: samples
- * (interpolant_samples.c), the continuation of the last interval (interpolant_far.c), construction and values
+/* Declarations shared by the parts of the interpolant. Each part calls only the parts before it: samples
+ * (interpolant_samples.c), continuation of the last interval (interpolant_far.c), construction and values
  * (interpolant_values.c), inverse functions (interpolant_inverse.c). */
 #ifndef COR_GEN_APPROXIMATION_INTERPOLANT_PARTS_H
 #define COR_GEN_APPROXIMATION_INTERPOLANT_PARTS_H

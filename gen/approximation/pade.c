@@ -21,8 +21,8 @@ enum {
     PLACE_DIGITS = 8
 };
 
-/* Table I has 2.5839, 3.5839 and 2.9839 where these a_k give 2.58401, 3.58401 and 2.98401. d_0 is near zero, so a unit
- * in the last digit of a_3 changes them by 2.4e-4. */
+/* Table I has 2.5839, 3.5839 and 2.9839 where these a_k give 2.58401, 3.58401 and 2.98401. A unit in the last digit of
+ * a_3 changes them by 2.4e-4, because d_0 is near zero. */
 const char *const published_a[4] = {"1", "3/5", "0.315119", "0.161167"};
 const char *const published_d[5] = {"2.5839", "3.5839", "2.9839", "1.1487", "0.3265"};
 

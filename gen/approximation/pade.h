@@ -43,7 +43,7 @@ LOCAL_STRUCT(pade)
 bool pade_of_series(struct pade *f, const arb_poly_t c, slong m, slong n, slong prec);
 
 /* Computes the [m/m+5] that agrees with c_0..c_{m+4} at 0 and with limit/z^5 (1 + 0/z + ... + 0/z^m) at infinity.
- * Returns as above. */
+ * Returns false like pade_of_series. */
 bool pade_two_point_of_series(struct pade *f, const arb_poly_t c, const arb_t limit, slong m, slong prec);
 
 /* The square block of a degenerate table entry. Every entry of its first row and column is the one fraction [m/n],

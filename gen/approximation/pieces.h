@@ -8,7 +8,7 @@
  *     f = c_0 + (c_0' + s (c_1 + c_2 t + ... + c_degree t^(degree-1))),     t = y - y_i
  *
  * In the first `plain` rows s = t. In the other rows of y = sqrt(beta), s = beta - y_i^2, which is exact in floating
- * point, while t is not. This s has a zero at -y_i, which is too near to the first rows. c_0 is the number of
+ * point, while t is not. This s has a zero at -y_i, which is too near to the first rows. Column c_0 is the number of
  * `head_bits` bits, or the double, nearest to f(y_i), and c_0' is its remainder. The other coefficients interpolate
  * (f - f(y_i))/s at the Chebyshev points of the cell and are rounded once.
  *
@@ -18,8 +18,8 @@
  *     f = c_0 + (c_0' + t (c_1 + t (c_2 + t c_3))),     t = beta - node
  *
  * The remainder c_0' of c_0 has 8 bits. They are the lower half of the bits of c_3. Moved to the upper half, these bits
- * are the float c_0'. They give c_3, which its upper half determines, a relative error of 2^-8. c_1 and c_2 compensate
- * three quarters of the effect. */
+ * are the float c_0'. They give c_3, which its upper half determines, a relative error of 2^-8. The columns c_1 and c_2
+ * compensate three quarters of the effect. */
 #ifndef COR_GEN_APPROXIMATION_PIECES_H
 #define COR_GEN_APPROXIMATION_PIECES_H
 
@@ -27,7 +27,7 @@
 #include "support/emit_c.h"
 
 /* The variable y of a table. In tables by octaves 2^k <= x < 2^(k+1), y is x 2^-k. The 2^octave_bits rows of an octave
- * have their nodes in the middle of equal cells. x is eps, beta, ln(beta), beta_c - beta, or beta^5, which is
+ * have their nodes in the middle of equal cells. Here x is eps, beta, ln(beta), beta_c - beta, or beta^5, which is
  * proportional to the impact speed of spheres. VARIABLE_LOSS is 1 - eps. Roots are the roots of the interpolant's
  * layout, square roots for spheres. */
 enum variable {
@@ -109,7 +109,7 @@ int pieces_fit(struct pieces *p, struct pieces_function f);
  * Floats have no _FIRST_OCTAVE, and FIRST is the end of row 0. */
 int pieces_emit(struct emit *e, const struct pieces *p);
 
-/* Computes a table, by pieces_make or, without rows, by pieces_fit, and writes it. Returns as these do. */
+/* Computes a table, by pieces_make or, without rows, by pieces_fit, and writes it. Returns their status. */
 int pieces_write(struct emit *e, struct pieces *p, struct pieces_function f);
 
 /* ---- sampled_function.c: rows of a function of one variable that can be enclosed ----

@@ -51,8 +51,8 @@ static void bound_lebesgue(arb_t bound, arb_srcptr node, const struct interval *
         arb_pos_inf(bound);
 }
 
-/* Bounds the error of the interpolant. f is within 2 M rho^(1-n)/(rho - 1) of a polynomial of degree n - 1, and the
- * interpolant within 1 + L times that distance plus L times the error of the values. */
+/* Bounds the error of the interpolant. The function is within D = 2 M rho^(1-n)/(rho - 1) of a polynomial of degree
+ * n - 1. The interpolant is within (1 + L) D, plus L times the error of the values. */
 static void polynomial_error(arb_t error, const struct ellipse_bound *bound, enum quantity quantity,
                              const arb_t constant, arb_srcptr value, const struct interval *interval)
 {

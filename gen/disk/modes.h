@@ -28,12 +28,12 @@ void disk_modes_clear(struct disk_modes *modes);
  * parallel_threads(). Returns 0, or 1 after reporting the failure. */
 int disk_modes_solve(struct disk_modes *modes, const fmpq_t nu, slong count, slong digits);
 
-/* Sets *modes to these modes, with every double nearest to the exact value. modes->mode is malloc'ed. Returns 0 or 1 as
- * above. */
+/* Sets *modes to these modes, with every double nearest to the exact value. modes->mode is malloc'ed. Returns the
+ * status like disk_modes_solve. */
 int disk_modes_rounded(struct cor_disk_modes *modes, const fmpq_t nu, slong count);
 
 /* Computes the mode (n, l) to about `bits` relative bits from an approximation to its omega, which may be wrong. For
- * omega = 0 it uses only the count, which is slower. Returns 0 or 1 as above. */
+ * omega = 0 it uses only the count, which is slower. Returns the status like disk_modes_solve. */
 int disk_mode_solve(struct disk_mode *mode, const fmpq_t nu, slong n, slong l, double omega, slong bits);
 void disk_mode_init(struct disk_mode *mode);
 void disk_mode_clear(struct disk_mode *mode);

@@ -18,9 +18,9 @@ void closed_form_angle(arb_t angle, const arb_t zeta, slong prec)
         LET(angle, prec, "acosh(zeta)/sqrt((zeta - 1)*(zeta + 1))", zeta);
 }
 
-/* Computes the duration at zero overlap, zeta < 1: w0^(-2a/(a+1)) om^(-2/(a+1)) S(pi), w0^2 = (a+1)/2,
- * om^2 = 1 - zeta^2, S(pi) = int_0^pi e^(c y) sin(y)^-p dy = pi 2^p e^(pi c/2) Gamma(1-p)/|Gamma(1 - p/2 + i c/2)|^2,
- * p = (a-1)/(a+1), c = p zeta/om. */
+/* Computes the duration at zero overlap for zeta < 1, w0^(-2a/(a+1)) om^(-2/(a+1)) S(pi), with w0^2 = (a+1)/2,
+ * om^2 = 1 - zeta^2, p = (a-1)/(a+1) and c = p zeta/om. The integral S(pi) = int_0^pi e^(c y) sin(y)^-p dy is pi 2^p
+ * e^(pi c/2) Gamma(1-p)/|Gamma(1 - p/2 + i c/2)|^2. */
 static void linear_duration(arb_t time, const arb_t zeta, const arb_t om, const struct cor_exponents *law, slong prec)
 {
     LOCAL(fmpq, p);

@@ -10,16 +10,16 @@
  * Returns 0, or 1 after reporting the failure on stderr. */
 int collision_solve(struct collision *c, const arb_t beta, const struct cor_exponents *law, slong bits);
 
-/* As collision_solve, but sets only x_max, t_max, eps_zero_overlap and t_zero_overlap. */
+/* Solves like collision_solve, but sets only x_max, t_max, eps_zero_overlap and t_zero_overlap. */
 int collision_solve_overlap(struct collision *c, const arb_t beta, const struct cor_exponents *law, slong bits);
 
-/* As collision_solve_overlap, about `below` under the threshold. `below` gives the number of bits that the motion
+/* Like collision_solve_overlap, about `below` under the threshold. `below` gives the number of bits that the motion
  * loses. */
 int collision_solve_below(struct collision *c, const arb_t beta, double below, const struct cor_exponents *law,
                           slong bits);
 
-/* As collision_solve for beta > 0, but sets only x_max, t_max, eps_zero_force and t_zero_force. For a > b it needs no
- * complete unloading and is fast for any damping. Otherwise the two ends coincide. */
+/* Solves like collision_solve for beta > 0, but sets only x_max, t_max, eps_zero_force and t_zero_force. For a > b it
+ * needs no complete unloading and is fast for any damping. Otherwise the two ends coincide. */
 int collision_solve_force(struct collision *c, const arb_t beta, const struct cor_exponents *law, slong bits);
 
 /* Solves x'' + beta x^b x' + x^a = force >= 0 (docs/theory.md, 24) at one end, an enum cor_end, or at both, -1. The
@@ -29,8 +29,8 @@ int collision_solve_force(struct collision *c, const arb_t beta, const struct co
 int collision_solve_pressed(struct collision *c, const arb_t beta, const arb_t force, const struct cor_exponents *law,
                             int end, slong bits);
 
-/* Encloses the smallest force with which the bodies stay together, for beta > 0. For q >= 0 they also do with every
- * larger force, and it falls with beta. Fails where the bodies do not part without a force either. */
+/* Encloses the smallest force with which the bodies stay together, for beta > 0. For q >= 0 they also stay together
+ * with any larger force, and it decreases with beta. Fails where the bodies do not part without a force either. */
 int collision_sticking_force(arb_t force, const arb_t beta, const struct cor_exponents *law, int end, slong bits);
 
 /* Encloses the largest impact speed at which the bodies stay together in x'' + damping x^b x' + x^a = 1. Fails if they

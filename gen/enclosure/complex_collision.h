@@ -28,8 +28,8 @@ struct complex_collision { /* fields as in struct collision */
  * false if the ball is too wide, or if a quantity is not analytic there. */
 bool complex_collision_root(struct complex_collision *c, struct complex_ball z, bool overlap);
 
-/* Does the same for all u = ln(beta) in a ball, in units that stay finite for large beta: eps_zero_force times
- * beta^(5/3), x_max and the times times beta^(2/3). The fields of zero overlap are undefined. */
+/* Encloses the quantities for all u = ln(beta) in a ball, in units that stay finite for large beta: eps_zero_force
+ * times beta^(5/3), x_max and the times times beta^(2/3). The fields of zero overlap are undefined. */
 bool complex_collision_log(struct complex_collision *c, struct complex_ball u);
 
 #endif

@@ -44,7 +44,7 @@ static bool set_log(struct complex_ball *log_x, struct complex_ball x)
     return true;
 }
 
-/* ---- the equation along a path; the caller sets c1, c2 and c3 as the comments state ---- */
+/* ---- the equation along a path; each function returns the slopes above it, from the c1, c2 and c3 given there ---- */
 
 /* dv/ds, c1 = beta, c3 = f */
 static struct slopes approach_slopes(const struct path *p, struct complex_ball s, struct complex_ball v)
@@ -59,7 +59,7 @@ static struct slopes approach_slopes(const struct path *p, struct complex_ball s
                            ball_times(ball_mul(elastic, inverse), POWER), zero};
 }
 
-/* dL/dkappa = -kappa/D, its derivative by L is kappa D_L/D^2; c1 = beta, c3 = f */
+/* dL/dkappa = -kappa/D, its L-derivative kappa D_L/D^2; c1 = beta, c3 = f */
 static struct slopes turning_slopes(const struct path *p, struct complex_ball kappa, struct complex_ball L)
 {
     const struct complex_ball elastic = exp_of_power(L, p->a - 1);
@@ -94,7 +94,7 @@ static struct slopes departure_slopes(const struct path *p, struct complex_ball 
     return (struct slopes){ball_times(slope, POWER), ball_times(derivative, POWER), zero};
 }
 
-/* dL/dk = -k/N, F = c1 x^n, c1 = beta^2, c3 = f beta^2; its derivative by L is k N_L/N^2 */
+/* dL/dk = -k/N, F = c1 x^n, c1 = beta^2, c3 = f beta^2; its L-derivative k N_L/N^2 */
 static struct slopes force_slopes(const struct path *p, struct complex_ball k, struct complex_ball L)
 {
     const struct complex_ball damping = ball_mul(ball_mul(p->c1, exp_of_power(L, p->n)), ball_add(one, ball_neg(k)));
@@ -117,7 +117,7 @@ static struct slopes force_by_log(const struct path *p, struct complex_ball q, s
     return (struct slopes){ball_mul(k, f.slope), ball_mul(k, f.derivative), zero};
 }
 
-/* n dk/dln(F) = -N/k = -(F (1/k - 1) + (a-b) k); its derivative by k is F/k^2 - (a-b) */
+/* n dk/dln(F) = -N/k = -(F (1/k - 1) + (a-b) k); its k-derivative F/k^2 - (a-b) */
 static struct slopes slow_slopes(const struct path *p, struct complex_ball log_F, struct complex_ball k)
 {
     const struct complex_ball inverse = ball_inv(k), F = ball_exp(log_F);

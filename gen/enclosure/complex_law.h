@@ -11,14 +11,14 @@
  *                              dL/dk = -k/N,   N = F (1 - k) + (a-b) k^2,   F = beta^2 x^n,   n = 2b+1-a
  *   creep, for n > 0:          n dk/dln(F) = -N/k, from k = 1/2 to F = 2
  *
- * A constant force f on the right side (docs/theory.md, 24) adds 4 f s^3/v to dv/ds, -f/x to the denominator of
- * dL/dkappa, 4 f X/W^2 s^3 exp(-2 l) to dl/ds, and -f beta^2 x^(n-a) to N. With a force no path creeps. In the units of
- * one impact speed, other impacts of the same contact have the same beta and f but another first speed v. eps is then
- * the last speed over v. f does no net work over a contact, so its uncertainty does not add to eps through the work.
+ * A constant force f on the right side (docs/theory.md, 24) adds 4 f s^3/v to dv/ds and -f/x to the denominator of
+ * dL/dkappa. It adds 4 f X/W^2 s^3 exp(-2 l) to dl/ds and -f beta^2 x^(n-a) to N. With it no path creeps. In the units
+ * of one impact speed, other impacts of a contact have the same beta and f but another first speed v. Then eps is the
+ * last speed over v. The net work of f is 0, so its uncertainty does not add to eps through the work.
  *
- * eps is W exp(l) at zero overlap and x^(a-b)/beta at zero force. Under a force zero_force means the surface. The
+ * At zero overlap eps is W exp(l), and at zero force x^(a-b)/beta. Under a force zero_force means the surface. The
  * flight to the surface gives eps the factor sqrt(1 - 2 f beta^2 x^(1-2(a-b))). The departure begins at kappa = 1 or
- * after the creep. eps is analytic in beta where the denominators have no zero along the path. */
+ * after the creep. The function is analytic in beta where the denominators have no zero along the path. */
 #ifndef COR_GEN_ENCLOSURE_COMPLEX_LAW_H
 #define COR_GEN_ENCLOSURE_COMPLEX_LAW_H
 
@@ -45,7 +45,7 @@ struct complex_law_pressing {
 bool complex_law_zero_overlap(struct complex_ball *log_eps, const struct cor_exponents *law, struct complex_ball beta,
                               const struct complex_law_pressing *pressing, const struct complex_law_path *path);
 
-/* Do the same for all ln(beta) in a ball: zero force, a > b; zero overlap by the path that creeps, n > 0. */
+/* Enclose ln(eps) for all ln(beta) in a ball: at zero force, a > b; at zero overlap by the path that creeps, n > 0. */
 bool complex_law_zero_force(struct complex_ball *log_eps, const struct cor_exponents *law, struct complex_ball log_beta,
                             const struct complex_law_pressing *pressing, const struct complex_law_path *path);
 bool complex_law_creep(struct complex_ball *log_eps, const struct cor_exponents *law, struct complex_ball log_beta,

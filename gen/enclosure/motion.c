@@ -235,7 +235,7 @@ static void set_pressing(struct motion *m, const arb_t force)
 }
 
 /* True if the overlap is proved to rise to the overlap at rest, X_e, and never beyond. Let k be half of the damping
- * coefficient at X. v < k (X_e - X) then holds for ever if k^2 is at least the largest slope of c2 X^a up to X_e. */
+ * coefficient at X. Then v < k (X_e - X) holds for ever if k^2 is at least the largest slope of c2 X^a up to X_e. */
 static bool creeps_up(arb_t rest, const struct taylor *y)
 {
     const struct ratio a = law_elastic(&y->law);

@@ -134,7 +134,7 @@ static bool follow_curve(arb_t rest, arb_t force, const arb_t beta, const arb_t 
     return true;
 }
 
-/* Does the same with as many bits as necessary. */
+/* Calls follow_curve with as many bits as necessary. */
 static bool curve_at(arb_t rest, arb_t force, const arb_t beta, const arb_t damping, const struct cor_exponents *law,
                      int end)
 {
@@ -144,7 +144,7 @@ static bool curve_at(arb_t rest, arb_t force, const arb_t beta, const arb_t damp
     return prec <= MOST_SEARCH_BITS;
 }
 
-/* For strong damping and q > 0, B is next to the smallest B at which the motion escapes. f = (B/beta)^(2a/n) is then
+/* For strong damping and q > 0, B is next to the smallest B at which the motion escapes. Then f = (B/beta)^(2a/n) is
  * known as accurately as B. Halves a bracket with proved signs at both ends. A motion counts as escaping at X = w^d,
  * w = 2^FAR_BITS; it has at least the energy of this overlap. */
 static int squeeze_force(arb_t force, arb_t low, arb_t high, const arb_t beta, const struct cor_exponents *law, int end,

@@ -16,8 +16,8 @@
  *         - pi x_R a(x_R)/R'(x_R)
  *
  * x = gamma (1 - u^2) and x = 1 - (1 - gamma) u^2 leave no root at the ends of the integrals. At gamma^2 = 1/2 both
- * integrands are 0/0 at x = gamma. Near it J is computed as the imaginary part of int x a/R dx along a path from 0 to 2
- * above gamma, 1 and x_R, on which nothing is singular. */
+ * integrands are 0/0 at x = gamma. Near it J is the imaginary part of int x a/R dx along a path from 0 to 2 above
+ * gamma, 1 and x_R. Nothing is singular on this path. */
 
 struct wave_parameters {
     acb_srcptr gamma, gamma2;
@@ -79,8 +79,8 @@ static void rayleigh_root(acb_t p, const acb_t gamma2, slong prec)
     _acb_vec_clear(root, DEGREE);
 }
 
-/* Computes - pi x a/R'(x) at the root, with p = 1/x^2, A = sqrt(1 - gamma^2 p), 4 A sqrt(1 - p) = (2 - p)^2: - pi A
- * sqrt(p)/(8 ((2 - p) - (2 - p)^2/4 - 2 (2 - (1 + gamma^2) p)/(2 - p)^2)) */
+/* Computes - pi x a/R'(x) at the root, with p = 1/x^2, A = sqrt(1 - gamma^2 p), 4 A sqrt(1 - p) = (2 - p)^2:
+ *     - pi A sqrt(p)/(8 ((2 - p) - (2 - p)^2/4 - 2 (2 - (1 + gamma^2) p)/(2 - p)^2)) */
 static void rayleigh_share(acb_t y, const acb_t gamma2, slong prec)
 {
     LOCAL(acb, p, q);

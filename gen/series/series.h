@@ -33,8 +33,8 @@ LOCAL_STRUCT(series)
  * Returns 0, or 1 after reporting the failure on stderr. */
 int series_compute(struct series *s, slong order, const struct cor_exponents *law, slong bits);
 
-/* Computes eps at an end as a power series in z = beta^(1/root) up to z^order. root is 1 at zero overlap, and 2 at zero
- * force for the sphere. Accuracy and result are as above. */
+/* Computes eps at an end as a power series in z = beta^(1/root) up to z^order. The root is 1 at zero overlap, and 2 at
+ * zero force for the sphere. Accuracy and result are as for series_compute. */
 int series_eps(arb_poly_t eps, slong *root, enum cor_end end, slong order, const struct cor_exponents *law, slong bits);
 
 #endif

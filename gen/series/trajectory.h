@@ -9,11 +9,11 @@
 fmpq_poly_struct *trajectory_exact(slong order, slong terms, const struct cor_exponents *law);
 void trajectory_exact_free(fmpq_poly_struct *row, slong rows);
 
-/* These rows in interval (ball) arithmetic, with the rows of two powers of X, which the recurrence also computes.
+/* The rows of trajectory_exact in interval (ball) arithmetic, and the rows of two powers of X, which the recurrence
+ * also computes.
  *
  * The elastic constant of the solved law is 2^shift, about R^(a+1), where R is the radius of convergence. Row k is
- * therefore sum_j c[k][j] 2^(shift j) s^j with s = t^(a+1)/2^shift. Its coefficients have similar size, and products
- * are fast. */
+ * therefore sum_j c[k][j] 2^(shift j) s^j with s = t^(a+1)/2^shift. Its coefficients have similar size. */
 struct trajectory {
     struct cor_exponents law;
     slong order, terms, prec, shift;

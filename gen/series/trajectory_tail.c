@@ -31,8 +31,8 @@ enum {
  *
  *   (U/(b+1) |[X^(b+1)] beyond s^J| + 2^shift rho/e |[X^a] from s^J on|)/(e + 1).
  *
- * |(Z+R)^p - Z^p| <= |Z^p| ((1 - nu delta)^(-p) - 1) is evaluated by expm1, so that a tiny nu delta does not cancel. e
- * is the value at the tail's first coefficient. Returns false if nu delta is not below 1. */
+ * Here e is the value at the tail's first coefficient. |(Z+R)^p - Z^p| <= |Z^p| ((1 - nu delta)^(-p) - 1) is evaluated
+ * by expm1, so that a tiny nu delta does not cancel. Returns false if nu delta is not below 1. */
 static bool image_of_ball(arb_t image, const arb_t delta, const struct power_bounds *b, const struct power_evidence *e,
                           const struct trajectory *t, double U, double rho)
 {
@@ -102,8 +102,8 @@ static double tail_quality(const struct trajectory_tail *tail, const struct traj
 static const double trial_part[] = {0.9, 0.8, 0.7, 0.5, 0.25};
 enum { TRIAL_PARTS = sizeof trial_part / sizeof *trial_part, TRIAL_U_MAX = 3, TRIAL_U_MIN = -7 };
 
-/* Finds the pair of weights with the smallest errors in three coefficients of x at t0, from the last row to the last
- * derivative of the first row (which itself grows like t0^-m). Returns false if no pair proves a bound. */
+/* Finds the pair of weights with the smallest errors in three coefficients of x at t0. They range from the last row to
+ * the last derivative of the first row, which grows like t0^-m. Returns false if no pair proves a bound. */
 static bool best_trial(struct trajectory_tail *tail, const struct power_evidence *e, const struct trajectory *t,
                        const arb_t t0)
 {

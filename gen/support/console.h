@@ -24,7 +24,7 @@ int usage_error(const char *format, ...) __attribute__((format(printf, 1, 2)));
  * instead, until progress_end(); total = 0: unknown. Only the thread that called console_start changes the line. */
 void progress_start(const char *command);
 void progress(const char *step, long done, long total);
-/* As progress, with the remaining time in seconds; a negative number means unknown. */
+/* Like progress, with the remaining time in seconds; a negative number means unknown. */
 void progress_left(const char *step, long done, long total, double left);
 void progress_end(void);
 

@@ -41,9 +41,9 @@ void emit_open_tables(struct emit *e, FILE *file, const char *name, const char *
 /* Writes a comment on lines of its own, after an empty line. */
 void emit_comment(struct emit *e, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Writes static const double name[]: the doubles nearest to the values, in hexadecimal, each with its value in decimal
- * in a comment (exact if the value is a fraction of small integers). Returns 0, or 1 after reporting on stderr the
- * interval that is too wide to be rounded. */
+/* Writes static const double name[]: the doubles nearest to the values, in hexadecimal. A comment gives each value in
+ * decimal, exact if it is a fraction of small integers. Returns 0, or 1 after reporting on stderr the interval that is
+ * too wide to be rounded. */
 int emit_doubles(struct emit *e, const char *name, arb_srcptr value, slong length);
 
 /* Writes a function const TYPE *name(int i) that returns row i, TYPE double or float. The table is local to it if it
@@ -71,9 +71,8 @@ void emit_geometry_integer(struct emit *e, const char *table, const char *what, 
 int emit_pair_field(struct emit *e, const char *field, const arb_t value);
 
 /* Writes a text in which $T is the type of real numbers, $B its number of bits and $F the ending of its functions and
- * numbers, "f" or nothing. The following take an argument: $s a text, $S a text in capitals, $d an int, $x a double
- * that the type contains, written so that it reads back to the same bits, and $b the bits of such a double as an
- * integer. */
+ * numbers, "f" or nothing. These take an argument: $s a text, $S a text in capitals, $d an int, and $x and $b a double
+ * that the type contains. $x writes it so that it reads back to the same bits. $b writes its bits as an integer. */
 void emit_lines(struct emit *e, const char *text, ...);
 uint64_t emit_bits_of(bool single, double x); /* for $b */
 

@@ -8,8 +8,8 @@
 
 enum { PARALLEL_MAX_THREADS = 1024 };
 
-/* Returns the number of threads of parallel_for: the processors that taskset or a container allows this process, or the
- * argument of the last parallel_use(). parallel_use(0) restores the number of processors. */
+/* Returns the number of threads of parallel_for: the processors allowed by taskset or a container, or the argument of
+ * the last parallel_use(). The call parallel_use(0) restores the number of processors. */
 int parallel_threads(void);
 void parallel_use(int threads);
 
@@ -17,10 +17,10 @@ void parallel_use(int threads);
  * in the progress line. If a task calls parallel_for, its own thread does the inner tasks in sequence. */
 void parallel_for(void (*task)(void *context, slong i), void *context, slong count, const char *step);
 
-/* Does the same, and calls finish(context, i) once the tasks up to i are done: in order, one at a time, on any thread.
- * If finish returns a value other than 0, no further task begins, and the value is returned. Otherwise returns 0.
- * Instead of a progress line, the calling thread calls tick(context) several times a second, or after each task that it
- * does itself. tick and finish are never called at the same time. */
+/* Runs the tasks like parallel_for, and calls finish(context, i) once the tasks up to i are done: in order, one at a
+ * time, on any thread. If finish returns a value other than 0, no further task begins, and the value is returned.
+ * Otherwise returns 0. Instead of a progress line, the calling thread calls tick(context) several times a second, or
+ * after each task that it does itself. No tick runs at the same time as a finish. */
 int parallel_in_order(void (*task)(void *context, slong i), int (*finish)(void *context, slong i),
                       void (*tick)(void *context), void *context, slong count);
 

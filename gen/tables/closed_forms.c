@@ -63,8 +63,8 @@ static void crossley_approach_only(arb_t L, const arb_t beta)
 
 /* ---- laws ---- */
 
-/* Rows of four forms: (1 - eps)/x on a grid up to x = near_end; eps by octaves up to `end`; x/(1 - eps) up to
- * 1 - eps = 1/2; x by octaves of eps from 2^least_octave to there */
+/* Rows of (1 - eps)/x on a grid up to x = near_end, and of eps by octaves up to `end`. Rows of x/(1 - eps) up to
+ * 1 - eps = 1/2, and of x by octaves of eps from 2^least_octave to 1/2 */
 struct closed_form {
     const char *stem, *title;
     bool is_crossley;

@@ -139,7 +139,7 @@ static void tsuji_duration_zero_force(arb_t t, bool proved, const arb_t zeta, sl
 
 /* The force is twice the elastic force for a time (5/8)^(2/5) (2/5) B(m; 2/5, 1/2), m = 8 zeta^2/(1 + 8 zeta^2). After
  * phase phi = atan2(2 zeta om, 1 + 2 zeta^2) the law without limit holds: exp(-zeta phi/(5 om)) (t_F - (5/4)^(-3/5)
- * G(phi/om)). phi/om = k 2F1(1/2, 1; 3/2; -(k om)^2), k = 2 zeta/(1 + 2 zeta^2). */
+ * G(phi/om)). Here phi/om = k 2F1(1/2, 1; 3/2; -(k om)^2), k = 2 zeta/(1 + 2 zeta^2). */
 static void tsuji_duration_limited(arb_t t, bool proved, const arb_t zeta, slong prec)
 {
     const slong more = prec + 2 * GUARD_BITS;

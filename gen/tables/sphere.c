@@ -12,7 +12,7 @@
 /* The sphere's layout, one instance of law_layout.h. Only this file defines its geometry; macros of the headers pass it
  * to the evaluators (approximation/pieces.h). If the bound is one unit of the last place, 57 bits limit the
  * approximation to a sixteenth of it. Rows in x = beta^5 at zero overlap need fewer bits where eps falls steeply,
- * because the rounding of x changes eps more. c_0 of a row that is multiplied has HEAD_BITS bits, so that its products
+ * because the rounding of x changes eps more. In a row that is multiplied, c_0 has HEAD_BITS bits, so that its products
  * with halves of a double are exact. */
 enum { FORCE_PLAIN = 4 /* rows of eps at zero force, see pieces.h */, HEAD_BITS = 26 };
 #define TABLE(name, words, of, ...)                                                                                    \
@@ -27,8 +27,8 @@ enum { FORCE_PLAIN = 4 /* rows of eps at zero force, see pieces.h */, HEAD_BITS 
 #define IN_LOSS(of, width, n) .variable = (of), .step = (width), .end = 0.5, ROWS(n), .head_bits = HEAD_BITS
 #define BY_OCTAVES(of, from, to)                                                                                       \
     .variable = (of), .first = (from), .octave_bits = PIECES_OCTAVE_BITS, ROWS(((to) - (from) + 1) * PIECES_PER_OCTAVE)
-/* Floats: 27 bits limit the approximation to an eighth of a unit of the last place. c_0 of a row that is multiplied by
- * beta has 19 bits, so that its product with the first 5 bits of beta is exact. */
+/* Floats: 27 bits limit the approximation to an eighth of a unit of the last place. In a row that is multiplied by
+ * beta, c_0 has 19 bits, so that its product with the first 5 bits of beta is exact. */
 #define FLOATS(name, words, of, from, to, bits, head)                                                                  \
     {                                                                                                                  \
         .stem = "float_" name, .title = words, .rows = {                                                               \
