@@ -12,8 +12,8 @@ enum {
     POINTS = 8    /* on each side of the middle, where the error is evaluated first */
 };
 
-/* Length of cells of u up to WIDE_FROM. Beyond, mu < 4e-28, and longer cells replace mu by the interval from 0 to its
- * largest value. The limits of the functions for mu -> 0 suffice there. */
+/* Length of cells of u up to WIDE_FROM. Beyond, mu < 4e-28, and longer cells enclose mu in a ball around 0. The limits
+ * of the functions for mu -> 0 suffice there. */
 #define CELL_LENGTH 0.5
 #define WIDE_FROM 38.0
 

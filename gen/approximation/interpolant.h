@@ -40,7 +40,7 @@ enum quantity {
     BETA_ZERO_FORCE,
     BETA_QUOTIENT_ZERO_OVERLAP,
     BETA_QUOTIENT_ZERO_FORCE,
-    /* the same with damping during the approach only, from the largest overlap and its time */
+    /* with damping during the approach only, from the largest overlap and its time */
     EPS_APPROACH_ONLY,
     LOSS_QUOTIENT_APPROACH_ONLY,
     DURATION_APPROACH_ONLY,

@@ -18,8 +18,8 @@ struct search {
 /* Far from the inverse few bits suffice: the bits that the polynomials' coefficients lose, and 64 more. */
 enum { SEARCH_BITS = 128 };
 
-/* Computes a function of w minus its value at the inverse. Of the loss it is a root, which has a slope also at
- * beta = 0. Of eps it is the logarithm, because eps may fall by many powers of ten in an interval. */
+/* Computes a function of w minus its value at the inverse. The function is a root of the loss, which has a slope also
+ * at beta = 0, or ln(eps), because eps may fall by many powers of ten in an interval. */
 static void set_excess(arb_t y, const struct search *s, const arb_t w, const arb_t wanted)
 {
     const slong prec = s->prec, root = s->f->layout->root;

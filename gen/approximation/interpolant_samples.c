@@ -14,9 +14,9 @@ enum {
     SCALING_BITS = 32
 };
 
-/* At strong damping zero overlap is slow to compute, but has a closed form except for the duration. It is singular near
- * 1.7 + 0.45 i, so the ellipse around the third interval would prove too little. The two intervals after it cover the
- * same range. All values still come from the third. */
+/* At strong damping zero overlap is slow to compute, but has a closed form except for the duration. Zero overlap is
+ * singular near 1.7 + 0.45 i, so the ellipse around the third interval would prove too little. The two intervals after
+ * it cover the same range. All values still come from the third. */
 static const struct interval sphere_intervals[] = {
     {INTERVAL_ROOT, 0, 0.625, 40, 90, FORM_QUOTIENT, SET_ALL},
     {INTERVAL_ROOT, 0.625, 1.25, 40, 90, FORM_VALUE, SET_ALL},

@@ -244,7 +244,7 @@ static int make_samples(struct interpolant *f, double beta_min, double beta_max)
 {
     const struct interpolant_layout *const layout = f->layout;
     for (int i = 0; i < layout->intervals; i++) {
-        /* true if [beta_min, beta_max] meets the interval; the far coefficients continue the last u */
+        /* an interval is known if [beta_min, beta_max] meets it; the far coefficients continue the last u */
         const struct interval *const interval = &layout->interval[i];
         struct samples *const s = &f->samples[i];
         const double lo = interval->lo, hi = interval->hi;

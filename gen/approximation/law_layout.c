@@ -192,7 +192,7 @@ static int find_fall(double *h_star, struct law_layout *layout)
 
 /* ---- tables ---- */
 
-/* Returns the octave of x. If x is a power of two, it may be the end of a table, which is in the octave below. */
+/* Returns the octave k of x, 2^k <= x < 2^(k+1). */
 static double octave_of(double x)
 {
     return floor(log2(x));

@@ -71,7 +71,7 @@ static bool find_denominator(struct pade *f, const arb_poly_t c, slong first, sl
     return regular;
 }
 
-/* Solves the equations for i = m+1..m+n. P is then Q c up to z^m. */
+/* Solves the equations of find_denominator for i = m+1..m+n. Then P = Q c up to z^m. */
 bool pade_of_series(struct pade *f, const arb_poly_t c, slong m, slong n, slong prec)
 {
     const bool regular = find_denominator(f, c, m + 1, m, n, NULL, prec);
@@ -80,7 +80,7 @@ bool pade_of_series(struct pade *f, const arb_poly_t c, slong m, slong n, slong 
     return regular;
 }
 
-/* Solves for i = 0..m+4. The conditions at infinity, p_i = limit q_{i+5} for every i, eliminate the p_i. */
+/* Solves them for i = 0..m+4. The conditions at infinity, p_i = limit q_{i+5} for every i, eliminate the p_i. */
 bool pade_two_point_of_series(struct pade *f, const arb_poly_t c, const arb_t limit, slong m, slong prec)
 {
     const bool regular = find_denominator(f, c, 0, m, m + TAIL_POWER, limit, prec);

@@ -148,7 +148,7 @@ LOCAL_STRUCT(pade_error)
 void pade_approximation_error(struct pade_error *e, const struct pade_rounded *r, enum cor_end end,
                               const struct references *s);
 
-/* Bounds the error of their evaluation in double (round to nearest, with or without fused multiply-add) for
+/* Bounds the error of the approximant's evaluation in double (round to nearest, with or without fused multiply-add) for
  * 0 <= beta <= beta_max, with a rounded z. Interval (ball) arithmetic of sum |p_i| z^i / |P(z)| over pieces that cover
  * the range proves it. Infinite if P or Q may vanish or overflow in the range. */
 void pade_evaluation_error(double *eps, double *loss, const struct pade_rounded *r, slong beta_max);

@@ -18,7 +18,7 @@ enum {
     POINTS = 24,      /* a row's error is sampled at POINTS + 1 places */
     FLOAT_POINTS = 8, /* rows of floats are sampled at FLOAT_POINTS + 1 */
     FLOAT_PLACE_BITS = 30,
-    BITS_TO_LINE = 23 /* in the comment above a table */
+    BITS_TO_LINE = 23 /* per line of the comment above a table */
 };
 
 static bool by_octaves(const struct pieces *p)

@@ -18,7 +18,7 @@
  *     f = c_0 + (c_0' + t (c_1 + t (c_2 + t c_3))),     t = beta - node
  *
  * The remainder c_0' of c_0 has 8 bits. They are the lower half of the bits of c_3. Moved to the upper half, these bits
- * are the float c_0'. They give c_3, which its upper half determines, a relative error of 2^-8. The columns c_1 and c_2
+ * are the float c_0'. Only the upper half of c_3 is free, so c_3 has a relative error of 2^-8. The columns c_1 and c_2
  * compensate three quarters of the effect. */
 #ifndef COR_GEN_APPROXIMATION_PIECES_H
 #define COR_GEN_APPROXIMATION_PIECES_H

@@ -561,7 +561,7 @@ static int split_cell(struct part *part, const struct interpolant_proof *proof, 
     return reached < range.hi ? 0 : parts;
 }
 
-/* True if an end of an inverse's range is proved not to be inside the cell. 1 - eps = 0 at beta = 0. */
+/* True if an end of an inverse's range is proved not to be inside the cell. At beta = 0, 1 - eps = 0 is the end. */
 static bool end_reached(const struct interpolant_proof *proof, const struct pieces *p, slong row,
                         const struct part *part, bool first)
 {

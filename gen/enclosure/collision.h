@@ -13,8 +13,7 @@ int collision_solve(struct collision *c, const arb_t beta, const struct cor_expo
 /* Solves like collision_solve, but sets only x_max, t_max, eps_zero_overlap and t_zero_overlap. */
 int collision_solve_overlap(struct collision *c, const arb_t beta, const struct cor_exponents *law, slong bits);
 
-/* Like collision_solve_overlap, about `below` under the threshold. `below` gives the number of bits that the motion
- * loses. */
+/* Solves like collision_solve_overlap at about `below` under the threshold, which determines the bits that are lost. */
 int collision_solve_below(struct collision *c, const arb_t beta, double below, const struct cor_exponents *law,
                           slong bits);
 

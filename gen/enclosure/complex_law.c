@@ -157,8 +157,8 @@ static bool turning_point(struct path *p, struct path_state *y, const struct cor
     const double logarithm = POWER * log(s);
     *y = (struct path_state){ball_widened(ball_of(logarithm, 0), 0x1p-46 * (1 + fabs(logarithm))), zero};
     p->logarithm = true;
-    /* The path about the turning point starts at an exact kappa, so that only y is uncertain. An uncertain place would
-     * add its effect on all of the path as a bound, although that effect changes sign. */
+    /* The path about the turning point starts at an exact kappa, so that only y is uncertain. If kappa were uncertain,
+     * bounds would add up its effect along the path, although that effect changes sign. */
     if (p->pressed) {
         if (!path_follow(p, turning_slopes, kappa, ball_centre(kappa), y))
             return false;

@@ -19,7 +19,8 @@ struct formal_time {
     fmpq_poly_struct q[CREEP_SERIES_ORDER + 1], source[CREEP_SERIES_ORDER + 1];
 };
 
-/* Computes q_1' = -1 and (k - 1) q_(j+1)' = k (j q_j/2 + k q_j'). Its right side vanishes at k = 1, hence q_j(1). */
+/* Computes q_j from q_1' = -1 and (k - 1) q_(j+1)' = k (j q_j/2 + k q_j'). The right side vanishes at k = 1, which
+ * gives q_j(1). */
 static void formal_time_init(struct formal_time *f)
 {
     LOCAL(fmpq_poly, k, sum, term);

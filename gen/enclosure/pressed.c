@@ -26,7 +26,7 @@ enum {
 };
 
 /* Sets the state in which the backward motion begins. From rest at X = 0, u = v^2/2 obeys du/dX = 1 - X^a + B X^b v.
- * With u/X = 1 + r, |r| < R up to X = delta, one more integration gives r up to R times the first terms. */
+ * With u/X = 1 + r, |r| < R up to X = delta, one more integration gives r with an error of R times its first terms. */
 static void set_start(struct taylor *y, const arb_t damping, bool flies)
 {
     const struct cor_exponents *const law = &y->law;

@@ -3,7 +3,7 @@
  *
  * With x = beta^(-2/n) z, time in beta^((a-1)/n), p = -z'/z^(a-b) and y = z^-n the unloading obeys (docs/theory.md, 9)
  *
- *   N(p) = 1 - p + (a-b) y p^2 - n y^2 p dp/dy = 0,    dt' = dy/(n y^(1+kappa) p),   kappa = (b-a+1)/n,
+ *   N(p) = 1 - p + (a-b) y p^2 - n y^2 p dp/dy = 0,    dt' = dy/(n y^(1+kappa) p),   kappa = (b-a+1)/n.
  *
  * Its solution is a divergent series p = 1 + (a-b) y + ... with terms of about m! (-n y)^m. If a formal sum P has
  * |N(P)| <= nu, every trajectory within eta >= 4 nu of P stays within eta of P. Times and end speeds are therefore

@@ -44,7 +44,7 @@ void profile_enable(void);
 void profile_step(const char *name); /* ends the current step and starts the next; NULL starts none */
 void profile_report(void);
 
-/* malloc, realloc, strdup and printf to such memory. They end the program with a message and never return NULL. */
+/* malloc, realloc, strdup and a printf that allocates. They end the program with a message and never return NULL. */
 void *xmalloc(size_t size);
 void *xrealloc(void *old, size_t size);
 void *xgrow(void *old, size_t count, size_t size); /* makes room for one more; `count` grows by one from call to call */

@@ -87,7 +87,7 @@ struct precision precision_start(slong digits)
 
 struct precision precision_doubling(slong bits, slong limit)
 {
-    /* the step also doubles: bits + bits, + 2 bits, + 4 bits, ..., but not in the last half of the limit */
+    /* the step also doubles: bits, 2 bits, 4 bits, ...; beyond half of the limit no step follows */
     return (struct precision){.bits = bits, .step = bits, .limit = limit / 2 + 1};
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Only this file knows C syntax. These functions write all C text that corgen emits. */
+/* Only this file contains C syntax. Its functions write all C text that corgen emits. */
 #ifndef COR_GEN_SUPPORT_EMIT_C_H
 #define COR_GEN_SUPPORT_EMIT_C_H
 

@@ -170,7 +170,7 @@ static const char accuracy_text[] =
     "to 80 bits (proved); between them they are off by %.1e at most (sampled). Errors of the rows stand above each\n"
     "table (sampled).\n";
 
-/* gcc 12 at -O2 would leave a call, and a copy of the law's constants in every function: five times the time. */
+/* Otherwise gcc 12 at -O2 leaves a call, and a copy of the law's constants in each function: five times the time. */
 static const char always_inline[] =
     "/* Where a compiler leaves a call between these functions, it copies the law's constants for each result. */\n"
     "#if !defined(COR_INLINE) && defined(__GNUC__) && !defined(__CUDACC__) && !defined(__HIPCC__)\n"

@@ -322,7 +322,7 @@ enum { FAR_BITS = 400 };
 struct time_rows {
     const char *name, *title, *variable;
     law_time *time;
-    const char *damping; /* y as a function of zeta or beta; NULL: y is that, by octaves of 1/step cells */
+    const char *damping; /* zeta or beta as a function of y; NULL: they are y, by octaves of 1/step cells */
     double from, step, end;
     double least_bits;
 };

@@ -17,7 +17,7 @@
 #include "support/parallel.h"
 #include "sweep/hard_wall.h"
 
-/* The plane and its first division */
+/* The plane and its first division into cells, the roots */
 #define FIRST_SPEED 1e-5
 #define LAST_SPEED 0.3
 #define FIRST_NU (-0.2)
@@ -107,8 +107,8 @@ static struct cor_disk_limit_table make_evaluable(void)
                                          table->square, table->place, table->piece};
 }
 
-/* True if the tolerance of a collision at x is CALM_TOLERANCE. These are all roots that begin below CALM_SPEED, so that
- * no cell has collisions of both tolerances. */
+/* True if the tolerance of a collision at x is CALM_TOLERANCE, as in all roots that begin below CALM_SPEED. No cell
+ * then has collisions of both tolerances. */
 static bool is_calm(int32_t x)
 {
     const int32_t column = x > 0 ? (x - 1) / ROOT_SIDE : 0;
@@ -133,7 +133,7 @@ static int by_place(const void *a, const void *b)
 }
 
 struct collisions {
-    struct scene *scene; /* in order of place; index of the first one of a material */
+    struct scene *scene; /* in order of place; `first` begins the current material */
     long first;
     struct hard_wall_tables tables;
     atomic_bool failed;
