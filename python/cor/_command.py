@@ -93,6 +93,9 @@ def read_text(path: str, most: int) -> str:
             data = file.read(most + 1)
     if len(data) > most:
         raise ValueError(f"it is longer than {most} bytes")
+    zeros = data[:64:2].count(0), data[1:64:2].count(0)
+    if data[:2] in (b"\xff\xfe", b"\xfe\xff") or max(zeros) > 4 * min(zeros) + 4:
+        raise ValueError("it is UTF-16; allowed: UTF-8, as from iconv -f UTF-16 -t UTF-8 FILE")
     if b"\0" in data:
         raise ValueError("it is not a text: it contains zero bytes")
     return data.decode("utf-8-sig", "surrogateescape")

@@ -274,6 +274,8 @@ def test_hostile(tmp_path):
         "deep.py": "O.engines=" + "(" * 5000 + ")" * 5000,
         "deep.json": '{"material_relations":' + "[" * 100000 + "]" * 100000 + "}",
         "zero.py": "O.engines=[]\0",
+        "wide.py": VISCOUS.format("").encode("utf-16").decode("utf-8", "surrogateescape"),
+        "wide.lmp": "pair_style gran/hooke 1 NULL 1 NULL 0 0\n".encode("utf-16-le").decode(),
         "name.py": VISCOUS.format("").replace("density=2500", "density=2500,label='a\\n\\x1b\"\\u202e'"),
     }
     start = time.process_time()
@@ -281,6 +283,7 @@ def test_hostile(tmp_path):
         status, out, messages = run("audit", write(tmp_path, name, text), "--format", "json", "--speed", "1")
         assert (status == 3) == (name in ("huge.py", "name.py")), (name, status, messages)
         assert ("nested too deeply" in messages) == (name == "deep.json"), (name, messages)
+        assert ("iconv -f UTF-16 -t UTF-8" in messages) == name.startswith("wide"), (name, messages)
         assert all(row["realised"] is None or 0 <= row["realised"] <= 1 for row in json.loads(out)), name
         assert not re.search("[\x00-\x09\x0b-\x1f\x7f\u202e]", out + messages), name
     for path in (tmp_path / "fifo", "/dev/zero", tmp_path):

@@ -15,6 +15,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 from functools import partial
 from pathlib import Path
@@ -22,7 +23,7 @@ from pathlib import Path
 import pytest
 from test_audit import DECKS, JUDGED, number, options_of, run
 
-from cor._audit import command, physics
+from cor._audit import command, measure, physics, process
 from cor._command import Parser
 
 LONG = bool(os.environ.get("COR_TEST_LONG"))
@@ -97,9 +98,8 @@ def test_paste_back(deck, tmp_path):
             ), again
 
 
-HEAD = (
-    "units si\natom_style sphere\nboundary f f f\ncomm_modify vel yes\nregion b block -1 1 -1 1 -1 1\ncreate_box 1 b\n"
-)
+HEAD = "processors 2 2 1\nunits si\natom_style sphere\nboundary f f f\ncomm_modify vel yes\n"
+HEAD += "region b block -1 1 -1 1 -1 1\ncreate_box 1 b\n"
 HEAD += (
     "create_atoms 1 single 0 0 0\nset type 1 diameter 0.01 density 2500\npair_style gran/hooke 1e4 NULL 50 NULL 0 0\n"
 )
@@ -122,6 +122,30 @@ def test_left_out(tmp_path):
     assert not bad.exists() and sorted(os.listdir(tmp_path)) == ["deck.lmp"]
     for name in "shell", "dump", "write_data", "python", "fix print", "fix ave/time":
         assert f": {name} left out" in messages, name
+
+
+def test_kept_and_late(tmp_path, monkeypatch):
+    """The folder of a run stays only with --keep. A program that does not answer ends; no contact: nothing is run."""
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "tmp"))
+    os.mkdir(tmp_path / "tmp")
+    deck, program, late = tmp_path / "deck.lmp", program_of(Path("x.lmp")), str(tmp_path / "late")
+    deck.write_text(HEAD + "run 1\n")
+    assert "has what was run" not in measured(deck, ["--speed", "1"], program)[1] and not os.listdir(tmp_path / "tmp")
+    _, messages = measured(deck, ["--speed", "1", "--keep"], program)
+    (folder,) = (tmp_path / "tmp").iterdir()
+    assert f": {folder} has what was run" in messages
+    assert "create_atoms 1 single" in (folder / "1/2/3/cor-sent").read_text()
+    Path(late).write_text("#!/bin/sh\nexec sleep 100\n")
+    os.chmod(late, 0o755)
+    limits = {"RUN_S": (process, "no answer within 0 s"), "ALL_S": (measure, "the 10 minutes are over")}
+    for name, (module, reason) in limits.items():
+        with monkeypatch.context() as limit:
+            limit.setattr(module, name, 0.2)
+            (row,), messages = measured(deck, ["--speed", "1"], late)
+        assert f"{late}: {reason}" in messages and not row["measured"] and row["realised"], (row, messages)
+    deck.write_text("pair_style none\nrun 1\n")
+    rows, messages = measured(deck, [], late)
+    assert not rows and "--run has no contact to measure" in messages and "sets no contact itself" in messages
 
 
 def test_difference(tmp_path):

@@ -15,7 +15,8 @@ from .deck import COLUMNS, MAX_BYTES, NAN, DeckError, Options, Row
 STATUS_NOT_AS_ASKED, STATUS_NOT_JUDGED = 3, 4
 
 EPILOG = f"""\
-Inputs: scripts of LAMMPS and LIGGGHTS, YADE's Python, materials of Kratos (json), MFiX, MuJoCo (xml).
+Inputs: scripts of LAMMPS and LIGGGHTS, YADE's Python, materials of Kratos (json), MFiX, MuJoCo (xml), Gazebo (SDF),
+Lethe (prm), commands of PFC, C++ for MercuryDPM.
 Without --run nothing of an input is executed.
 
 Columns: {','.join(COLUMNS)}.
@@ -151,9 +152,9 @@ def run(given: argparse.Namespace) -> int:
             rows += found
             statuses.append(status_of(found))
             if statuses[-1] == STATUS_USAGE:
-                what = options.simulator or "a simulator that --help names"
                 reasons = "; ".join(dict.fromkeys(f"line {row.line}: {row.advice}" for row in found if row.advice))
-                why = f": {reasons}" if reasons else f"; allowed: input of {what}"
+                what = options.simulator or physics.simulator_of(text)
+                why = f": {reasons}" if reasons else f": it looks like an input of {what}, but sets no contact itself"
                 message(f"{name}: no contact can be judged{why}")
     if given.format != "text":
         write_output(given.output, table(COLUMNS, [_columns(row) for row in rows], given.format))

@@ -147,6 +147,7 @@ class Granular(System):
         self.coefficients: Dict[Any, Coefficient] = {}
         self.excluded: List[List[str]] = []
         self.speeds: List[float] = []
+        self.velocities: Dict[str, Tuple[float, ...]] = {}  # of groups
         self.created = 0  # atoms; -1: unknown
         self.is_run, self.is_changed, self.has_unread_atoms = False, True, False
         self.last: List[Contact] = []  # of the last snapshot
@@ -359,8 +360,16 @@ class Granular(System):
         self.created = -1
 
     def on_velocity(self, words: Words) -> None:
-        if words[2] == "set":
-            self.add_speed(words, 3)
+        if words[2] == "set" and len(self.velocities) < 8:
+            values = [0.0 if w == "NULL" else words.value(3 + i) for i, w in enumerate(words[3:6])]
+            self.velocities[words[1]] = tuple(0.0 if math.isnan(x) else x for x in values)
+
+    def speeds_of(self, is_wall: bool) -> Tuple[float, ...]:
+        """Impact speeds by the script: of insertions, and of groups relative to each other or to a wall at rest."""
+        moving = list(self.velocities.values())
+        relative = [math.dist(a, b) for i, a in enumerate(moving) for b in moving[:i]]
+        speeds = relative if relative and not is_wall else [math.hypot(*v) for v in moving]
+        return tuple(dict.fromkeys([*self.speeds, *(v for v in speeds if 0 < v < math.inf)]))[:8]
 
     def add_speed(self, words: Words, at: int, count: int = 3) -> None:
         speed = math.hypot(*(x for x in (words.value(at + i) for i in range(count)) if not math.isnan(x)))
@@ -570,12 +579,17 @@ class Granular(System):
         if self.other_style is not None and not self.style:
             text = f"pair_style {self.other_style[1]}: cor knows granular, gran/hooke(/history), gran/hertz/history"
             self.script.remark(self.other_style.line, text + ", LIGGGHTS' gran model, and hybrid with these.")
+        everyone = [m for bodies in moving.values() for m in bodies]
+        if self.style and everyone and all(m.held for m in everyone):
+            text = "No atom moves here: all are frozen, or no fix integrates a group that has them."
+            self.script.remark(self.style[0].words.line, text, False)
         found = []
         for contact in chain(self.pair_contacts(moving) if self.style else (), self.wall_contacts(moving)):
             self.script.tick()
             contact.unknown = contact.unknown or fault
             contact.losses, contact.style = sentences, "" if contact.model else contact.style
-            contact.speeds, contact.time_step, contact.units = tuple(self.speeds), self.time_step, self.units
+            contact.speeds = self.speeds_of(contact.bodies[1].wall)
+            contact.time_step, contact.units = self.time_step, self.units
             key = repr(sorted((k, v) for k, v in contact.__dict__.items() if k not in ("runs", "repair")))
             if key not in self.seen and len(self.deck.contacts) > MAX_CONTACTS:
                 break

@@ -26,9 +26,10 @@ TOLERANCE = 2e-3  # between measured and computed eps, besides the error of the 
 
 def measure(path: str, options: Options, rows: List[Row], program: str, keep: bool) -> None:
     """Executes the deck with the program, and fills the columns measured and measured_small_step of the rows."""
-    if not rows:
-        return
     todo = [row for row in rows if row.contact is not None and "clump" not in row.contact.unknown]
+    if not todo:
+        message(f"{path}: --run has no contact to measure")
+        return
     simulator = rows[0].simulator
     of = MEASURES.get(simulator)
     if path == "-":

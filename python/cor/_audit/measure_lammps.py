@@ -23,7 +23,8 @@ LEFT_OUT = (
     "write_dump write_restart write_coeff group2ndx minimize rerun neb neb/spin temper temper/grem temper/npt tad prd "
     "hyper dynamical_matrix third_order"
 ).split()
-UNNAMED = "log echo print label thermo thermo_modify thermo_style info timer balance".split()  # no loss without them
+# Nothing is lost without these
+UNNAMED = "log echo print label thermo thermo_log thermo_modify thermo_style info timer balance processors".split()
 WRITING = re.compile(r".*\$|print$|ave/|python|external$|plumed|colvars|ipi$|imd$|mdi|qmmm|couple/")  # styles of fix
 PLANES = "xplane yplane zplane zcylinder region".split()
 KEPT = re.compile(r"property/|mesh/|particle|freeze$|adapt$|lb/|check/")  # fixes that move nothing

@@ -37,6 +37,7 @@ _STEPS_IN_ALL = 2e8  # some seconds
 _STEPS_OF_SEARCH, _LEAST_SEARCHED = 2e7, 1e-4  # of cor_scene_step_for
 _LINEAR = (Spring.HOOKE, Spring.CHARACTERISTIC, Spring.CONTACT_TIME, Spring.PER_MASS)
 _SIZES = (", least", ", largest")
+_NEVER = 1e5  # m/s, the threshold of Gazebo without the word: no impact is so fast
 
 
 def model_of(name: str) -> Any:
@@ -136,9 +137,9 @@ class _Audit:
         if end >= lib.COR_SCENE_ENDS:
             row.realised = lib.cor_law_eps(model.law, end, damping) if speed > contact.threshold else 0.0
             if contact.threshold > 0:
-                known = NAN if math.isnan(speed) else row.realised
+                never = contact.number == 0 or contact.threshold >= _NEVER  # whatever the speed
+                row.realised = NAN if math.isnan(speed) and not never else row.realised
                 row.advice += f" eps is 0 up to the threshold, {contact.threshold:.6g} m/s."
-                row.realised = known
             return int(end)
         impact, eps = ffi.new("struct cor_scene_impact *"), ffi.new("double *")
         if lib.cor_scene_needs_solver(scene):  # libcor integrates it under a force, here a vanishing one
@@ -254,7 +255,8 @@ class _Audit:
     # ---- rows ----
 
     def advise_missing(self, row: Row, scene: Any, speed: float) -> None:
-        scales = not (scene.mass_kg > 0 and scene.stiffness > 0)
+        instant = bool(row.contact and row.contact.threshold)
+        scales = not (scene.mass_kg > 0 and scene.stiffness > 0) and not instant
         if scales and math.isnan(scene.radius_m):
             row.advice += " The radius is not in the text: give --radius."
         elif scales and math.isnan(scene.mass_kg):

@@ -8,7 +8,7 @@ import json
 import math
 import re
 import warnings
-from typing import Any, Dict, Iterator, List, Tuple
+from typing import Any, Dict, Iterator, List, Set, Tuple
 
 from .deck import NAN, Body, Contact, Deck, DeckError, Options, Remark, Repair, Spring, Units
 from .yade import Script, number_of
@@ -314,18 +314,31 @@ def read_lethe(text: str, name: str, options: Options) -> Deck:
 # ---- PFC ----
 
 
+def _pfc_lines(text: str, name: str, options: Options, called: Set[str]) -> Iterator[Tuple[str, int, str]]:
+    """File, number and text of each line without comments; the lines of a called file are in the place of the call."""
+    for number, line in enumerate(re.sub(r";[^\n]*", "", Source(text, name).text).split("\n"), 1):
+        call = re.match(r"""\s*(?:program\s+)?call\s+['"]?([^'"\s]+)""", line, re.I)
+        found = options.include(call[1], name) if call and call[1] not in called else None
+        if call and found:
+            called.add(call[1])
+            yield from _pfc_lines(*found, options, called)
+        yield name, number, line
+
+
 def read_pfc(text: str, name: str, options: Options) -> Deck:
     """Reads commands of PFC: contact models of the contact model assignment table, their dashpots, local damping."""
-    source, deck = Source(text, name), Deck(name, "pfc")
-    constants = {m[1].lower(): m[2] for m in re.finditer(r"\[\s*(\w+)\s*=\s*([^\]\n]+)\]", text)}
-    lines = re.sub(r";[^\n]*", "", source.text).split("\n")
+    deck, lines = Deck(name, "pfc"), list(itertools.islice(_pfc_lines(text, name, options, set()), 100000))
+    plain = "\n".join(line for _, _, line in lines)
+    constants = {m[1].lower(): m[2] for m in re.finditer(r"\[\s*(\w+)\s*=\s*([^\]\n]+)\]", plain)}
+    every = ["ball-ball"] + ["ball-facet"] * bool(re.search(r"^\s*wall\b", plain, re.M | re.I))
     tables: Dict[str, Dict[str, str]] = {}
+    places: Dict[str, Tuple[str, int]] = {}
     damp, gravity, whole = 0.0, NAN, ""
-    for number, line in enumerate(lines, 1):
+    for file, number, line in lines:
         whole += " " + re.sub(r"(\.\.\.|&)\s*$", "", line)
         if re.search(r"(\.\.\.|&)\s*$", line):
             continue
-        words = [w.strip("[]") for w in whole.lower().replace(",", " ").split()]
+        words = [w.strip("[]'\"") for w in whole.lower().replace(",", " ").split()]
         words = [constants.get(w.lstrip("@"), w) for w in words]
         whole = ""
         numbers = {w: arithmetic(v) for w, v in zip(words, words[1:])}
@@ -334,19 +347,20 @@ def read_pfc(text: str, name: str, options: Options) -> Deck:
         if "gravity" in words:
             found = [arithmetic(w) for w in words[words.index("gravity") + 1 :]]
             gravity = math.sqrt(sum(g * g for g in found if not math.isnan(g))) if found else gravity
-        if "cmat" not in words and words[:2] != ["contact", "property"]:
+        if "cmat" not in words and words[:2] not in (["contact", "property"], ["contact", "model"]):
             continue
         kind = words[words.index("type") + 1] if "type" in words[:-1] else ""
-        kind = "ball-facet" if "wall" in kind or "facet" in kind else kind or "ball-ball"
-        table = tables.setdefault(kind, {})
-        if "model" in words[:-1]:
-            table["model"] = words[words.index("model") + 1]
-        table.update({k: str(v) for k, v in numbers.items() if k in ("kn", "dp_nratio", "dp_mode")})
-        table["line"] = str(number)
+        kind = "ball-facet" if "wall" in kind or "facet" in kind else kind
+        for kind in [kind] if kind else every:
+            table = tables.setdefault(kind, {})
+            if "model" in words[:-1]:
+                table["model"] = words[words.index("model") + 1]
+            table.update({k: str(v) for k, v in numbers.items() if k in ("kn", "dp_nratio", "dp_mode")})
+            places[kind] = file, number
     for kind, table in tables.items():
         wall, model = kind == "ball-facet", table.get("model", "")
         b = Body("facet" if wall else "ball", wall=wall)
-        c = Contact(name, int(table["line"]), "pfc", (Body("ball"), b), "PFC_LINEAR", pair=kind, global_damping=damp)
+        c = Contact(*places[kind], "pfc", (Body("ball"), b), "PFC_LINEAR", pair=kind, global_damping=damp)
         c.number, c.spring = float(table.get("dp_nratio", 0)), Spring.HOOKE
         c.stiffness = float(table.get("kn", NAN))
         c.gravity = gravity if wall else NAN
@@ -356,8 +370,8 @@ def read_pfc(text: str, name: str, options: Options) -> Deck:
             c.unknown = "dp_nratio or damp is no number."
         elif model and not model.startswith(("linear", "rrlinear")):
             c.style, c.unknown = model, f"cor does not know the dashpot of the model {model}."
-        if "dp_sratio" in table:
-            c.notes.append("dp_sratio acts along the tangent.")
+        elif "bond" in model:
+            c.notes.append("eps holds for contacts whose bond is broken or absent.")
         deck.contacts.append(c)
     return deck
 
@@ -383,7 +397,8 @@ def read_mercurydpm(text: str, name: str, options: Options) -> Deck:
     walls = "InfiniteWall" in plain or "AxisymmetricIntersectionOfWalls" in plain
     for m in re.finditer(r"(\w+)\s*(?:->|\.)\s*(set\w+)\(([^;]*)\)\s*;", plain):
         if m[2] == "setDissipation":
-            deck.contacts.append(_mercury_dashpot(source, m, plain, constants, step))
+            bodies = (False, True) if walls else (False,)
+            deck.contacts += [_mercury_dashpot(source, m, plain, constants, step, wall) for wall in bodies]
         if m[2] not in _SETTERS:
             continue
         model, k, stiffness, mass = _SETTERS[m[2]]
@@ -418,16 +433,21 @@ def read_mercurydpm(text: str, name: str, options: Options) -> Deck:
     return deck
 
 
-def _mercury_dashpot(source: Source, m: "re.Match[str]", plain: str, constants: Dict[str, str], step: Any) -> Contact:
-    """A linear spring and dashpot of a species, with the first radius of the text."""
+def _mercury_dashpot(
+    source: Source, m: "re.Match[str]", plain: str, constants: Dict[str, str], step: Any, wall: bool
+) -> Contact:
+    """A linear spring and dashpot of a species, with the first radius of the text; discs in two dimensions."""
 
     def given(setter: str, of: str = r"\w+") -> float:
         found = re.search(rf"\b{of}\s*(?:->|\.)\s*{setter}\(([^;]*)\)\s*;", plain)
         return arithmetic(constants.get(found[1].strip(), found[1])) if found else NAN
 
-    radius = given("setRadius")
-    b = Body(m[1], (radius, radius), given("setDensity", m[1]))
-    c = Contact(source.name, source.line(m.start()), "mercurydpm", (b, b), "LAMMPS_HOOKE_VELOCITY", spring=Spring.HOOKE)
+    radius, density, disc = given("setRadius"), given("setDensity", m[1]), None
+    if re.search(r"public Mercury2D\b|set(Particle)?Dimensions\(2\)", plain):
+        disc, density = (math.pi * radius**2 * density,) * 2, NAN
+    b = Body(m[1], (radius, radius), density, disc)
+    bodies = b, Body("wall", wall=True) if wall else b
+    c = Contact(source.name, source.line(m.start()), "mercurydpm", bodies, "LAMMPS_HOOKE_VELOCITY", spring=Spring.HOOKE)
     c.style, c.number, c.stiffness = (
         "LinearViscoelastic, setDissipation",
         given(m[2], m[1]),

@@ -27,7 +27,7 @@ _MATH.update(toHP1=float, Real=float, radiansHP1=math.radians)  # of yade.math, 
 _MATERIAL = {"young": 1e9, "poisson": 0.25, "density": 1000.0}  # of YADE's classes where a material does not set them
 _LOSSES: Tuple[str, ...] = ("DragEngine", "LinearDragEngine", "HydroForceEngine", "FlowEngine", "TwoPhaseFlowEngine")
 _LOSSES += ("ViscousForceEngine", "SPHEngine", "FluidDomain", "OpenFoamCoupling")
-_FACETS = re.compile("facet[A-Z]\\w*|stl|gmsh|unv|ele|iges")
+_FACETS = re.compile("facet[A-Z]\\w*|gtsSurface2Facets|stl|gmsh|unv|ele|iges")
 _NUMBERS = {"en", "betan", "tc", "kn", "cn", "damping"}
 
 
@@ -79,6 +79,7 @@ class Script:
         self.time_step: Any = None
         self.steps = self.depth = self.unsure = 0
         self.called: set[str] = set()
+        self.makers: Dict[str, Any] = {}  # the materials that functions return
 
     def note(self, line: int, text: str, matters: bool = False) -> None:
         self.remarks.setdefault((line, text), matters)
@@ -118,6 +119,9 @@ class Script:
 
     def value_List(self, node: ast.List) -> Any:
         return self.sequence(node.elts)
+
+    def value_Lambda(self, node: ast.Lambda) -> Any:
+        return UNKNOWN if node.args.args else self.value(node.body)  # a material, where YADE takes a function
 
     def value_Dict(self, node: ast.Dict) -> Any:
         pairs = zip(node.keys, node.values)
@@ -165,9 +169,15 @@ class Script:
         found = of[self.value(index)] if isinstance(of, (list, tuple, dict, str)) else UNKNOWN
         return found.value if isinstance(found, Placed) else found
 
+    def items(self, node: ast.AST) -> Any:
+        """The elements of a loop; of a SpherePack the pairs (centre, radius) of its least and largest sphere."""
+        of = self.value(node)
+        is_pack = isinstance(of, Thing) and of.name == "SpherePack"
+        return [(UNKNOWN, r) for r in of.values.get("radius", (NAN, NAN))] if is_pack else of
+
     def value_ListComp(self, node: ast.ListComp) -> Any:
         made: List[Any] = []
-        items = self.value(node.generators[0].iter)
+        items = self.items(node.generators[0].iter)
         if len(node.generators) > 1 or not isinstance(items, (list, tuple, range)):
             self.unsure += 1
             self.value(node.elt)
@@ -209,9 +219,14 @@ class Script:
                 self.note(node.lineno, f"the keywords of {name} are not constants", True)
         if isinstance(self.names.get(name), ast.FunctionDef) and of is None:
             return self.call(self.names[name], thing)
+        if name in ("reset", "resetThisScene") and of is self.names["O"]:
+            self.bodies, self.materials, self.things = [], [], []
         if isinstance(of, Thing) and of.name in ("O.materials", "O.bodies", "O.engines", "SpherePack"):
             return self.method(of, thing)
-        if isinstance(of, list) and name in ("append", "extend", "insert") and not self.unsure:
+        is_body = any(
+            isinstance(x, Spheres) for x in thing.arguments
+        )  # which may exist, also in a loop of unknown length
+        if isinstance(of, list) and name in ("append", "extend", "insert") and (is_body or not self.unsure):
             of.extend(thing.arguments[-1] if name == "extend" else thing.arguments[-1:])
             return None
         if name in _MATH and (of is None or isinstance(of, Thing)):
@@ -281,12 +296,17 @@ class Script:
                 of.values["radius"] = mean * (1 - fuzz), mean * (1 + fuzz)
                 if isinstance(sizes, (list, tuple)) and UNKNOWN not in sizes:
                     of.values["radius"] = min(sizes) / 2, max(sizes) / 2
+            elif name == "makeClumpCloud":
+                of.values["clump"] = True
             elif name == "add" and len(a) > 1:
                 of.values["radius"] = number_of(a[1]), number_of(a[1])
             elif name == "toSimulation":
                 radius = of.values.get("radius", (NAN, NAN))
-                self.bodies.append(Spheres("sphere", self.material(call.values.get("material", -1)), radius))
+                material, is_clump = self.material(call.values.get("material", -1)), "clump" in of.values
+                self.bodies.append(Spheres("sphere", material, radius, clump=is_clump))
             return UNKNOWN
+        if name == "replaceByClumps":
+            self.note(call.line, "spheres are replaced by clumps, which rebound with their own mass and shape", True)
         if not a or name not in ("append", "appendClumped", "insert"):
             return UNKNOWN
         items = list(a[-1]) if isinstance(a[-1], (list, tuple)) else [a[-1]]
@@ -306,6 +326,8 @@ class Script:
 
     def material(self, given: Any) -> Optional[Thing]:
         """A material by its number, label or object."""
+        if isinstance(given, ast.FunctionDef):  # YADE calls it for each body
+            given = self.makers.setdefault(given.name, self.call(given, Thing(given.name, given.lineno)))
         if isinstance(given, Thing):
             return given
         if isinstance(given, str):
@@ -396,7 +418,7 @@ class Script:
                       for n in {**ends[0], **ends[1]}}  # fmt: skip
 
     def loop(self, statement: Any) -> None:
-        items: Any = range(1000) if isinstance(statement, ast.While) else self.value(statement.iter)
+        items: Any = range(1000) if isinstance(statement, ast.While) else self.items(statement.iter)
         certain = isinstance(items, (list, tuple, range)) and len(items) <= MAX_ITEMS
         self.unsure += not certain
         for item in items if certain else [UNKNOWN]:
@@ -471,13 +493,17 @@ def parse(text: str, script: Script) -> ast.Module:
     """The syntax tree; lines that are no Python 3, such as print of Python 2, are left out."""
     lines = text.expandtabs(8).split("\n")
     warnings.simplefilter("ignore", SyntaxWarning)
-    for _ in range(40):
+    for _ in range(80):
         try:
             return ast.parse("\n".join(lines))
         except SyntaxError as error:
             k = (error.lineno or 1) - 1
             if k >= len(lines) or lines[k].strip() in ("", "pass"):
                 raise DeckError(f"line {k + 1}: this is no Python: {error.msg}") from None
+            old_print = re.match(r"(\s*)print\s+(.*?)\s*$", lines[k])
+            if old_print:
+                lines[k] = f"{old_print[1]}print({old_print[2]})"
+                continue
             if not re.match(r"\s*(print|exec)\b", lines[k]):
                 script.note(k + 1, f"this line is no Python 3, and is not read: {error.msg}", True)
             lines[k] = re.match(r"\s*", lines[k])[0] + "pass"  # type: ignore[index]
