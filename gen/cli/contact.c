@@ -141,6 +141,48 @@ static int draw_eps(const struct contact_arguments *o, const struct contacts *co
     return eps_plot(o->plot, law_equation(&contacts->scene.law).text, "impact speed (m/s)", 0, curve, curves);
 }
 
+/* ---- a law of one's own ---- */
+
+/* eps at the speeds, and a picture of it; or lines for a simulator */
+static int print_own(const struct contact_arguments *o, const struct own_law *law)
+{
+    const enum output_format format = (enum output_format)o->common.format;
+    const struct values *const speed = &o->speed;
+    struct table table;
+    struct output out;
+    if (speed->count == 0)
+        return usage_error("--law %s needs --speed, as --speed 0.1,1,10", embed_law_names[law->law]);
+    int status = own_law_check(law, speed->least, speed->largest);
+    if (o->simulator && status == STATUS_OK) {
+        char *const text = contact_own_lines(law, &o->scene, o->simulator, speed->nearest, speed->count);
+        status = text ? output_text(o->common.output, text) : STATUS_USAGE;
+        free(text);
+        return status;
+    }
+    double *const eps = xmalloc(speed->count * sizeof *eps);
+    table_init(&table, "speed_m_s,eps", "nn");
+    for (size_t i = 0; i < speed->count; i++) {
+        char text[DECIMAL_TEXT];
+        eps[i] = own_law_value(law, speed->nearest[i]);
+        table_add_text(&table, decimal_text(text, speed->nearest[i]));
+        table_add_number(&table, eps[i], format == FORMAT_TEXT ? CONTACT_DIGITS_TEXT : CONTACT_DIGITS);
+    }
+    const struct eps_curve curve = {embed_law_names[law->law], speed->nearest, eps, speed->count};
+    if (o->plot && status == STATUS_OK)
+        status = eps_plot(o->plot, law->text, "impact speed (m/s)", 0, &curve, 1);
+    if (status == STATUS_OK)
+        status = output_open(&out, o->common.output);
+    if (status == STATUS_OK) {
+        if (format == FORMAT_TEXT)
+            fprintf(out.file, "%s\n\n", law->text);
+        table_print(&table, format, out.file);
+        status = output_commit(&out);
+    }
+    table_clear(&table);
+    free(eps);
+    return status;
+}
+
 /* ---- the command ---- */
 
 static int print_for_simulator(const struct contact_arguments *o, const struct contacts *contacts)
@@ -164,7 +206,15 @@ static int run_contact(const void *arguments)
     if (o->simulator &&
         ((o->version && strcmp(o->version, CONTACT_SIMULATOR_LIST) == 0) || !cor_simulator_named(o->simulator)))
         return print_for_simulator(o, NULL);
-    int status = contacts_of_request(&contacts, &o->scene);
+    struct own_law own;
+    int status = own_law_init(&own, &o->scene);
+    if (own.law && status == STATUS_OK)
+        status = print_own(o, &own);
+    const bool done = own.law || status != STATUS_OK;
+    own_law_clear(&own);
+    if (done)
+        return status;
+    status = contacts_of_request(&contacts, &o->scene);
     if (status == STATUS_OK)
         status = check_options(o, &contacts);
     if (status != STATUS_OK)

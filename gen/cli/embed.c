@@ -16,16 +16,18 @@ static int run_embed(const void *arguments)
     struct contacts contacts = {.count = 0};
     struct output out;
     int status = embed_request_check(&o->scene);
-    if (status == STATUS_OK)
+    const bool own = o->scene.law >= EMBED_LAW_POWER;
+    if (status == STATUS_OK && !own)
         status = contacts_without_jkr(&contacts, &o->scene);
-    if (status == STATUS_OK && contacts.contact[0].force_n > 0 && law_is_linear(&contacts.scene.law) &&
+    if (status == STATUS_OK && !own && contacts.contact[0].force_n > 0 && law_is_linear(&contacts.scene.law) &&
         contacts.contact[0].damping > 0)
         status =
             usage_error("under --gravity or --adhesion headers hold for laws whose eps depends on the speed without "
                         "them, too, not for linear and tsuji; corgen sample tabulates eps");
     if (status != STATUS_OK)
         return status;
-    contact_warn_yield(&contacts, embed_number(&o->scene, EMBED_SPEED_MAX));
+    if (!own)
+        contact_warn_yield(&contacts, embed_number(&o->scene, EMBED_SPEED_MAX));
     profile_step("collisions, series");
     status = embed_scene_init(&scene, &o->scene, &contacts.contact[0]);
     if (status == STATUS_OK)
@@ -61,7 +63,7 @@ static const char help[] =
     "  --tolerance T    allowed relative error of eps, 1e-15 (float: 4e-7) to 0.1\n" HELP_END_PRESSED
     "  --type T         double (default) or float\n"
     "  --for USE        optimize for scalar (single calls), array (loops that become vectors) or balanced\n"
-    "                   (default, both)\n"
+    "                   (default, both); rebound: scalar, with a callback NAME_callback for REBOUND\n"
     "  --name NAME      name of the function and of the include guard (default cor_scene_eps)\n" HELP_CONTACT
     "\n" HELP_COMMON
     "\nExample: corgen embed --g-star 20 --speed-min 0.01 --speed-max 10 --tolerance 1e-6 --output cor_scene_eps.h\n";

@@ -25,6 +25,10 @@ const struct option_numbers option_not_negative = {{"0", NULL, true, false, true
                                                    DECIMAL_PLAIN};
 const struct option_numbers option_disk_poisson = {{"-1", "1", false, false, false, "a number between -1 and 1"},
                                                    DECIMAL_SIGN | DECIMAL_RATIO};
+const struct option_numbers option_own_exponent = {{"-100", "100", true, true, true, "a number from -100 to 100"},
+                                                   DECIMAL_SIGN | DECIMAL_RATIO};
+const struct option_numbers option_own_eps = {{"0", "1", true, false, true, "a number from 0 to below 1"},
+                                              DECIMAL_PLAIN};
 const struct values_rule option_speeds = {
     "speed", {"0", NULL, false, false, true, "a finite number above 0 m/s"}, false};
 _Static_assert(sizeof(enum cor_end) == sizeof(int), "OPTION_WORD fills an int");

@@ -93,7 +93,8 @@ struct option_common {
 
 extern const char *const option_formats[];       /* text, csv, json */
 extern const char *const option_formats_latex[]; /* text, csv, json, latex */
-extern const struct option_numbers option_positive, option_not_negative, option_disk_poisson;
+extern const struct option_numbers option_positive, option_not_negative, option_disk_poisson, option_own_exponent,
+    option_own_eps;
 extern const struct values_rule option_speeds; /* m/s */
 
 /* The texts of the two exponents of a law; NULL: those of the sphere; and the law that options_parse makes of them */

@@ -31,6 +31,9 @@ static int plan_of_spheres(struct plan *plan, const struct plan_arguments *o)
     struct embed_request scene = o->scene;
     struct contacts contacts, pressed;
     struct decimal damping = {0};
+    static const struct cor_scene_contact none;
+    if (scene.law >= EMBED_LAW_POWER)
+        return plan_spheres(plan, &scene, &none, &o->scene, &none, o->points);
     int status = contacts_without_jkr(&pressed, &scene);
     if (status == STATUS_OK)
         remove_force(&scene, &damping, &pressed);

@@ -33,12 +33,24 @@
     "  --law NAME       {law}\n"                                                                                       \
     "                   (docs/laws.md; default viscoelastic)\n"                                                        \
     "  --elastic A --damping B   instead, any exponents as 3/2 and 1/2\n"                                              \
+    "  or eps of the speed only, no bodies: power-law min(1, A v^-B), --coefficient A --exponent B;\n"                 \
+    "  exponential, --eps-inf E --decay-speed V; table, --table FILE (docs/ice.md)\n"                                  \
     "\nYield, or a liquid:\n"                                                                                          \
     "  --yield-stress Y   Pa: the yield speed, and a warning above it\n"                                               \
     "  --viscosity-liquid ETA --gap-outer H --gap-inner h   Pa s, m: lubrication between both\n"                       \
     "\nA constant force that presses the bodies together:\n"                                                           \
     "  --gravity G      m/s^2, on a ball above a --wall or a plate\n"                                                  \
     "  --adhesion W --adhesion-model M   J/m^2; dmt: the force 2 pi W R; jkr: columns _tail, _largest_pull\n"
+
+/* Options that a law of one's own contradicts */
+#define SCENE_OWN_APART                                                                                                \
+    "young poisson radius density mass young-2 poisson-2 radius-2 density-2 mass-2 wall plate-thickness gravity "      \
+    "adhesion adhesion-model yield-stress viscosity-liquid gap-outer gap-inner stiffness effective-mass duration "     \
+    "dissipation-time dissipation-time-2 viscosity viscosity-2 g-star restitution damping-coefficient beta zeta at "   \
+    "elastic damping end steps time-step step-tolerance step-corrected integrator simulator-version friction "         \
+    "durations "
+#define SCENE_OWN(NAME, NUMBER, NUMBERS, APART)                                                                        \
+    OPTION(NAME, REAL, scene.number[NUMBER], .range.number = (NUMBERS), .excludes = SCENE_OWN_APART APART)
 
 /* A number of cor/scene.h, which has range and unit; NUMBERS, if not NULL, is another range */
 #define SCENE_NUMBER_OF(NAME, NUMBER, NUMBERS, APART)                                                                  \
@@ -78,8 +90,13 @@
         SCENE_NUMBER("g-star", COR_SCENE_G_STAR, APART), SCENE_NUMBER("restitution", COR_SCENE_RESTITUTION, APART),    \
         SCENE_NUMBER("damping-coefficient", COR_SCENE_DAMPING_COEFFICIENT, APART),                                     \
         SCENE_NUMBER("beta", COR_SCENE_BETA, APART), SCENE_NUMBER("zeta", COR_SCENE_ZETA, APART),                      \
-        SCENE_NUMBER("at", COR_SCENE_AT, APART), SCENE_WORD("law", law, contact_law_names, "a law", APART),            \
-        SCENE_TEXT("elastic", elastic, "law " APART), SCENE_TEXT("damping", damping, "law " APART),                    \
+        SCENE_NUMBER("at", COR_SCENE_AT, APART), SCENE_WORD("law", law, embed_law_names, "a law", APART),              \
+        SCENE_OWN("coefficient", EMBED_COEFFICIENT, &option_positive, APART),                                          \
+        SCENE_OWN("exponent", EMBED_EXPONENT, &option_own_exponent, APART),                                            \
+        SCENE_OWN("eps-inf", EMBED_EPS_INF, &option_own_eps, APART),                                                   \
+        SCENE_OWN("decay-speed", EMBED_DECAY_SPEED, &option_positive, APART),                                          \
+        SCENE_TEXT("table", table, SCENE_OWN_APART APART), SCENE_TEXT("elastic", elastic, "law " APART),               \
+        SCENE_TEXT("damping", damping, "law " APART),                                                                  \
         SCENE_WORD("end", end, contact_end_options_pressed, "an end of contact", APART)
 #define SCENE_PURPOSE(APART) SCENE_WORD("for", purpose, embed_purpose_names, "a use", APART)
 

@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 #include "contact/contact.h"
 
+#include <limits.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "enclosure/collision.h"
-#include "runtime/core/laws.h"
 #include "support/console.h"
 #include "support/local.h"
-
-const char *const contact_law_names[] = {COR_CONTACT_LAWS(COR_LAW_NAME) NULL};
 
 /* ---- enclosed collisions ---- */
 
@@ -47,7 +46,10 @@ int contacts_of_request(struct contacts *contacts, const struct embed_request *r
 {
     char text[COR_SCENE_FAULT_TEXT];
     struct cor_scene_fault fault;
-    int status = embed_request_scene(&contacts->scene, request);
+    struct own_law own; /* not of this contact; its options are refused */
+    int status = own_law_init(&own, request);
+    if (status == STATUS_OK)
+        status = embed_request_scene(&contacts->scene, request);
     if (status != STATUS_OK)
         return status;
     contacts->scene.solver = contact_enclosed;
@@ -127,5 +129,43 @@ char *contact_simulator_text(const struct cor_simulator_request *request)
         return usage_error("%s", reason), NULL;
     char *const text = xmalloc((size_t)length + 1);
     write_text(text, (size_t)length + 1, request);
+    return text;
+}
+
+char *contact_own_lines(const struct own_law *law, const struct embed_request *request, const char *simulator,
+                        const double *speed_m_s, size_t speeds)
+{
+    static const char word[] = "{embed}";
+    const struct cor_simulator *const known = cor_simulator_named(simulator);
+    const struct cor_simulator_model *model = NULL;
+    double least = speed_m_s[0], largest = least;
+    char min[DECIMAL_TEXT], max[DECIMAL_TEXT];
+    for (int k = 0; k < known->model_count; k++)
+        if (known->models[k].has_function && known->models[k].law == COR_LAW_IMPULSE)
+            model = &known->models[k];
+    if (!model)
+        return usage_error("--for %s: %s computes eps of a spring and a dashpot, and --law %s has neither; allowed: "
+                           "rebound or bullet, which call a function of the speed",
+                           simulator, known->title, embed_law_names[law->law]),
+               NULL;
+    char *text = NULL, *const options = embed_options(request, INT_MAX);
+    size_t size;
+    FILE *const file = open_memstream(&text, &size);
+    fprintf(file, "%s%s, %s%s\n", known->comment, known->title, model->model, known->comment_end);
+    for (size_t i = 0; i < speeds; i++) {
+        least = fmin(least, speed_m_s[i]);
+        largest = fmax(largest, speed_m_s[i]);
+        fprintf(file, "%srealises eps = %.6g at %g m/s%s\n", known->comment, own_law_value(law, speed_m_s[i]),
+                speed_m_s[i], known->comment_end);
+    }
+    const double margin = least < largest || law->rows > 0 ? 1 : 10;
+    const char *const at = strstr(model->lines, word);
+    fprintf(file,
+            "%.*scorgen embed --speed-min %s --speed-max %s --tolerance 1e-6%s --name cor_eps --output cor_eps.h%s"
+            "%sOutside these speeds cor_eps returns the value at the nearer end of their range.%s\n",
+            (int)(at - model->lines), model->lines, decimal_text(min, least / margin),
+            decimal_text(max, largest * margin), options, at + strlen(word), known->comment, known->comment_end);
+    fclose(file);
+    free(options);
     return text;
 }

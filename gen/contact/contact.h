@@ -4,11 +4,9 @@
 #ifndef COR_GEN_CONTACT_CONTACT_H
 #define COR_GEN_CONTACT_CONTACT_H
 
+#include "embed/own_law.h"
 #include "embed/request.h"
 #include "support/output.h"
-
-/* The names of the laws of --law, with a NULL at the end */
-extern const char *const contact_law_names[];
 
 /* One contact, or one for each end at which a restitution may have been measured */
 struct contacts {
@@ -33,6 +31,11 @@ void contact_warn_yield(const struct contacts *contacts, double speed_m_s);
 int contact_status(int status);
 
 cor_scene_solver contact_enclosed;
+
+/* The lines of --for SIMULATOR that call a header of eps of a law of one's own, for these speeds, malloc'ed. NULL after a
+ * message if the simulator calls no function of the speed. */
+char *contact_own_lines(const struct own_law *law, const struct embed_request *request, const char *simulator,
+                        const double *speed_m_s, size_t speeds);
 
 /* ---- contact_rows.c: the tables of corgen contact, the numbers of a contact and a row for each impact speed ---- */
 

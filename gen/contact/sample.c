@@ -43,6 +43,8 @@ static double duration_scale(const struct cor_scene_contact *contact, double spe
 static int value_direct(double value[SAMPLE_QUANTITIES], const struct sampler *c, double speed_m_s)
 {
     struct cor_scene_impact impact;
+    if (c->request->own)
+        return value[0] = own_law_value(c->request->own, speed_m_s), STATUS_OK;
     if (c->quantities == 1)
         return contact_status(cor_scene_eps(&value[0], c->request->contact, speed_m_s, (int)c->request->end));
     const int status = cor_scene_impact(&impact, c->request->contact, speed_m_s);
@@ -163,8 +165,9 @@ static double function_slope(const struct sampler *c, int quantity, double speed
     static const double weight[SLOPE_REACH] = {3.0 / 4, -3.0 / 20, 1.0 / 60};
     const struct cor_scene_contact *const contact = c->request->contact;
     const double away = fabs(log(speed_m_s / (contact->yield_speed_m_s + contact->liquid_speed_m_s)));
-    const double step =
-        contact->plastic ? fmin(SLOPE_STEP, fmax(SLOPE_LEAST, away / (1.01 * SLOPE_REACH))) : SLOPE_STEP;
+    const double step = c->request->own    ? SLOPE_LEAST
+                        : contact->plastic ? fmin(SLOPE_STEP, fmax(SLOPE_LEAST, away / (1.01 * SLOPE_REACH)))
+                                           : SLOPE_STEP;
     double sum = 0;
     for (int k = 1; k <= SLOPE_REACH; k++) {
         const double factor = exp(k * step);
@@ -193,26 +196,46 @@ static double error_at(const struct sampler *c, const struct segment *s, int qua
     return fabs((c->request->cubic ? cubic : linear) / exact - 1);
 }
 
-/* The largest error in a segment, of every quantity: the largest of evenly spaced places, and the vertex of the
- * parabola through it and its neighbours */
+/* The largest error of a quantity between two fractions of a segment: the largest of evenly spaced places, and the
+ * vertex of the parabola through it and its neighbours */
+static double largest_error(const struct sampler *c, const struct segment *s, int quantity, double from, double to,
+                            int places)
+{
+    double error[CHECK_PLACES + 1] = {from > 0 ? error_at(c, s, quantity, from) : 0}, most = error[0];
+    int at = 1;
+    error[places] = to < 1 ? error_at(c, s, quantity, to) : 0;
+    for (int i = 1; i < places; i++) {
+        error[i] = error_at(c, s, quantity, from + (to - from) * ((double)i / places));
+        if (error[i] > error[at])
+            at = i;
+    }
+    const double curvature = error[at - 1] - 2 * error[at] + error[at + 1];
+    most = fmax(fmax(most, error[places]), error[at]);
+    if (curvature < 0 && error[at] >= fmax(error[at - 1], error[at + 1]))
+        most = fmax(most,
+                    error_at(c, s, quantity,
+                             from + (to - from) * ((at + (error[at - 1] - error[at + 1]) / (2 * curvature)) / places)));
+    return most;
+}
+
+/* The largest error in a segment, of every quantity; of a law of one's own in each of its parts */
 static double segment_error(const struct sampler *c, double left, double right, int places)
 {
+    const struct own_law *const own = c->request->own;
     double most = 0;
     for (int q = 0; q < c->quantities; q++) {
         struct segment s = {{left, right}, {function_value(c, q, left), function_value(c, q, right)}, {0, 0}};
         for (int i = 0; c->request->cubic && i < 2; i++)
             s.slope[i] = function_slope(c, q, function_speed(c, s.x[i]));
-        double error[CHECK_PLACES + 1] = {0};
-        int at = 1;
-        for (int i = 1; i < places; i++) {
-            error[i] = error_at(c, &s, q, (double)i / places);
-            if (error[i] > error[at])
-                at = i;
+        double from = 0;
+        for (slong i = 0; own && i < own->parts; i++) {
+            const double to = (function_place(c, own->part[i]) - left) / (right - left);
+            if (to > 0 && to < 1) {
+                most = fmax(most, largest_error(c, &s, q, from, to, places));
+                from = to;
+            }
         }
-        const double curvature = error[at - 1] - 2 * error[at] + error[at + 1];
-        most = fmax(most, error[at]);
-        if (curvature < 0)
-            most = fmax(most, error_at(c, &s, q, (at + (error[at - 1] - error[at + 1]) / (2 * curvature)) / places));
+        most = fmax(most, largest_error(c, &s, q, from, 1, places));
     }
     return most;
 }
@@ -357,7 +380,7 @@ int sample_choose(struct sample *sample, const struct sample_request *request)
     }
     int status = STATUS_OK;
     const double margin = 1.01 * (double)SLOPE_REACH * SLOPE_STEP;
-    if (cor_scene_needs_solver(request->contact))
+    if (!request->own && cor_scene_needs_solver(request->contact))
         status = fill_pieces(&c, log(request->speed_min) - margin, log(request->speed_max) + margin);
     double *const x = xmalloc((SAMPLE_MOST_POINTS + 2) * sizeof *x), last;
     /* rounded speeds and measured errors must not exceed the tolerance */

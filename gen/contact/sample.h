@@ -22,6 +22,7 @@ enum { SAMPLE_QUANTITIES = 2 }; /* eps and duration */
 /* The request of corgen sample */
 struct sample_request {
     const struct cor_scene_contact *contact;
+    const struct own_law *own; /* instead of the contact, which is all 0 then; NULL: none */
     enum cor_end end;
     double speed_min, speed_max; /* m/s */
     double tolerance;            /* relative error, SAMPLE_FINEST to SAMPLE_COARSEST */

@@ -92,10 +92,12 @@ void sample_print(FILE *file, const struct sample *sample, const struct sample_r
     if (format != SAMPLE_CSV && format != SAMPLE_JSON)
         fprintf(file,
                 "%s%zu points; %s interpolation in %s gives %s with a relative error of %.4g at most.%s\n"
-                "%s%s, contact ends at %s.%s\n",
+                "%s%s%s%s.%s\n",
                 begin, rows, request->cubic ? "cubic Hermite" : "linear", request->log ? "ln(speed)" : "the speed",
                 request->duration ? "eps and duration" : "eps", sample->best.error, close, begin,
-                contact_law_text(law, request->contact), contact_end_text(request->contact, (int)request->end), close);
+                request->own ? request->own->text : contact_law_text(law, request->contact),
+                request->own ? "" : ", contact ends at ",
+                request->own ? "" : contact_end_text(request->contact, (int)request->end), close);
     switch (format) {
     case SAMPLE_TEXT: /* and beside it the evenly spaced table */
         column[columns++] = (struct column){"even_speed_m_s", sample->even.speed_m_s};

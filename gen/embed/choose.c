@@ -151,6 +151,13 @@ static void search_pieces_beta(struct embed_form *best, const struct embed_scene
 
 static void search_pieces_speed(struct embed_form *best, const struct embed_scene *s)
 {
+    if (s->knot) { /* the cubics of a table themselves */
+        struct embed_form f = form_blank(s, FAMILY_PIECES_SPEED, SPEED, 3, 0);
+        f.rows = s->knots - 1;
+        f.knot = s->knot;
+        try_form(best, f, s, NULL);
+        return;
+    }
     for (slong least = 0, most = EMBED_TABLE_BYTES; most <= EMBED_TABLE_BYTES_MOST; least = most, most *= 2)
         for (slong degree = 1; degree <= (least == 0 ? PIECE_DEGREE_MAX : LARGE_PIECE_DEGREE_MAX); degree++)
             for (int bits = 0; bits <= FRACTION_BITS_MAX && !best->found; bits++) {

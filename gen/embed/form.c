@@ -70,7 +70,7 @@ double embed_from_bits(const struct embed_form *f, uint64_t bits)
 
 double embed_row_start(const struct embed_form *f, slong row)
 {
-    return embed_from_bits(f, (f->first + (uint64_t)row) << f->low_bits);
+    return f->knot ? f->knot[row] : embed_from_bits(f, (f->first + (uint64_t)row) << f->low_bits);
 }
 
 static const double root_coefficients[2][2][4] = {
@@ -133,7 +133,11 @@ struct embed_program embed_program_of(const struct embed_form *f)
         x = add_step(p, STEP_SQRT, left > 1 ? "half" : "x", x, 0, 0);
     p->x = x;
     if (f->rows > 0)
-        x = add_step(p, f->family == FAMILY_PIECES_SPEED ? STEP_ROW_OF_BITS : STEP_ROW_OF_PLACE, "t", x, 0, 0);
+        x = add_step(p,
+                     f->knot                            ? STEP_ROW_OF_SEARCH
+                     : f->family == FAMILY_PIECES_SPEED ? STEP_ROW_OF_BITS
+                                                        : STEP_ROW_OF_PLACE,
+                     "t", x, 0, 0);
     p->argument = x;
     if (f->rows > 0) {
         p->p = add_horner(p, "eps", x, NULL, m, 1);
@@ -218,6 +222,12 @@ static double step_value(struct arithmetic *a, const struct embed_form *f, const
         a->count[OP_BITS] += 3; /* shift, subtraction of the first row, and shift back */
         *row = (slong)(upper - f->first);
         return round_result(a, OP_ADD, x - embed_from_bits(f, upper << f->low_bits));
+    case STEP_ROW_OF_SEARCH:
+        for (*row = 0; *row + 1 < f->rows && x >= f->knot[*row + 1];)
+            ++*row;
+        for (slong left = f->rows; left > 1; left /= 2)
+            a->count[OP_COMPARE]++;
+        return round_result(a, OP_ADD, x - f->knot[*row]);
     case STEP_ROW_OF_PLACE:
         a->count[OP_CONVERT] += 2;
         place = mul_add(a, x, f->slope, f->shift);
@@ -279,9 +289,8 @@ void embed_form_assess(struct embed_form *f, const struct embed_samples *samples
 
 double embed_cost(const double cost[USES], enum embed_purpose purpose)
 {
-    return purpose == PURPOSE_SCALAR  ? cost[USE_SCALAR]
-           : purpose == PURPOSE_ARRAY ? cost[USE_ARRAY]
-                                      : (cost[USE_SCALAR] + 4 * cost[USE_ARRAY]) / 5;
+    return purpose == PURPOSE_BALANCED ? (cost[USE_SCALAR] + 4 * cost[USE_ARRAY]) / 5
+                                       : cost[purpose == PURPOSE_ARRAY ? USE_ARRAY : USE_SCALAR];
 }
 
 void embed_form_price(struct embed_form *f)
@@ -293,7 +302,7 @@ void embed_form_price(struct embed_form *f)
     memcpy(f->operations, n, sizeof f->operations);
     for (int use = 0; use < USES; use++) {
         /* an operation that prevents vectorisation makes all other operations scalar */
-        const int as = use == USE_ARRAY && n[OP_SQRT] > 0 ? USE_SCALAR : use;
+        const int as = use == USE_ARRAY && (n[OP_SQRT] > 0 || f->knot) ? USE_SCALAR : use;
         const double *ns = nanoseconds[f->single][as];
         /* division and square root have a separate unit, which works in parallel to the others */
         const double beside = n[OP_DIV] * ns[OP_DIV] + n[OP_SQRT] * ns[OP_SQRT];

@@ -85,6 +85,8 @@ struct embed_form {
     double slope, shift;
     /* pieces in speed: the row is the bits of the speed, shifted down by low_bits, minus `first` */
     uint64_t first;
+    /* or the last of these numbers that is not above the speed; there are rows + 1; NULL: by bits */
+    const double *knot;
     double error, error_at; /* worst relative error of the samples, and its speed */
     double cost[USES];      /* ns */
     int operations[OPERATIONS];
@@ -101,10 +103,11 @@ void embed_form_clear(struct embed_form *f);
  * operations, header.c prints them, rounding.c bounds their rounding errors, and proof.c encloses their values without
  * rounding as functions of the speed. */
 enum embed_code {
-    STEP_CLAMP,        /* the speed, limited to the range of the form */
-    STEP_START,        /* the start value of x^(-1/5) */
-    STEP_ROW_OF_BITS,  /* the distance from x down to the start of a row, whose number is the upper bits of x */
-    STEP_ROW_OF_PLACE, /* the fraction of x slope + shift, whose integer part is the row */
+    STEP_CLAMP,         /* the speed, limited to the range of the form */
+    STEP_START,         /* the start value of x^(-1/5) */
+    STEP_ROW_OF_BITS,   /* the distance from x down to the start of a row, whose number is the upper bits of x */
+    STEP_ROW_OF_SEARCH, /* the distance from x down to the start of a row, which is searched in a table */
+    STEP_ROW_OF_PLACE,  /* the fraction of x slope + shift, whose integer part is the row */
     STEP_SQRT,
     STEP_HORNER,  /* c[0] + c[stride] x + ... + c[degree] x^(degree/stride); c NULL: of the numbers of a row */
     STEP_DIV,     /* x/y */

@@ -15,9 +15,9 @@ static const char default_name[] = "cor_scene_eps";
 static void append_command(FILE *t, const struct embed_request *request)
 {
     char *const options = embed_options(request, 85);
-    fprintf(t, "Written by:  corgen embed%s \\\n                 --end %s --type %s --for %s%s%s\n", options,
-            contact_end_options_pressed[request->end], embed_type_names[request->type],
-            embed_purpose_names[request->purpose], request->name ? " --name " : "", request->name ? request->name : "");
+    fprintf(t, "Written by:  corgen embed%s \\\n                %s --type %s --for %s%s%s\n", options,
+            embed_end_option(request), embed_type_names[request->type], embed_purpose_names[request->purpose],
+            request->name ? " --name " : "", request->name ? request->name : "");
     fprintf(t, "Checked by:  the same command, whose output is the same to the byte\n");
     free(options);
 }
@@ -51,7 +51,9 @@ static void append_alternatives(FILE *t, const struct embed_scene *s, const stru
 static void append_title(FILE *t, const struct embed_scene *s, const char *name)
 {
     const char *type = s->single ? "float" : "double";
-    if (s->plastic || law_is_sphere(&s->named))
+    if (s->own.law)
+        fprintf(t, "Restitution coefficient of a given law at an impact speed, for one scene:\n");
+    else if (s->plastic || law_is_sphere(&s->named))
         fprintf(t, "Restitution coefficient of %s spheres that collide at an impact speed, for one scene:\n",
                 s->plastic ? "elastic-plastic" : "viscoelastic");
     else
@@ -80,11 +82,14 @@ static struct bound_text middle_text(const arb_t x)
 static void append_scene(FILE *t, const struct embed_request *request, const struct embed_scene *s,
                          const struct embed_proof *proof)
 {
-    static const char *const end[] = {"zero overlap (x = 0)", "zero force (x'' = 0)",
-                                      "the surface (x = 0, by free flight)"};
-    fprintf(t, "Scene: %s m/s <= speed <= %s m/s; the contact ends at %s;\n", request->number[EMBED_SPEED_MIN].text,
-            request->number[EMBED_SPEED_MAX].text, end[request->end]);
-    if (s->plastic)
+    static const char *const end[] = {"zero overlap (x = 0);", "zero force (x'' = 0);",
+                                      "the surface (x = 0, by free flight);"};
+    fprintf(t, "Scene: %s m/s <= speed <= %s m/s; %s%s\n", request->number[EMBED_SPEED_MIN].text,
+            request->number[EMBED_SPEED_MAX].text, s->own.law ? "" : "the contact ends at ",
+            s->own.law ? s->own.text : end[request->end]);
+    if (s->own.law && s->onset > 0)
+        fprintf(t, "eps = 1 up to %.17g m/s.\n", s->onset);
+    else if (s->plastic)
         fprintf(t, "v_y = %s m/s, the impact speed from which they yield%s.\n", middle_text(s->yield_speed).text,
                 s->onset > 0 || s->constant ? "; eps = 1 up to it" : "");
     else if (!s->by_speed)
@@ -122,7 +127,8 @@ static void append_choice(FILE *t, const struct embed_request *request, const st
                                    "becomes vectors, scalar + 4 vector";
     static const char *const rule[] = {[PURPOSE_BALANCED] = balanced,
                                        [PURPOSE_SCALAR] = "the least time for calls of their own, column scalar",
-                                       [PURPOSE_ARRAY] = "the least time in loops that become vectors, column vector"};
+                                       [PURPOSE_ARRAY] = "the least time in loops that become vectors, column vector",
+                                       [PURPOSE_REBOUND] = "the least time for calls of their own, column scalar"};
     const struct embed_form *f = &form[chosen];
     char size[64];
     embed_form_size(size, sizeof size, f);
@@ -132,7 +138,9 @@ static void append_choice(FILE *t, const struct embed_request *request, const st
             "once and twice: sampled. %s\n",
             embed_family_name(chosen, s), size, rule[request->purpose], embed_purpose_names[request->purpose],
             emit_bound(f->error).text, f->error_at + f->origin, EMBED_SAMPLES,
-            f->rows > 0 ? "No branch; one table." : "No branch, no table.");
+            f->knot       ? "A search in a table."
+            : f->rows > 0 ? "No branch; one table."
+                          : "No branch, no table.");
     if (isfinite(proof->rounding)) {
         if (!proof->proved)
             fprintf(t, "Proved: rounding errors of ");
@@ -227,6 +235,7 @@ static void emit_step(struct emit *e, const struct embed_form *f, const struct e
                                         [STEP_MUL_ADD] = "    const $T $s = $s + $s * $s;\n",
                                         [STEP_OFF] = "    const $T $s = 1.0$F - $s * $s;\n"};
     const char *const x = p->step[s->x].name, *const y = p->step[s->y].name;
+    int half = 1;                                      /* the first step of a search */
     if (strchr(s->name, ' ') || s->code == STEP_CLAMP) /* an expression, or emit_clamped */
         return;
     switch (s->code) {
@@ -242,6 +251,15 @@ static void emit_step(struct emit *e, const struct embed_form *f, const struct e
             e, f->single ? "    const uint32_t i = upper - $bu;\n" : "    const uint64_t i = upper - UINT64_C($b);\n",
             embed_from_bits(f, f->first));
         emit_lines(e, "    const $T $s = $s - start;\n", s->name, x);
+        break;
+    case STEP_ROW_OF_SEARCH:
+        while (2 * half < f->rows)
+            half *= 2;
+        emit_lines(e,
+                   "    int i = 0;\n    for (int step = $d; step > 0; step /= 2)\n"
+                   "        if (i + step < $d && $s >= knot[i + step][0])\n            i += step;\n"
+                   "    const $T $s = $s - knot[i][0];\n",
+                   half, (int)f->rows, x, s->name, x);
         break;
     case STEP_ROW_OF_PLACE:
         emit_lines(e,
@@ -286,6 +304,8 @@ static void emit_form(struct emit *e, const char *name, const struct embed_form 
     emit_lines(e, "COR_INLINE $T $s($T speed)\n{\n", name);
     if (f->rows > 0)
         emit_table(e, "row", f->number, f->rows, f->numerator + 1);
+    if (f->knot)
+        emit_table(e, "knot", f->knot, f->rows, 1);
     if (f->origin > 0)
         emit_lines(e, "    const $T more = speed - $x;\n", f->origin);
     if (f->rows > 0 || f->numerator + f->denominator > 0)
@@ -327,7 +347,14 @@ void embed_header_write(FILE *file, const struct embed_request *request, const s
         emit_lines(&e, "#define $S_$s $s$s\n", name, suffix[i], value, strpbrk(value, ".e") ? "" : ".0");
     }
     emit_comment(&e, "eps at an impact speed in m/s");
-    emit_form(&e, name, &form[chosen], request->purpose != PURPOSE_SCALAR);
+    emit_form(&e, name, &form[chosen], request->purpose == PURPOSE_BALANCED || request->purpose == PURPOSE_ARRAY);
+    if (request->purpose == PURPOSE_REBOUND)
+        emit_lines(&e,
+                   "\n/* Of REBOUND: r->coefficient_of_restitution = $s_callback, with v in m/s */\n"
+                   "struct reb_simulation;\n"
+                   "COR_INLINE double $s_callback(const struct reb_simulation *r, double v)\n{\n"
+                   "    (void)r;\n    return (double)$s(($T)(v < 0 ? -v : v));\n}\n",
+                   name, name, name);
     emit_close(&e);
     free(text);
 }

@@ -73,6 +73,8 @@ static bool part_functions(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const 
     }
     enclosed_variable(x, part->lo, part->hi);
     arb_poly_set_arb(eps, s->eps);
+    if (s->own.law)
+        return own_law_function(eps, x, &s->own, part->interval);
     if (s->by_speed)
         return !s->plastic || (LET_FUNCTION(t, "exp(-x)*s->yield_speed", x, s->yield_speed) &&
                                LET_FUNCTION(t, "t*sqrt(5/(6 - t^2))", t) &&
@@ -130,7 +132,7 @@ static void part_polynomials(arb_poly_t p, arb_poly_t q, const arb_poly_t y, con
         const struct embed_step *const s = &w->program.step[i];
         const double *const c = s->c ? s->c : f->number + row * (s->degree + 1);
         arb_poly_struct *const z = value[i - first], *const x = value[s->x - first];
-        if (s->code == STEP_ROW_OF_BITS)
+        if (s->code == STEP_ROW_OF_BITS || s->code == STEP_ROW_OF_SEARCH)
             LET_FUNCTION(z, "x - start", x, start);
         else if (s->code == STEP_ROW_OF_PLACE)
             LET_FUNCTION(z, "x*f->slope + f->shift - row", x, f->slope, f->shift, row);
@@ -211,6 +213,8 @@ static bool part_from(struct part *part, double *end, const struct prover *w, do
     const struct interpolant_layout *const layout = &interpolant_sphere_proof;
     *part = (struct part){.by_log = true, .lo = u};
     *end = HUGE_VAL;
+    if (w->s->own.law) /* beyond a knot by a few ulps the cubic of the row differs by the square of that */
+        part->interval = (int)own_law_row(end, &w->s->own, u);
     if (w->s->by_speed)
         return true;
     if (w->law)

@@ -6,10 +6,16 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "runtime/core/laws.h"
 #include "support/console.h"
 
-const char *const embed_purpose_names[] = {
-    [PURPOSE_BALANCED] = "balanced", [PURPOSE_SCALAR] = "scalar", [PURPOSE_ARRAY] = "array", NULL};
+const char *const embed_purpose_names[] = {[PURPOSE_BALANCED] = "balanced",
+                                           [PURPOSE_SCALAR] = "scalar",
+                                           [PURPOSE_ARRAY] = "array",
+                                           [PURPOSE_REBOUND] = "rebound",
+                                           NULL};
+const char *const embed_law_names[] = {COR_CONTACT_LAWS(COR_LAW_NAME)[EMBED_LAW_POWER] = "power-law",
+                                       [EMBED_LAW_EXPONENTIAL] = "exponential", [EMBED_LAW_TABLE] = "table", NULL};
 const char *const embed_type_names[] = {[EMBED_DOUBLE] = "double", [EMBED_FLOAT] = "float", NULL};
 const char *const embed_adhesion_names[] = {
     [COR_ADHESION_NONE] = "none", [COR_ADHESION_DMT] = "dmt", [COR_ADHESION_JKR] = "jkr", NULL};
@@ -69,14 +75,15 @@ int embed_request_check(const struct embed_request *request)
 
 char *embed_options(const struct embed_request *request, int width)
 {
-    static const char *const range[] = {"speed-min", "speed-max", "tolerance"};
+    static const char *const own[] = {"speed-min", "speed-max", "tolerance",  "coefficient",
+                                      "exponent",  "eps-inf",   "decay-speed"};
     char *text = NULL;
     size_t size;
     int column = 15;
     FILE *const t = open_memstream(&text, &size);
     for (int i = 0; i < EMBED_NUMBERS; i++) {
         const int k = (i + EMBED_SPEED_MIN) % EMBED_NUMBERS, second = k == COR_SCENE_VISCOSITY_2;
-        const char *const name = k < COR_SCENE_NUMBERS ? cor_scene_options[k].name : range[k - COR_SCENE_NUMBERS];
+        const char *const name = k < COR_SCENE_NUMBERS ? cor_scene_options[k].name : own[k - COR_SCENE_NUMBERS];
         const char *const value =
             second || k == COR_SCENE_VISCOSITY ? request->viscosity[second] : request->number[k].text;
         if (!value)
@@ -97,9 +104,17 @@ char *embed_options(const struct embed_request *request, int width)
     if (request->damping)
         fprintf(t, " --damping %s", request->damping);
     if (!request->elastic && !request->damping && request->law != COR_LAW_VISCOELASTIC)
-        fprintf(t, " --law %s", cor_law_name((enum cor_law)request->law));
+        fprintf(t, " --law %s", embed_law_names[request->law]);
+    if (request->table)
+        fprintf(t, " --table %s", request->table);
     fclose(t);
     return text;
+}
+
+const char *embed_end_option(const struct embed_request *request)
+{
+    static const char *const text[] = {" --end zero-overlap", " --end zero-force", " --end surface"};
+    return request->law < EMBED_LAW_POWER ? text[request->end] : "";
 }
 
 bool embed_viscosity(struct decimal eta[2], const char *text)

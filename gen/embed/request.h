@@ -9,11 +9,24 @@
 #include "series/series.h"
 #include "support/decimal.h"
 
-/* The numbers of cor/scene.h and of a range of speeds, m/s; the tolerance is a relative error of eps. */
-enum { EMBED_SPEED_MIN = COR_SCENE_NUMBERS, EMBED_SPEED_MAX, EMBED_TOLERANCE, EMBED_NUMBERS };
+/* The numbers of cor/scene.h, of a range of speeds, m/s, and of laws of one's own (own_law.h); the tolerance is a relative
+ * error of eps. */
+enum {
+    EMBED_SPEED_MIN = COR_SCENE_NUMBERS,
+    EMBED_SPEED_MAX,
+    EMBED_TOLERANCE,
+    EMBED_COEFFICIENT,
+    EMBED_EXPONENT,
+    EMBED_EPS_INF,
+    EMBED_DECAY_SPEED,
+    EMBED_NUMBERS
+};
+/* Laws of one's own, as --law has them, after those of cor/law.h */
+enum { EMBED_LAW_POWER = COR_LAW_ELASTIC_PLASTIC + 1, EMBED_LAW_EXPONENTIAL, EMBED_LAW_TABLE };
+extern const char *const embed_law_names[]; /* ends with NULL */
 
-/* The purpose of a form: single calls, vectorised loops, or both */
-enum embed_purpose { PURPOSE_BALANCED, PURPOSE_SCALAR, PURPOSE_ARRAY };
+/* The purpose of a form: single calls, vectorised loops, or both; or single calls by REBOUND, with its callback */
+enum embed_purpose { PURPOSE_BALANCED, PURPOSE_SCALAR, PURPOSE_ARRAY, PURPOSE_REBOUND };
 extern const char *const embed_purpose_names[]; /* these two end with NULL */
 
 enum embed_type { EMBED_DOUBLE, EMBED_FLOAT };
@@ -26,7 +39,8 @@ struct embed_request {
     int end;                              /* enum cor_end as an option has it, or COR_BOTH_ENDS */
     enum embed_purpose purpose;
     enum embed_type type;
-    int law;                       /* enum cor_law up to COR_LAW_ELASTIC_PLASTIC */
+    int law;                       /* enum cor_law up to COR_LAW_ELASTIC_PLASTIC, or one's own */
+    const char *table;             /* the file of EMBED_LAW_TABLE; NULL: not given */
     const char *elastic, *damping; /* the exponents as written; NULL: those of the law */
     bool wall;                     /* body 2 is flat and held fast */
     const char *name;              /* name of the function; NULL: cor_scene_eps */
@@ -41,6 +55,8 @@ bool embed_viscosity(struct decimal eta[2], const char *text);
 /* The options of a request from " --speed-min 0.1" to " --law tsuji" as written, malloc'ed, without those of the header
  * alone. Lines of numbers that would be longer than `width` are continued as in a banner. */
 char *embed_options(const struct embed_request *request, int width);
+const char *
+embed_end_option(const struct embed_request *request); /* " --end zero-force"; empty for a law of one's own */
 
 #define EMBED_COARSEST 0.1 /* the coarsest tolerance of a header */
 

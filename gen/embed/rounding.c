@@ -250,14 +250,15 @@ static void bound_cell(void *context, slong i)
         w->bound[i] = cell_bound(f, &w->program, f->number, lo, hi, w->root * hi * RAISE);
         return;
     }
-    double lo = 0, hi = 1;
+    double lo = 0, hi = 1, place = w->place;
     if (f->family == FAMILY_PIECES_SPEED) {
         const double start = embed_row_start(f, row);
         lo = fmax(f->speed_min - start, 0);
         hi = fmin(embed_row_start(f, row + 1), f->speed_max) - start;
+        place = f->knot ? arithmetic[f->single].unit * hi * RAISE : 0; /* of the difference, if start < speed/2 */
     }
     const double width = (hi - lo) / (double)ROW_CELLS, first = lo + width * (double)(i % ROW_CELLS);
-    w->bound[i] = cell_bound(f, &w->program, f->number + row * (f->numerator + 1), first, first + width, w->place);
+    w->bound[i] = cell_bound(f, &w->program, f->number + row * (f->numerator + 1), first, first + width, place);
 }
 
 bool embed_rounding_bound(struct embed_rounding *bound, const struct embed_form *f)

@@ -78,7 +78,9 @@ void embed_scene_eps(arb_t eps, const struct embed_scene *s, const arb_t speed)
 {
     LOCAL(arb, beta);
     embed_scene_beta(beta, s, speed, false);
-    if (s->by_speed && s->plastic && !arb_le(beta, s->yield_speed))
+    if (s->own.law)
+        own_law_eps(eps, &s->own, speed, EMBED_BITS);
+    else if (s->by_speed && s->plastic && !arb_le(beta, s->yield_speed))
         embed_elastic_plastic_eps(eps, beta, s->yield_speed, EMBED_BITS);
     else if (s->constant || s->by_speed)
         arb_set(eps, s->eps);
@@ -279,7 +281,7 @@ static int scene_prepare(struct embed_scene *s, const struct embed_request *requ
     const double slow = per_root * pow(s->speed_min - lost, q), fast = per_root * pow(s->speed_max - lost, q);
     s->beta_min = fmin(slow, fast);
     s->beta_max = fmax(slow, fast);
-    if (!s->constant && !(s->beta_min > 1e-60 && s->beta_max < 1e60))
+    if (!s->constant && !s->own.law && !(s->beta_min > 1e-60 && s->beta_max < 1e60))
         return fail("beta from %.3g to %.3g: no material is like that", s->beta_min, s->beta_max);
     const int status = s->by_speed                             ? STATUS_OK
                        : s->constant                           ? scene_collide_once(s, request)
@@ -291,22 +293,41 @@ static int scene_prepare(struct embed_scene *s, const struct embed_request *requ
     const bool falls = s->samples.eps[0] > s->samples.eps[EMBED_SAMPLES - 1];
     const double least = s->samples.eps[falls ? EMBED_SAMPLES - 1 : 0];
     if (!(least > (s->single ? EPS_LEAST_FLOAT : EPS_LEAST)))
-        return fail("eps falls to %.3g at --speed-%s, beta = %.3g: too small for a %s", least, falls ? "max" : "min",
-                    s->beta_max, s->single ? "float" : "double");
+        return fail("eps falls to %.3g at --speed-%s, %s%.3g%s: too small for a %s", least, falls ? "max" : "min",
+                    s->by_speed ? "" : "beta = ", s->beta_max, s->by_speed ? " m/s" : "",
+                    s->single ? "float" : "double");
     return STATUS_OK;
+}
+
+static void set_by_speed(struct embed_scene *s)
+{
+    s->by_speed = true;
+    s->constant = false;
+    s->law = law_sphere;
+    s->law.damping = s->law.elastic; /* q = 1 */
+    arb_one(s->eps);
+    arb_one(s->beta_per_root);
+    arb_one(s->beta_enclosed);
+}
+
+/* Sets the forms of a scene in which eps is 1 up to the speed `below`. */
+static int set_onset(struct embed_scene *s, double below)
+{
+    s->constant = s->speed_max <= below;
+    if (s->speed_min > below || s->constant)
+        return STATUS_OK;
+    s->onset = rounded_down(s, below);
+    s->speed_min = neighbour_of(s, s->onset, HUGE_VAL);
+    return s->speed_min < s->speed_max
+               ? STATUS_OK
+               : usage_error("--speed-max is next to the speed up to which eps is 1, %.17g m/s", below);
 }
 
 /* Of elastic-plastic spheres, and of a constant eps in a liquid, dry eps is a closed form of the speed. */
 static int scene_by_speed(struct embed_scene *s, const struct embed_request *request)
 {
-    arb_one(s->eps);
+    set_by_speed(s);
     const int status = s->plastic ? STATUS_OK : scene_collide_once(s, request);
-    s->by_speed = true;
-    s->constant = false;
-    s->law = law_sphere;
-    s->law.damping = s->law.elastic; /* q = 1 */
-    arb_one(s->beta_per_root);
-    arb_one(s->beta_enclosed);
     if (status != STATUS_OK || !s->plastic)
         return status;
     LOCAL(arb, onset);
@@ -316,32 +337,59 @@ static int scene_by_speed(struct embed_scene *s, const struct embed_request *req
         return usage_error("in a liquid a header of --law elastic-plastic begins above the onset of yield, %.6g m/s; "
                            "--speed-min does not",
                            below);
-    s->constant = s->speed_max <= below;
-    if (s->speed_min > below || s->constant)
-        return STATUS_OK;
-    s->onset = rounded_down(s, below);
-    s->speed_min = neighbour_of(s, s->onset, HUGE_VAL);
-    return s->speed_min < s->speed_max ? STATUS_OK
-                                       : usage_error("--speed-max is next to the yield speed, %.17g m/s", below);
+    return set_onset(s, below);
+}
+
+static int scene_own(struct embed_scene *s, const struct embed_request *request)
+{
+    int status = own_law_check(&s->own, embed_number(request, EMBED_SPEED_MIN), embed_number(request, EMBED_SPEED_MAX));
+    const fmpq *const b = s->own.number + 1;
+    LOCAL(arb, onset);
+    set_by_speed(s);
+    own_law_onset(onset, &s->own, EMBED_BITS);
+    const double below = ball_end(onset, false);
+    if (s->own.law == EMBED_LAW_POWER && fmpq_is_zero(b)) {
+        s->constant = true;
+        own_law_eps(s->eps, &s->own, s->eps, EMBED_BITS);
+    } else if (s->own.law == EMBED_LAW_POWER && fmpq_sgn(b) < 0 && !(s->speed_max < below)) {
+        status = usage_error("a negative --exponent: eps reaches 1 at %.6g m/s; --speed-max is not below it", below);
+    } else if (s->own.law == EMBED_LAW_POWER && fmpq_sgn(b) > 0 && status == STATUS_OK) {
+        status = set_onset(s, below);
+    }
+    if (s->own.rows == 0 || status != STATUS_OK)
+        return status;
+    double end = 0;
+    slong row = own_law_row(&end, &s->own, log(s->speed_min));
+    s->knot = xmalloc((size_t)(s->own.rows - row) * sizeof *s->knot);
+    while (row < s->own.rows && (s->knots < 2 || s->knot[s->knots - 1] < s->speed_max))
+        s->knot[s->knots++] = embed_rounded(s, s->own.speed[row++]);
+    return status;
 }
 
 int embed_scene_init(struct embed_scene *s, const struct embed_request *request,
                      const struct cor_scene_contact *contact)
 {
-    const struct cor_exponents *const law = &contact->law;
+    static const struct cor_scene_contact none = {.law = {3, 3, 2}};
+    const bool own = request->law >= EMBED_LAW_POWER;
+    const struct cor_exponents *const law = own ? &none.law : &contact->law;
     LOCAL(arb, force);
     *s = (struct embed_scene){.end = request->end == COR_END_ZERO_OVERLAP ? COR_END_ZERO_OVERLAP : COR_END_ZERO_FORCE,
                               .single = request->type == EMBED_FLOAT,
                               .tolerance = embed_number(request, EMBED_TOLERANCE),
                               .law = *law,
                               .named = *law,
-                              .plastic = contact->plastic,
-                              .constant = (law_is_linear(law) || contact->damping == 0) && !contact->plastic};
+                              .plastic = !own && contact->plastic,
+                              .constant = !own && (law_is_linear(law) || contact->damping == 0) && !contact->plastic};
     FOR_ALL(arb, init, s->beta_per_root, s->beta_enclosed, s->eps, s->h_star_5, s->yield_speed, s->liquid_speed,
             s->press, s->sticking_speed);
     arb_poly_init(s->series);
     s->speed_min = embed_rounded(s, embed_number(request, EMBED_SPEED_MIN));
     s->speed_max = embed_rounded(s, embed_number(request, EMBED_SPEED_MAX));
+    if (own) {
+        const int status = own_law_init(&s->own, request);
+        const int set = status == STATUS_OK ? scene_own(s, request) : status;
+        return set == STATUS_OK ? scene_prepare(s, request) : set;
+    }
     s->pressed = contact->force_n > 0 && !s->constant;
     int status =
         embed_contact_numbers(s->beta_enclosed, force, s->yield_speed, s->liquid_speed, request, contact, EMBED_BITS);
@@ -364,6 +412,8 @@ void embed_scene_clear(struct embed_scene *s)
     FOR_ALL(arb, clear, s->beta_per_root, s->beta_enclosed, s->eps, s->h_star_5, s->yield_speed, s->liquid_speed,
             s->press, s->sticking_speed);
     arb_poly_clear(s->series);
+    own_law_clear(&s->own);
+    free(s->knot);
     free(s->samples.speed);
     interpolant_free(s->interpolant);
     law_layout_clear(&s->layout);

@@ -4,6 +4,7 @@
 #define COR_GEN_EMBED_SCENE_H
 
 #include "approximation/law_layout.h"
+#include "embed/own_law.h"
 #include "embed/request.h"
 
 struct interpolant;
@@ -19,6 +20,9 @@ struct embed_scene {
     double speed_min, speed_max, tolerance;
     struct cor_exponents law, named; /* of beta, and of the request: see by_speed */
     bool plastic;
+    struct own_law own; /* own.law 0: none */
+    double *knot;       /* of its table: where cubics begin, and the end of the last one; NULL: no table */
+    slong knots;
     bool by_speed;      /* dry eps is a closed form of the speed; law has q = 1, and beta is the speed in m/s */
     arb_t yield_speed;  /* of elastic-plastic spheres */
     arb_t liquid_speed; /* what a liquid takes on each way; 0: a dry contact */

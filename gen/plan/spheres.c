@@ -111,6 +111,10 @@ static void collide_point(void *context, slong i)
 static int find_truth(struct spheres *s)
 {
     int status = STATUS_OK;
+    for (slong i = 0; i < s->plan->points && s->scene.own.law; i++)
+        s->plan->truth[i] = own_law_value(&s->scene.own, s->plan->at[i] = s->plan->speed[i]);
+    if (s->scene.own.law)
+        return status;
     s->other = xmalloc(2 * (size_t)s->plan->points * sizeof *s->other);
     s->bare = s->other + s->plan->points;
     LOCAL(arb, yield_speed, liquid_speed);
@@ -200,10 +204,10 @@ static void add_constants(const struct spheres *s)
         for (slong i = 0; i <= last; i++)
             m->value[i] = eps;
         model_takes_force(s, m, cost_constant,
-                          constant                ? "nothing; eps is the same at every speed"
-                          : is_pressed(s)         ? "that eps depends on the speed"
-                          : speed_exponent(s) < 0 ? "that eps rises with the speed"
-                                                  : "that eps falls with the speed",
+                          constant                            ? "nothing; eps is the same at every speed"
+                          : is_pressed(s) || s->scene.own.law ? "that eps depends on the speed"
+                          : speed_exponent(s) < 0             ? "that eps rises with the speed"
+                                                              : "that eps falls with the speed",
                           xprintf(constant ? "double eps = %.17g;\n" : "double eps = %.10g;\n", eps));
     }
 }
@@ -228,8 +232,8 @@ static void add_power_law(const struct spheres *s)
     for (slong i = 0; i <= last; i++)
         m->value[i] = fmin(1, a * pow(plan->speed[i], -b));
     model_takes_force(s, m, cost_power,
-                      speed_exponent(s) < 0 || is_pressed(s) ? "how ln(eps) bends"
-                                                             : "how ln(eps) bends; eps = 1 at rest",
+                      speed_exponent(s) < 0 || is_pressed(s) || s->scene.own.law ? "how ln(eps) bends"
+                                                                                 : "how ln(eps) bends; eps = 1 at rest",
                       xprintf("double eps = fmin(1, %.10g * pow(speed, %.10g));\n", a, -b));
 }
 
@@ -367,9 +371,9 @@ static void add_header(const struct spheres *s, const char *tolerance)
     request.number[EMBED_TOLERANCE].text = tolerance;
     char *const options = embed_options(&request, INT_MAX);
     model_takes_force(s, m, f->cost, "speeds outside the range",
-                      xprintf("corgen embed%s --end %s --for %s --output cor_scene_eps.h\n"
+                      xprintf("corgen embed%s%s --for %s --output cor_scene_eps.h\n"
                               "#include \"cor_scene_eps.h\"\ndouble eps = cor_scene_eps(speed);\n",
-                              options, contact_end_options_pressed[request.end], embed_purpose_names[request.purpose]));
+                              options, embed_end_option(&request), embed_purpose_names[request.purpose]));
     free(options);
 }
 
@@ -523,13 +527,14 @@ char *plan_wave_remark(const struct embed_request *request, double speed, double
 /* ---- the plan ---- */
 
 #define NOTE(times)                                                                                                    \
-    "Error: the largest of the points, against enclosed collisions, two digits, rounded up; taken below 0.97 of the\n" \
+    "Error: the largest of the points, against enclosed values, two digits, rounded up; taken below 0.97 of the\n" \
     "tolerance. Of the library: what it promises. Cost: ns for one eps, " times ".\n"                                  \
     "Of Pade and header made of operations, docs/embed.md; of the others as measured once, docs/plan.md. Compare\n"    \
     "them; clocks differ.\n"
 static const char *const notes[] = {/* by purpose */
                                     NOTE("(call + 4 in a loop)/5 (--for balanced)"),
-                                    NOTE("in calls one at a time (--for scalar)"), NOTE("in a loop (--for array)")};
+                                    NOTE("in calls one at a time (--for scalar)"), NOTE("in a loop (--for array)"),
+                                    NOTE("in calls one at a time (--for rebound)")};
 
 static char *spheres_remark(const struct spheres *s)
 {
@@ -559,7 +564,13 @@ static void add_models(struct spheres *s, const char *header)
                 s->request->number[EMBED_SPEED_MIN].text, s->request->number[EMBED_SPEED_MAX].text,
                 is_pressed(s) && s->scene.end == COR_END_ZERO_FORCE ? "the surface" : cor_end_names[s->scene.end],
                 p->at[0], p->at[last], p->truth[0], p->truth[last]);
-    s->plan->remark = spheres_remark(s);
+    if (s->scene.own.law) {
+        free(s->plan->title);
+        s->plan->title = xprintf("%s, at %s to %s m/s: eps from %.4g to %.4g.\n", s->scene.own.text,
+                                 s->request->number[EMBED_SPEED_MIN].text, s->request->number[EMBED_SPEED_MAX].text,
+                                 p->truth[0], p->truth[last]);
+    }
+    s->plan->remark = s->scene.own.law ? NULL : spheres_remark(s);
     add_constants(s);
     if (!is_constant(s))
         add_power_law(s);
@@ -570,7 +581,8 @@ static void add_models(struct spheres *s, const char *header)
         }
         embed_search(s->form, is_pressed(s) ? &s->pressed_scene : &s->scene);
         add_header(s, header);
-        (sphere ? add_library : add_function_of_beta)(s);
+        if (!s->scene.own.law)
+            (sphere ? add_library : add_function_of_beta)(s);
     }
     if (is_pressed(s) && !is_constant(s))
         add_pressed(s);
@@ -601,11 +613,12 @@ int plan_spheres(struct plan *plan, const struct embed_request *request, const s
         status = embed_scene_init(&s.scene, &embed, contact);
     if (status == STATUS_OK && is_pressed(&s) && !s.scene.constant)
         status = embed_scene_init(&s.pressed_scene, &forced, pressed);
-    if (status == STATUS_OK && s.scene.beta_max > BETA_LIMIT)
+    if (status == STATUS_OK && !s.scene.own.law && s.scene.beta_max > BETA_LIMIT)
         status = fail("beta up to %.3g: no model is compared beyond %g", s.scene.beta_max, BETA_LIMIT);
     if (status == STATUS_OK) {
-        plan_init(plan, points ? points : PLAN_DEFAULT_POINTS, s.scene.speed_min, s.scene.speed_max);
-        plan->argument = "beta";
+        const double low = s.scene.own.law ? embed_number(request, EMBED_SPEED_MIN) : s.scene.speed_min;
+        plan_init(plan, points ? points : PLAN_DEFAULT_POINTS, low, s.scene.speed_max);
+        plan->argument = s.scene.own.law ? "speed" : "beta";
         plan->quantity = "eps";
         plan->relative = true;
         plan->tolerance = tolerance;

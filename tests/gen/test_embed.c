@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Scenes and forms of corgen embed: speeds to beta, and fits against collisions solved at the same speeds. The emulated
  * arithmetic at the ends and outside, operation counts, and the choice of a form. tests/embed/run tests the header. */
+#define _XOPEN_SOURCE 700 /* mkstemp */
+#include <unistd.h>
+
 #include "support/console.h" /* before cmocka.h, which defines a macro fail */
 
 #include "ball.h"
@@ -307,6 +310,74 @@ TEST(test_constant)
     }
 }
 
+/* Laws of one's own: the forms against formulas in long double, and a table against values of SciPy 1.10's
+ * PchipInterpolator; their proofs; and how a range or a law of one number is refused or made a constant. */
+static long double own_eps(int law, long double a, long double b, long double v)
+{
+    return law == EMBED_LAW_POWER ? fminl(1, a * powl(v, -b)) : a + (1 - a) * expl(-v / b);
+}
+
+TEST(test_own_laws)
+{
+    static const char rows[] = "eps,x,speed_m_s\n# a plateau, a peak\n0.9,1,0.01\n0.8,1,0.05\n0.8,1,0.2\n0.85,1,0.7\n"
+                               "0.3,1,3\n0.25,1,4\n";
+    static const double known[][2] = {
+        {0.02, 0.8673519736842106}, {0.1, 0.8}, {0.5, 0.8324}, {1.5, 0.7104891273738002}, {3.5, 0.2654794376835921}};
+    static const struct {
+        int law;
+        const char *a, *b, *min, *max, *tolerance;
+        enum embed_type type;
+        int status;
+    } laws[] = {{EMBED_LAW_POWER, "0.115739", "0.234", "1e-6", "1", "1e-6", EMBED_DOUBLE, STATUS_OK},
+                {EMBED_LAW_POWER, "0.5", "-1/10", "1e-3", "1023", "1e-9", EMBED_DOUBLE, STATUS_OK},
+                {EMBED_LAW_POWER, "0.5", "-0.1", "1e-3", "1025", "1e-9", EMBED_DOUBLE, STATUS_USAGE},
+                {EMBED_LAW_POWER, "0.5", "0", "1e-3", "1e3", "1e-9", EMBED_FLOAT, STATUS_OK},
+                {EMBED_LAW_POWER, "8", "0.5", "1", "64", "1e-9", EMBED_FLOAT, STATUS_OK},
+                {EMBED_LAW_EXPONENTIAL, "0.3", "0.01", "1e-4", "1", "1e-5", EMBED_FLOAT, STATUS_OK},
+                {EMBED_LAW_EXPONENTIAL, "0", "2", "1e-3", "9", "1e-12", EMBED_DOUBLE, STATUS_OK},
+                {EMBED_LAW_TABLE, NULL, NULL, "0.01", "4", "1e-12", EMBED_DOUBLE, STATUS_OK},
+                {EMBED_LAW_TABLE, NULL, NULL, "0.02", "3.9", "1e-6", EMBED_FLOAT, STATUS_OK},
+                {EMBED_LAW_TABLE, NULL, NULL, "0.0099", "4", "1e-6", EMBED_DOUBLE, STATUS_USAGE},
+                {EMBED_LAW_TABLE, NULL, NULL, "0.01", "4.01", "1e-6", EMBED_DOUBLE, STATUS_USAGE}};
+    char path[] = "/tmp/cor_own_law_XXXXXX";
+    const int file = mkstemp(path);
+    assert_true(file >= 0 && write(file, rows, sizeof rows - 1) == (ssize_t)sizeof rows - 1 && close(file) == 0);
+    for (size_t i = 0; i < COUNT_OF(laws); i++) {
+        const bool table = laws[i].law == EMBED_LAW_TABLE;
+        const int number = laws[i].law == EMBED_LAW_POWER ? EMBED_COEFFICIENT : EMBED_EPS_INF;
+        struct embed_request request = request_of(laws[i].min, laws[i].max, laws[i].tolerance, COR_END_ZERO_OVERLAP,
+                                                  GIVEN({table ? -1 : number, laws[i].a}, {number + 1, laws[i].b}));
+        request.law = laws[i].law;
+        request.table = table ? path : NULL;
+        request.type = laws[i].type;
+        struct found w = {.s = {.tolerance = 0}};
+        assert_int_equal(embed_scene_init(&w.s, &request, NULL), laws[i].status);
+        if (laws[i].status == STATUS_OK) {
+            embed_search(w.form, &w.s);
+            w.chosen = &w.form[embed_choose(w.form, PURPOSE_SCALAR)];
+            const bool constant = w.s.constant;
+            assert_true(w.chosen->found && constant == (w.chosen->numerator == 0));
+            if (!constant)
+                check_proof(w.chosen, &w.s);
+            for (int k = 0; k < (table ? (int)COUNT_OF(known) : 100); k++) {
+                const double ratio = embed_number(&request, EMBED_SPEED_MAX) / embed_number(&request, EMBED_SPEED_MIN);
+                const double speed = embed_rounded(
+                    &w.s, table ? known[k][0] : embed_number(&request, EMBED_SPEED_MIN) * pow(ratio, (k + 0.5) / 100));
+                const long double eps = table
+                                            ? (long double)known[k][1]
+                                            : own_eps(laws[i].law, (long double)decimal_value(&request.number[number]),
+                                                      (long double)decimal_value(&request.number[number + 1]), speed);
+                const double value = embed_form_value(w.chosen, speed, false);
+                check(fabsl((long double)value / eps - 1) < (long double)w.s.tolerance, "law %zu at %g: %.17g", i,
+                      speed, value);
+                assert_near(own_law_value(&w.s.own, speed), (double)eps, w.s.single && table ? 1e-7 : 1e-13);
+            }
+        }
+        found_clear(&w, &request);
+    }
+    remove(path);
+}
+
 /* Operations counted by hand. The leading coefficient 1 needs no product. A square root prevents the vectorisation of a
  * loop. */
 TEST(test_counts)
@@ -502,4 +573,4 @@ TEST(test_pressed)
 }
 
 RUN_TESTS(test_pressed, test_yield, test_choice, test_counts, test_fit, test_scenes, test_far, test_far_force,
-          test_ways_of_a_contact, test_viscosities, test_constant)
+          test_ways_of_a_contact, test_viscosities, test_constant, test_own_laws)

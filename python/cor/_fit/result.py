@@ -281,7 +281,7 @@ class Result:
             return None
         given = self._bodies.given
         known = self._bodies.known and all(map(math.isfinite, given.values()))
-        value = self.parameters_of(chosen, e)[0][1][0]
+        value, second = ([numbers[0] for _, numbers in self.parameters_of(chosen, e)] + [0.0])[:2]
         at_1 = math.exp(min(e.theta[0], 700.0))
         words = {
             "viscoelastic": f"--dissipation-time {value:.10g}" if known else f"--g-star {value:.10g}",
@@ -289,6 +289,8 @@ class Result:
             "tsuji": f"--law tsuji --zeta {value:.10g}",
             "hunt-crossley": f"--law hunt-crossley --beta {at_1:.10g} --at 1",
             "hertz-dashpot": f"--law hertz-dashpot --beta {at_1:.10g} --at 1",
+            "power-law": f"--law power-law --coefficient {value:.10g} --exponent {-second:.10g}",  # min(1, A v^-B)
+            "exponential": f"--law exponential --eps-inf {value:.10g} --decay-speed {second:.10g}",
         }
         if chosen.name == "plate":
             star = next(m for m in choose("viscoelastic", "zero-overlap"))
@@ -306,6 +308,8 @@ class Result:
         line += [f"--end {chosen.end}"] if chosen.end != "both" else []
         speed = p.at(finite_theta(e)).speed
         low, high = speed.min(), max(speed.max(), 1.001 * speed.min())
+        if chosen.name == "power-law" and second > 0:  # up to the speed at which a rising eps is 1
+            high = min(high, 0.999 * value ** (-1 / second))
         return " ".join([*line, f"--speed-min {low:.6g} --speed-max {high:.6g} --tolerance 1e-6"])
 
     def plot(self, file: Optional[str] = None, *, group: str = "", all: bool = False) -> Any:

@@ -1,0 +1,305 @@
+/* SPDX-License-Identifier: MIT */
+#include "embed/own_law.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "support/console.h"
+#include "support/enclosed_function.h"
+#include "support/local.h"
+#include "support/output.h"
+
+enum { BYTES_MOST = 1 << 20, CELL_MOST = 40, CUBIC = 5, CUBIC_BITS = 400 };
+
+/* ---- the table ---- */
+
+static const struct decimal_range range_of_speed = {"0", NULL, false, false, true, "a number above 0, in m/s"},
+                                  range_of_eps = {"0", "1", false, true, true, "a number above 0 and up to 1"};
+
+/* Splits a line at its commas. Returns the number of cells, of which only the first `most` are stored. */
+static int split_line(char **cell, int most, char *line)
+{
+    int count = 0;
+    for (char *next = line; next; count++) {
+        char *const text = next + strspn(next, " \t");
+        if ((next = strchr(next, ',')) != NULL)
+            *next++ = '\0';
+        for (size_t n = strlen(text); n > 0 && strchr(" \t\r", text[n - 1]); n--)
+            text[n - 1] = '\0';
+        if (count < most)
+            cell[count] = text;
+    }
+    return count;
+}
+
+static bool read_cell(fmpq_t x, const char *cell, const struct decimal_range *range)
+{
+    struct decimal number = {0};
+    const bool good = strlen(cell) <= CELL_MOST && decimal_parse(&number, cell, DECIMAL_EXPONENT_DIGITS_IN_LIST) &&
+                      number.forms == DECIMAL_PLAIN && decimal_inside(range, number.value);
+    if (good)
+        fmpq_set(x, number.value);
+    decimal_clear(&number);
+    return good;
+}
+
+/* Reads the columns speed_m_s and eps of a text, which it changes. Returns the number of rows, or 0 after a message. */
+static slong read_rows(fmpq *speed, fmpq *eps, char *text, const char *path)
+{
+    enum { COLUMNS_MOST = 64 };
+    char *cell[COLUMNS_MOST], *rest = NULL;
+    int columns = 0, at_speed = -1, at_eps = -1, number = 0;
+    slong rows = 0;
+    for (char *line = text; line; line = rest) {
+        if ((rest = strchr(line, '\n')) != NULL)
+            *rest++ = '\0';
+        number++;
+        if (line[0] == '#' || line[strspn(line, " \t\r")] == '\0')
+            continue;
+        const int cells = split_line(cell, COLUMNS_MOST, line);
+        if (columns == 0) {
+            for (int i = 0; i < cells && i < COLUMNS_MOST; i++) {
+                at_speed = strcmp(cell[i], "speed_m_s") == 0 ? i : at_speed;
+                at_eps = strcmp(cell[i], "eps") == 0 ? i : at_eps;
+            }
+            columns = cells;
+            if (at_speed < 0 || at_eps < 0)
+                return usage_error("--table: %s has no column %s; its first line is speed_m_s,eps, with a comma "
+                                   "between the names",
+                                   path, at_speed < 0 ? "speed_m_s" : "eps"),
+                       0;
+            continue;
+        }
+        if (cells != columns)
+            return usage_error("--table: line %d of %s has %d cells, and the first line has %d; numbers have a decimal "
+                               "point, as 0.1,0.35",
+                               number, path, cells, columns),
+                   0;
+        if (rows == OWN_ROWS_MOST)
+            return usage_error("--table: %s has more than %d rows; leave out rows that lie close together", path,
+                               OWN_ROWS_MOST),
+                   0;
+        const bool fast = read_cell(speed + rows, cell[at_speed], &range_of_speed);
+        if (!fast || !read_cell(eps + rows, cell[at_eps], &range_of_eps))
+            return usage_error("--table: line %d of %s: '%s' is not %s", number, path, cell[fast ? at_eps : at_speed],
+                               (fast ? &range_of_eps : &range_of_speed)->allowed),
+                   0;
+        if (rows > 0 && fmpq_cmp(speed + rows - 1, speed + rows) >= 0)
+            return usage_error("--table: line %d of %s: the speed %s is not above the one before it; sort the rows by "
+                               "speed, and give each speed once",
+                               number, path, cell[at_speed]),
+                   0;
+        rows++;
+    }
+    if (rows < 2)
+        usage_error("--table: %s has %ld row%s of numbers; a curve needs two or more", path, (long)rows,
+                    rows == 1 ? "" : "s");
+    return rows < 2 ? 0 : rows;
+}
+
+/* The slope at the first row from the secants d of the two nearest intervals h, or at the last row with d and h swapped:
+ * of the parabola through three rows, limited so that the cubic stays monotone */
+static void end_slope(fmpq_t slope, const fmpq_t d0, const fmpq_t d1, const fmpq_t h0, const fmpq_t h1)
+{
+    LOCAL(fmpq, rest);
+    EXACT(slope, "((2*h0 + h1)*d0 - h0*d1)/(h0 + h1)", h0, h1, d0, d1);
+    EXACT(rest, "slope*slope - 9*d0*d0", slope, d0);
+    if (fmpq_sgn(slope) != fmpq_sgn(d0))
+        fmpq_zero(slope);
+    else if (fmpq_sgn(d0) != fmpq_sgn(d1) && fmpq_sgn(rest) > 0)
+        EXACT(slope, "3*d0", d0);
+}
+
+/* Sets the cubics of a table of two rows or more. */
+static void set_cubics(struct own_law *law, const fmpq *speed, const fmpq *eps)
+{
+    const slong last = law->rows - 1;
+    fmpq *const h = _fmpq_vec_init(3 * law->rows), *const d = h + law->rows, *const slope = d + law->rows;
+    for (slong i = 0; i < last; i++) {
+        const fmpq *const x = speed + i, *const next = x + 1, *const y = eps + i, *const above = y + 1,
+                          *const width = h + i;
+        EXACT(h + i, "next - x", next, x);
+        EXACT(d + i, "(above - y)/width", above, y, width);
+    }
+    for (slong i = 1; i < last; i++) {
+        const fmpq *const h0 = h + i - 1, *const h1 = h + i, *const d0 = d + i - 1, *const d1 = d + i;
+        if (fmpq_sgn(d0) * fmpq_sgn(d1) > 0)
+            EXACT(slope + i, "3*(h0 + h1)/((2*h1 + h0)/d0 + (h1 + 2*h0)/d1)", h0, h1, d0, d1);
+    }
+    end_slope(slope, d, last > 1 ? d + 1 : d, h, last > 1 ? h + 1 : h);
+    end_slope(slope + last, d + last - 1, last > 1 ? d + last - 2 : d, h + last - 1, last > 1 ? h + last - 2 : h);
+    law->cubic = _arb_vec_init(CUBIC * last);
+    for (slong i = 0; i <= last; i++) {
+        law->speed[i] = decimal_nearest(speed + i);
+        law->place[i] = log(law->speed[i]);
+    }
+    for (slong i = 0; i < last; i++) {
+        const fmpq *const width = h + i, *const secant = d + i, *const first = slope + i, *const next = first + 1;
+        arb_ptr c = law->cubic + CUBIC * i;
+        arb_set_fmpq(c, speed + i, CUBIC_BITS);
+        arb_set_fmpq(c + 1, eps + i, CUBIC_BITS);
+        arb_set_fmpq(c + 2, first, CUBIC_BITS);
+        LET(c + 3, CUBIC_BITS, "(3*secant - 2*first - next)/width", secant, first, next, width);
+        LET(c + 4, CUBIC_BITS, "(first + next - 2*secant)/width^2", secant, first, next, width);
+    }
+    for (slong i = 0; i < CUBIC * last; i++)
+        law->near[i] = ball_middle(law->cubic + i);
+    _fmpq_vec_clear(h, 3 * law->rows);
+}
+
+static int init_table(struct own_law *law, const char *path)
+{
+    size_t size;
+    char *const bytes = read_file(path, BYTES_MOST, &size);
+    if (!bytes || strpbrk(path, "\n\r")) {
+        free(bytes);
+        return usage_error("--table: %s cannot be read: %s%s", path, strerror(errno),
+                           errno == EFBIG ? "; allowed: less than 1 MiB" : "");
+    }
+    static const char mark[] = "\xef\xbb\xbf"; /* of UTF-8 */
+    fmpq *const number = _fmpq_vec_init(2 * OWN_ROWS_MOST);
+    if (strlen(bytes) != size)
+        usage_error("--table: %s has a zero byte; it is no csv file", path);
+    else
+        law->rows = read_rows(number, number + OWN_ROWS_MOST, bytes + (strncmp(bytes, mark, 3) == 0 ? 3 : 0), path);
+    if (law->rows > 0) {
+        law->speed = xmalloc((2 + CUBIC) * (size_t)law->rows * sizeof *law->speed);
+        law->place = law->speed + law->rows;
+        law->near = law->place + law->rows;
+        set_cubics(law, number, number + OWN_ROWS_MOST);
+        law->part = law->speed;
+        law->parts = law->rows;
+        snprintf(law->text, sizeof law->text, "eps of the %ld rows of %s, monotone cubics of the speed",
+                 (long)law->rows, path);
+    }
+    _fmpq_vec_clear(number, 2 * OWN_ROWS_MOST);
+    free(bytes);
+    return law->rows > 0 ? STATUS_OK : STATUS_USAGE;
+}
+
+/* ---- a law ---- */
+
+static const struct form {
+    int first, second; /* numbers of the request */
+    const char *options, *formula, *text;
+} forms[] = {{EMBED_COEFFICIENT, EMBED_EXPONENT,
+              "--coefficient A --exponent B, as --coefficient 0.1157 --exponent 0.234", "exp(-x*b)*a",
+              "eps = min(1, A v^-B), A = %s, B = %s, v in m/s"},
+             {EMBED_EPS_INF, EMBED_DECAY_SPEED, "--eps-inf E --decay-speed V, as --eps-inf 0.3 --decay-speed 0.01",
+              "exp(-exp(x)/b)*(1 - a) + a", "eps = E + (1 - E) exp(-v/V), E = %s, V = %s m/s"},
+             {-1, -1, "--table FILE, a csv file with the columns speed_m_s,eps",
+              "(((exp(x) - k)*c3 + c2)*(exp(x) - k) + c1)*(exp(x) - k) + c0", NULL}};
+
+int own_law_init(struct own_law *law, const struct embed_request *request)
+{
+    *law = (struct own_law){0};
+    for (int i = 0; i < 3; i++) {
+        const struct form *const f = &forms[i];
+        const bool chosen = request->law == EMBED_LAW_POWER + i, table = f->first < 0;
+        const int given =
+            table ? 2 * (request->table != NULL) : embed_given(request, f->first) + embed_given(request, f->second);
+        if (!chosen && given > 0)
+            return usage_error("--law %s takes no %.*s; --law %s has %s", embed_law_names[request->law],
+                               (int)strcspn(f->options, " "), f->options, embed_law_names[EMBED_LAW_POWER + i],
+                               f->options);
+        if (chosen && given < 2)
+            return usage_error("--law %s needs %s", embed_law_names[request->law], f->options);
+        if (!chosen)
+            continue;
+        law->law = request->law;
+        law->formula = f->formula;
+        law->number = _fmpq_vec_init(2);
+        if (table)
+            continue;
+        fmpq_set(law->number, request->number[f->first].value);
+        fmpq_set(law->number + 1, request->number[f->second].value);
+        for (int k = 0; k < 2; k++)
+            law->real[k] = decimal_nearest(law->number + k);
+        snprintf(law->text, sizeof law->text, f->text, request->number[f->first].text, request->number[f->second].text);
+    }
+    LOCAL(arb, onset);
+    own_law_onset(onset, law, CUBIC_BITS);
+    law->part = law->own_part;
+    law->parts = law->law == EMBED_LAW_POWER ? arb_is_finite(onset) : law->law == EMBED_LAW_EXPONENTIAL ? 6 : 0;
+    for (int k = 0; k < law->parts; k++)
+        law->own_part[k] = law->law == EMBED_LAW_POWER ? ball_middle(onset) : ldexp(law->real[1], k);
+    return law->law == EMBED_LAW_TABLE ? init_table(law, request->table) : STATUS_OK;
+}
+
+void own_law_clear(struct own_law *law)
+{
+    if (law->number)
+        _fmpq_vec_clear(law->number, 2);
+    if (law->cubic)
+        _arb_vec_clear(law->cubic, CUBIC * (law->rows - 1));
+    free(law->speed);
+    *law = (struct own_law){0};
+}
+
+int own_law_check(const struct own_law *law, double speed_min, double speed_max)
+{
+    const bool slow = law->rows > 0 && speed_min < law->speed[0];
+    if (!slow && !(law->rows > 0 && speed_max > law->speed[law->rows - 1]))
+        return STATUS_OK;
+    return usage_error("%.17g m/s is outside the table, whose speeds are from %.17g to %.17g m/s",
+                       slow ? speed_min : speed_max, law->speed[0], law->speed[law->rows - 1]);
+}
+
+/* ---- its values ---- */
+
+slong own_law_row(double *end, const struct own_law *law, double x)
+{
+    slong row = 0;
+    while (row + 2 < law->rows && law->place[row + 1] <= x)
+        row++;
+    *end = row + 2 < law->rows ? law->place[row + 1] : HUGE_VAL;
+    return row;
+}
+
+/* The operands of a formula */
+#define OPERANDS_OF(law, row)                                                                                          \
+    const fmpq *const a = (law)->number, *const b = a + 1;                                                             \
+    const arb_srcptr k = (law)->cubic ? (law)->cubic + CUBIC * (row) : NULL, c0 = k + 1, c1 = k + 2, c2 = k + 3,       \
+                     c3 = k + 4
+
+bool own_law_function(arb_poly_t eps, const arb_poly_t x, const struct own_law *law, slong row)
+{
+    OPERANDS_OF(law, row);
+    return LET_FUNCTION(eps, law->formula, x, a, b, k, c0, c1, c2, c3);
+}
+
+void own_law_eps(arb_t eps, const struct own_law *law, const arb_t speed, slong prec)
+{
+    LOCAL(arb, x);
+    double end;
+    arb_log(x, speed, prec);
+    OPERANDS_OF(law, own_law_row(&end, law, ball_middle(x)));
+    LET(eps, prec, law->formula, x, a, b, k, c0, c1, c2, c3);
+    LET(eps, prec, "min(1, eps)", eps);
+}
+
+double own_law_value(const struct own_law *law, double speed)
+{
+    const double a = law->real[0], b = law->real[1], power = pow(speed, -b);
+    double end;
+    if (law->law == EMBED_LAW_POWER && !(power > 1e-290 && power < 1e290)) {
+        LOCAL(arb, x);
+        arb_set_d(x, speed);
+        own_law_eps(x, law, x, CUBIC_BITS);
+        return ball_middle(x);
+    }
+    const double *const c = law->near + CUBIC * own_law_row(&end, law, log(speed)), t = law->near ? speed - c[0] : 0;
+    return law->law == EMBED_LAW_POWER         ? fmin(1, a * power)
+           : law->law == EMBED_LAW_EXPONENTIAL ? a + (1 - a) * exp(-speed / b)
+                                               : fmin(1, c[1] + t * (c[2] + t * (c[3] + t * c[4])));
+}
+
+void own_law_onset(arb_t speed, const struct own_law *law, slong prec)
+{
+    const fmpq *const a = law->number, *const b = a + 1;
+    arb_indeterminate(speed);
+    if (law->law == EMBED_LAW_POWER && !fmpq_is_zero(b))
+        LET(speed, prec, "a^(1/b)", a, b);
+}

@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: MIT */
+/* A law of one's own: eps as a function of the impact speed in m/s, which the user gives, without bodies or a force.
+ *
+ *     power-law:   min(1, A v^-B), A > 0; eps falls where B > 0
+ *     exponential: E + (1 - E) exp(-v/V)
+ *     table:       cubics through the rows of a csv file, monotone between them (Fritsch and Carlson 1980), with the
+ *                  slopes of Fritsch and Butland (1984), as SciPy's PchipInterpolator has them */
+#ifndef COR_GEN_EMBED_OWN_LAW_H
+#define COR_GEN_EMBED_OWN_LAW_H
+
+#include "embed/request.h"
+
+enum { OWN_ROWS_MOST = 400, OWN_TEXT = 512 };
+
+struct own_law {
+    int law; /* of the request; 0: its law is one of cor/law.h, and all else is 0 */
+    const char *formula;
+    fmpq *number;       /* two: A and B, or E and V */
+    double real[2];     /* the nearest doubles */
+    const double *part; /* speeds between which eps is smooth: rows; the kink at 1; multiples of V */
+    slong parts;
+    double own_part[6];
+    slong rows;                   /* of the table; 0: no table */
+    double *speed, *place, *near; /* their speeds, ln(speed), and the doubles nearest to `cubic` */
+    arb_ptr cubic;                /* five for each row but the last: speed, then the coefficients of (v - speed)^k */
+    char text[OWN_TEXT];
+};
+
+/* Returns STATUS_OK, or STATUS_USAGE after a message about missing or contradictory options, or about the table. In
+ * both cases own_law_clear frees the memory. */
+int own_law_init(struct own_law *law, const struct embed_request *request);
+void own_law_clear(struct own_law *law);
+
+/* Refuses speeds that a table does not have. */
+int own_law_check(const struct own_law *law, double speed_min, double speed_max);
+
+/* eps at a speed, at most 1: enclosed, and by doubles, with a relative error of 1e-12 or an
+ * absolute one of 1e-300 */
+void own_law_eps(arb_t eps, const struct own_law *law, const arb_t speed, slong prec);
+double own_law_value(const struct own_law *law, double speed);
+
+/* The speed at which A v^-B is 1; not finite where no such speed exists */
+void own_law_onset(arb_t speed, const struct own_law *law, slong prec);
+
+/* The row of a table at x = ln(speed), and the x at which the next row begins; 0 and infinity without a table. And eps,
+ * not limited to 1, as an enclosed function of x by the cubic of a row (enclosed_function.h). */
+slong own_law_row(double *end, const struct own_law *law, double x);
+bool own_law_function(arb_poly_t eps, const arb_poly_t x, const struct own_law *law, slong row);
+
+#endif
