@@ -7,7 +7,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* Of f, which is even, from -pi/2 to pi/2 */
+/* Returns the weight of f, which is even, in integrals from -pi/2 to pi/2. */
 static double weight(const struct relaxed_disk *disk)
 {
     return 2 * disk->step;
@@ -28,7 +28,7 @@ static struct relaxed_disk *relaxed_disk_new(double alpha, size_t points)
     disk->points = points;
     disk->alpha = alpha;
     disk->step = pi / 2 / (double)points;
-    /* so far away that the pressure bends nothing: it is the undeformed disk's */
+    /* at this distance the pressure bends nothing: it is the pressure of the undeformed disk */
     disk->x_0 = -1 - 36 / alpha;
     for (size_t i = 0; i < points; i++) {
         disk->log_f[i] = alpha * (disk->x_0 + cos(((double)i + 0.5) * disk->step));
@@ -91,7 +91,7 @@ struct relaxed_disk *relaxed_disk_of_all_modes(double nu, double alpha, size_t p
     return disk;
 }
 
-/* Where the pressure is so low that it bends nothing, the equation is explicit: the unknowns are the points before. */
+/* Returns the number of unknowns. At the points after them the pressure bends nothing: the equation is explicit. */
 static size_t active_points(const struct relaxed_disk *disk)
 {
     double largest = 0;
@@ -112,7 +112,7 @@ static double row_times(const struct relaxed_disk *disk, size_t i, const double 
     return sum;
 }
 
-/* residual_i = ln(f_i)/alpha - x_0 - cos(phi_i) + sum_j G_ij weight f_j; the largest in size */
+/* Computes residual_i = ln(f_i)/alpha - x_0 - cos(phi_i) + sum_j G_ij weight f_j. Returns the largest magnitude. */
 static double find_residual(struct relaxed_disk *disk, double x_0)
 {
     const size_t active = active_points(disk);
@@ -126,7 +126,7 @@ static double find_residual(struct relaxed_disk *disk, double x_0)
     return largest;
 }
 
-/* Solves matrix y = x by Cholesky's method, and leaves y in x; 0 if the matrix is not positive definite. */
+/* Solves matrix y = x by Cholesky's method, and leaves y in x. Returns 0 if the matrix is not positive definite. */
 static int solve(double *matrix, size_t n, double *x)
 {
     for (size_t i = 0; i < n; i++) {
@@ -152,7 +152,7 @@ static int solve(double *matrix, size_t n, double *x)
     return 1;
 }
 
-/* The Newton step d of ln f, (1/alpha + G W f) d = -residual: with s = sqrt(alpha W f) and u = s d the matrix
+/* Computes the Newton step d of ln f, (1/alpha + G W f) d = -residual. With s = sqrt(alpha W f) and u = s d the matrix
  * 1 + s G s is symmetric, and never singular. */
 static int newton_step(struct relaxed_disk *disk)
 {
@@ -174,8 +174,8 @@ static int newton_step(struct relaxed_disk *disk)
     return 1;
 }
 
-/* Where the pressure grows, Newton in ln f overshoots and Newton in f, ln f + ln(1 + d), does not; but that one is slow
- * where f is so small that the point itself bends the disk by less than 1/alpha: up to there it may rise freely. */
+/* Adds the Newton step to ln f. If f grows, Newton in ln f overshoots, but Newton in f, ln f + ln(1 + d), does not. It
+ * is slow while f is so small that the point itself bends the disk by less than 1/alpha: so far f may rise freely. */
 static void advance(struct relaxed_disk *disk)
 {
     for (size_t i = 0; i < disk->points; i++) {
@@ -186,13 +186,13 @@ static void advance(struct relaxed_disk *disk)
     }
 }
 
-/* From the pressure as it is to the equilibrium at x_0; 1, or 0 where Newton's steps lead nowhere. */
+/* Iterates from the current pressure to the equilibrium at x_0. Returns 1, or 0 if Newton's steps do not converge. */
 static int settle(struct relaxed_disk *disk, double x_0)
 {
     double before = INFINITY;
     for (int i = 0; i < 60; i++) {
         const double residual = find_residual(disk, x_0);
-        if (residual < 1e-10 && residual >= before / 2) { /* rounding has been reached */
+        if (residual < 1e-10 && residual >= before / 2) { /* rounding limits the residual */
             disk->x_0 = x_0;
             disk->largest_residual = residual;
             return 1;
@@ -205,7 +205,7 @@ static int settle(struct relaxed_disk *disk, double x_0)
     return 0;
 }
 
-/* From where the disk is to x_0, in stages that are halved where one fails. */
+/* Moves the disk from its position to x_0, in stages that are halved after a failure. */
 static int approach(struct relaxed_disk *disk, double x_0)
 {
     double stage = x_0 - disk->x_0;
@@ -224,7 +224,7 @@ static int approach(struct relaxed_disk *disk, double x_0)
             }
         }
     }
-    return fabs(x_0 - disk->x_0) <= 0 && settle(disk, x_0); /* where it is already */
+    return fabs(x_0 - disk->x_0) <= 0 && settle(disk, x_0); /* already at x_0 */
 }
 
 double relaxed_disk_press(struct relaxed_disk *disk, double compression)

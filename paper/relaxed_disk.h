@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* A disk held at rest against the wall, the dashed-dotted line of Fig. 10: the shape of the least energy (41), in which
- * omega^2 Q^2 wants a factor 1/2, with all momenta zero and the centre of mass at x_0. There each mode balances the
- * pressure f(phi) = exp(alpha x(phi)) of the wall, Q = -(1/(pi omega^2)) int w f dphi with w = C cos(n phi) cos(phi) -
- * S sin(n phi) sin(phi), which turns (40) into one equation on the rim,
+/* A disk held at rest against the wall, the dashed-dotted line of Fig. 10. Its shape minimises the energy (41), in
+ * which omega^2 Q^2 lacks a factor 1/2, with all momenta zero and the centre of mass at x_0. There each mode balances
+ * the pressure f(phi) = exp(alpha x(phi)) of the wall: Q = -(1/(pi omega^2)) int w f dphi, w = C cos(n phi) cos(phi) -
+ * S sin(n phi) sin(phi). This turns (40) into one equation on the rim,
  *
  *     ln(f)/alpha = x_0 + cos(phi) - int G(phi, psi) f(psi) dpsi,     -pi/2 <= phi <= pi/2,
  *     pi G = sum_n A_n cos(n phi) cos(phi) cos(n psi) cos(psi) + D_n sin(n phi) sin(phi) sin(n psi) sin(psi)
  *                - B_n (cos(n phi) cos(phi) sin(n psi) sin(psi) + sin(n phi) sin(phi) cos(n psi) cos(psi)),
  *
- * A_n, B_n, D_n being the sums over l of C^2, C S, S^2 over omega^2. The load is P = int f dphi, x_0 = -1 +
- * compression. Units as in cor/disk.h. */
+ * where A_n, B_n, D_n are the sums over l of C^2, C S, S^2 divided by omega^2. The load is P = int f dphi, and x_0 = -1
+ * + compression. Units as in cor/disk.h. */
 #ifndef COR_PAPER_RELAXED_DISK_H
 #define COR_PAPER_RELAXED_DISK_H
 
@@ -23,27 +23,27 @@ struct relaxed_disk {
     double load, energy;     /* P, and (41) with P = 0: elastic energy and (1/alpha) int f dphi */
     double largest_residual; /* of the equation above, over all points, in units of R */
     double *log_f, *f;       /* the pressure at the points */
-    double *kernel, *matrix; /* G, and one for the Newton step: points x points */
+    double *kernel, *matrix; /* G, and a matrix for the Newton step: points x points */
     double *residual, *scale, *u, *newton, *saved;
     double memory[];
 };
 
-/* A disk that has not touched the wall yet; NULL without memory (16 points^2 bytes). The points are equally spaced on
- * the quadrant 0 < phi < pi/2. The sum over them is exact for the trigonometric part of f that they resolve, so its
- * error falls faster than any power once the edge of the contact, about alpha^(-2/3) wide, is a few points wide: at
- * delta <= 0.3 below 1e-12 of the load with 192 points for alpha = 500, 1e-7 with 512 for 20000. Sampled, against twice
- * as many points.
+/* Return a disk that has not touched the wall yet; NULL without memory (16 points^2 bytes). free() it. The points are
+ * equally spaced on the quadrant 0 < phi < pi/2. The sum over them is exact for the trigonometric part of f that they
+ * resolve. So its error falls faster than any power once the edge of the contact, about alpha^(-2/3) wide, spans a few
+ * points. At delta <= 0.3 it is below 1e-12 of the load with 192 points for alpha = 500, and 1e-7 with 512 for 20000.
+ * These numbers are sampled, against twice as many points.
  *
- * The first has the lowest n_modes of a table; the second all modes there are, as far as n < 2 points, by
+ * The first disk has the lowest n_modes of a table. The second has all modes with n < 2 points, by
  *     A_n = D_n = (2n - 1 + nu)/(n^2 - 1),  B_n = (n (1 - nu) - 2)/(n^2 - 1)                       n >= 2
  *     A_1 = B_1 = (1 - nu)/2,  D_1 = (3 + nu)/2,     A_0 = (1 - nu)/2,  B_0 = D_0 = 0
- * the static compliance of a disk under tractions cos(n phi), sin(n phi), its centre of mass held. free() it. */
+ * the static compliance of a disk under tractions cos(n phi), sin(n phi), with its centre of mass held. */
 struct relaxed_disk *relaxed_disk_of_modes(const struct cor_disk_modes *modes, size_t n_modes, double alpha,
                                            size_t points);
 struct relaxed_disk *relaxed_disk_of_all_modes(double nu, double alpha, size_t points);
 
-/* Moves the disk to a compression, from wherever it is: damped Newton steps in ln f, in as many stages as they need.
- * The load, or NaN where no equilibrium is found, for few modes cannot bend the disk far. */
+/* Moves the disk to a compression from any position: damped Newton steps in ln f, in as many stages as needed. Returns
+ * the load, or NaN if no equilibrium is found, because few modes cannot bend the disk far. */
 double relaxed_disk_press(struct relaxed_disk *disk, double compression);
 
 #endif

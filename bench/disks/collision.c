@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* A collision of 940 modes, error against time, from the tolerance 1e-2 to 1e-12. The truth comes by Taylor series of
- * the motion in time, tests/unit/reference_collision.c.
+/* A collision of 940 modes, error against time, for tolerances from 1e-2 to 1e-12. The truth is a Taylor series of the
+ * motion in time, tests/unit/reference_collision.c.
  *
- * Then what few modes and a soft wall leave out, and what they save: eps against the limit of all modes at a rigid
- * wall, which comes from the library's table of limits, and no closer than that is known.
+ * Then the errors and the savings of few modes and a soft wall. They compare eps with the limit of all modes at a rigid
+ * wall, from the library's table of limits, whose uncertainty is the least error.
  *
- * Then all modes at a rigid wall, modes included, at scenes spread over the domain of that table from v = 0.01 on: one
- * run of each. */
+ * Then all modes at a rigid wall, one run of each scene, including the computation of the modes. The scenes are spread
+ * over the domain of that table for v = 0.01 and above. */
 #include <math.h>
 #include <stdlib.h>
 #include <time.h>
@@ -91,7 +91,7 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Rows "median", "slowest" and, with their number in place of modes, those reached and those reached within 2 s */
+/* Writes rows "median" and "slowest", and numbers of scenes within the tolerance: all, and within 2 s. */
 static void rigid_wall(struct disk_bench *bench, double tolerance)
 {
     enum { SCENES = 60, FEW = 6 };
@@ -122,7 +122,7 @@ static void rigid_wall(struct disk_bench *bench, double tolerance)
 
 void disk_collision(struct disk_bench *bench)
 {
-    /* a collision takes from 1 ms to 1 s: those above 30 ms have one turn in four */
+    /* a collision takes 1 ms to 1 s; collisions above 30 ms run in every fourth round */
     const struct timing timing = {8e6, bench->quick ? 4 : 12, 4};
     curve(bench, timing);
     models(bench, 0.1, 125, timing);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the benchmarks of disks share. */
+/* Shared by the benchmarks of disks. */
 #ifndef COR_BENCH_DISKS_DISK_H
 #define COR_BENCH_DISKS_DISK_H
 
@@ -15,21 +15,21 @@
 
 struct disk_bench {
     FILE *csv;
-    const struct cor_disk_modes *all; /* many more modes of nu = 0.33 than the library's */
+    const struct cor_disk_modes *all; /* many more modes of nu = 0.33 than the library has */
     int quick;
     struct timing timing;
 };
 
-/* Each writes rows of disks.csv: Rayleigh's energy of 1800 modes from slow to fast, and error against time; a
- * collision, error against time, and what fewer modes and softer walls leave out. */
+/* Each writes rows of disks.csv. disk_rayleigh: the energy of 1800 modes from slow to fast, and error against time.
+ * disk_collision: error against time, and the errors of fewer modes and softer walls. */
 void disk_rayleigh(struct disk_bench *bench);
 void disk_collision(struct disk_bench *bench);
 
-/* A line of disks.csv, which is printed too; NaN and 0 modes leave their field empty. Errors are relative, but of
- * collisions: those are errors of eps. */
+/* A line of disks.csv, which is also printed. NaN and 0 modes leave their field empty. Errors are relative, except for
+ * collisions, whose errors are errors of eps. */
 struct disk_row {
     const char *table, *method;
-    double speed, setting; /* setting: a tolerance, a panel's points, or alpha */
+    double speed, setting; /* setting: a tolerance, the points of a panel, or alpha */
     size_t modes;
     double seconds, error;
 };
@@ -49,7 +49,7 @@ static inline void disk_csv(struct disk_bench *bench, const struct disk_row *row
     fflush(stdout);
 }
 
-/* Exits with the text of the status, unless it is COR_OK or the other one. */
+/* Exits with the text of the status, unless it is COR_OK or `other`. */
 static inline void disk_must(int status, int other)
 {
     if (status != COR_OK && status != other) {

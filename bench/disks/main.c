@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Speed of the disk functions, error beside every time. */
+/* Speed of the disk functions, with the error next to every time. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Rayleigh's energy: each of 1800 modes from slow to fast, and the energy of all modes, error against time. The truth
- * of a mode is the integral on the real axis in long double; the truth of all modes is the sum over many more of them
- * and its own tail. */
+ * of a mode is the integral on the real axis in long double. The truth of all modes is the sum over many more of them
+ * with its own tail. */
 #include <math.h>
 #include <stdbool.h>
 
@@ -20,7 +20,7 @@ struct task {
     size_t n;
     struct cor_disk_rayleigh out;
     int status;
-    double *fraction; /* n of them; NULL: not asked for */
+    double *fraction; /* n of them; NULL: not requested */
 };
 
 static void to_tolerance(void *closure)
@@ -43,8 +43,8 @@ static long double response(const struct cor_disk_mode *mode, long double fracti
     return fraction * square * square / ((long double)mode->c * mode->c);
 }
 
-/* Largest relative error of a fraction, over the modes whose cosine does not cancel: (2 I)^2 omega^4, which but for the
- * cosine varies slowly, is above 1/100 of the largest among 25 neighbours on each side. */
+/* Returns the largest relative error of a fraction, over the modes whose cosine does not cancel. (2 I)^2 omega^4 varies
+ * slowly except for the cosine. In those modes it is above 1/100 of the largest of 25 neighbours on each side. */
 static double worst_error(const struct cor_disk_mode *mode, const double *fraction, const long double *reference)
 {
     double worst = 0;
@@ -55,7 +55,7 @@ static double worst_error(const struct cor_disk_mode *mode, const double *fracti
         for (size_t k = low; k <= high; k++)
             size = fmaxl(size, response(&mode[k], reference[k]));
         const double error = fabs((double)((fraction[i] - reference[i]) / reference[i]));
-        if (response(&mode[i], reference[i]) > 0.01L * size && !(error <= worst)) /* a NaN too */
+        if (response(&mode[i], reference[i]) > 0.01L * size && !(error <= worst)) /* also true for NaN */
             worst = error;
         if (isnan(error))
             break;

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* What each simulator realises where a user asks for a restitution coefficient e, and the number to give it instead,
- * from the table of cor/scene.h.
+/* The restitution that each simulator realises if a user requests e, and the number to give it instead, from the table
+ * of cor/scene.h.
  *     cor_realised table      csv, at the values of e of docs/simulators.md
  *     cor_realised curve      csv, at 0.01 to 0.99, for the picture
  *     cor_realised markdown   a table of docs/simulators.md; models with the same end and the same numbers share a row
  *     cor_realised models     another one: all models, with law, end, and a sentence for the user
- *     cor_realised speeds     eps of viscoelastic spheres with 0.5 at 1 m/s, over the speed, and what simulators make
- *                             of 0.5
- * An empty cell: the model refuses this e, or no e makes it realise this one. */
+ *     cor_realised speeds     eps of viscoelastic spheres with 0.5 at 1 m/s, over the speed, and the results of
+ *                             simulators for 0.5
+ * An empty cell: the model refuses this e, or no input gives this e. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -31,7 +31,7 @@ static double cure(const struct cor_simulator_model *m, double e)
 
 /* ---- csv ---- */
 
-/* gnuplot splits a line at every comma, in quotation marks too. */
+/* Prints a name without commas: gnuplot splits a line at every comma, even in quotation marks. */
 static void print_name(const char *text)
 {
     for (; *text; text++)

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Each function of law.h against what simulators and textbooks do in its place: time and error in one table.
+/* Each function of law.h against the formulas of simulators and textbooks: time and error in one table.
  *     cor_bench_laws > speed.csv
- * Arguments are uniform in the interval of the row. Times are the least of many turns. The error of an eps or a loss is
- * relative. That of a damping is the relative change of eps that it causes, |eps(damping) - e|/e. Exact values are the
- * long doubles of the tests. */
+ * Arguments are uniform in the interval of the row. Times are the least of many rounds. The error of an eps or a loss
+ * is relative. The error of a damping is the relative change of eps that it causes, |eps(damping) - e|/e. Exact values
+ * are the long doubles of the tests. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -31,7 +31,7 @@ EXACT(loss_force, COR_END_ZERO_FORCE, -expm1l(-l))
 EXACT(eps_approach, COR_END_APPROACH_ONLY, expl(-l))
 EXACT(eps_limited, COR_END_LIMITED, expl(-l))
 
-/* a = 3/2: the energy at the largest overlap is that of a rebound without damping */
+/* For a = 3/2: the energy at the largest overlap is the energy of a rebound without damping. */
 static long double exact_overlap(long double beta)
 {
     return powl(1.25L * powl(reference_hunt_crossley_approach_eps(beta), 2), 0.4L);
@@ -42,7 +42,7 @@ static long double exact_sphere_force(long double beta)
     return cor_sphere_eps_zero_force((double)beta); /* within a unit of its last place */
 }
 
-/* ---- what is in use ---- */
+/* ---- formulas in use ---- */
 
 static const double pi = 3.14159265358979323846;
 
@@ -51,7 +51,7 @@ static double formula_eps_overlap(double zeta)
     return zeta < 1 ? exp(-pi * zeta / sqrt(1 - zeta * zeta)) : 0;
 }
 
-/* Schwager and Poeschel's three cases, as Kratos and others code them */
+/* Schwager and Poeschel's three cases, as in the code of Kratos and others */
 static double formula_eps_force(double zeta)
 {
     if (zeta < 0.70710678118654752440) {
@@ -87,7 +87,7 @@ static double formula_thornton(double e)
     return sqrt(1.2) * cor_thornton_gamma(e);
 }
 
-/* between 0 and 16, halved so often */
+/* Returns the damping between 0 and 16, halved this number of times. */
 static double bisected(double e, int times)
 {
     double low = 0, high = 16;
@@ -113,8 +113,8 @@ static double formula_tsuji_2026(double e)
     return sqrt(0.4) * cor_tsuji_alpha(e);
 }
 
-/* Newton's method on the [1/4] Pade approximant of Mueller and Poeschel in v* = sqrt(beta), as simulators solve for A.
- */
+/* Newton's method on the [1/4] Pade approximant of Mueller and Poeschel in v* = sqrt(beta); simulators solve for A this
+ * way. */
 static double formula_sphere_newton(double e)
 {
     static const double a1 = 0.501086, b1 = 0.501086, b2 = 1.15345, b3 = 0.577977, b4 = 0.532178;
@@ -171,25 +171,25 @@ typedef long double exact_function(long double x);
 
 enum { SCALAR = -1, MAX_JOBS = 128 };
 
-/* In place of the library's function, so that its arrays use the set of a line */
+/* Replaces the library's function, so that its arrays use the set of a line. */
 static int array_set;
 int cor_array_set(void)
 {
     return array_set;
 }
 
-/* OF: a function of law.h, whose array is timed in every instruction set */
+/* OF: a function of law.h, whose array is timed in every instruction set. OTHER: any other function */
 #define OF(LAW, END, QUANTITY) NULL, COR_LAW_##LAW, COR_END_##END, COR_##QUANTITY
 #define OTHER(function) function, COR_LAW_VISCOELASTIC, COR_END_ZERO_FORCE, COR_EPS
 static const struct method {
     const char *quantity, *method;
-    scalar_function *scalar; /* NULL: of law.h */
+    scalar_function *scalar; /* NULL: from law.h */
     enum cor_law law;
     enum cor_end end;
     enum cor_quantity of;
-    exact_function *exact; /* of the value, or of eps for an inverse; NULL: none is at hand */
+    exact_function *exact; /* of the value, or of eps for an inverse; NULL: none available */
     int inverse;
-    double low, high; /* of the argument */
+    double low, high; /* range of the argument */
 } methods[] = {
     {"eps of zeta; zero overlap", "cor", OF(LINEAR, ZERO_OVERLAP, EPS), exact_eps_overlap, 0, 0.01, 0.8},
     {"eps of zeta; zero overlap", "exp(-pi zeta/sqrt(1-zeta^2))", OTHER(formula_eps_overlap), exact_eps_overlap, 0,
@@ -291,7 +291,7 @@ static int add_line(struct line *line, const struct method *method, int set)
     line->method = method;
     line->set = set;
     line->set_name = set >= 0 ? name[set] : "scalar";
-    /* scattered, the same every time: multiples of the golden ratio */
+    /* scattered, always in the same way: multiples of the golden ratio */
     for (int i = 0; i < COUNT; i++)
         line->x[i] = method->low + (method->high - method->low) * fmod(0.61803398874989485 * (i + 1), 1);
     return 1;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Speed of eps, error beside every time: one row a method, all in one run.
+/* Speed of eps, with the error next to every time: one row per method, all in one run.
  *
  *   ns                   random speeds one after the other, each
  *   ns_dependent         each speed waits for the eps before it
@@ -15,9 +15,9 @@
 #include "support/timing.h"
 
 enum {
-    IN_CACHE = 2048, /* an array and its eps in the first-level cache */
-    SCALARS = 16384, /* more than a branch predictor learns by heart */
-    COLLISIONS = 64, /* for what takes microseconds each: few, even in their logarithm */
+    IN_CACHE = 2048, /* an array and its eps fit the first-level cache */
+    SCALARS = 16384, /* more than a branch predictor memorises */
+    COLLISIONS = 64, /* for methods that need microseconds each: few, evenly spaced in their logarithm */
     ROWS = METHODS_MAX
 };
 
@@ -52,8 +52,8 @@ static double *doubles(size_t n)
     return p;
 }
 
-/* Largest |eps/truth - 1|; NaN if an eps is none. That of a float is of the float that is given, against the library's
- * double, which is as good as exact beside it. */
+/* Returns the largest |eps/truth - 1|; NaN if an eps is not a number. For floats the truth is the library's double at
+ * the given float, whose error is negligible here. */
 static double worst_error(const struct truth *truth, const struct scene *scene, const struct method *method)
 {
     static double eps[CHECKED];
@@ -74,7 +74,7 @@ static double worst_error(const struct truth *truth, const struct scene *scene, 
             exact = method->end == ZERO_FORCE ? cor_sphere_eps_zero_force(beta) : cor_sphere_eps_zero_overlap(beta);
         }
         const double error = fabs((double)((value - exact) / exact));
-        if (!(error <= worst)) /* a NaN too */
+        if (!(error <= worst)) /* also true for NaN */
             worst = error;
     }
     return worst;
@@ -82,7 +82,7 @@ static double worst_error(const struct truth *truth, const struct scene *scene, 
 
 /* The speeds of a scene and their beta, by enum input. */
 struct inputs {
-    double *random[2]; /* SCALARS of them, of which arrays take the first */
+    double *random[2]; /* SCALARS of them; arrays use the first ones */
     double *even[2];   /* COLLISIONS */
     float *single[2];  /* the random ones in float */
     double *out;
@@ -128,8 +128,8 @@ static struct task task_of(const struct method *method, const struct scene *scen
     return (struct task){method, scene, random, in->out, method->flags & ARRAY ? IN_CACHE : SCALARS};
 }
 
-/* A row of the table of its input, which is printed too. A time that is NaN was not measured; without `error`, or for a
- * copy, there is none. */
+/* Prints a row and writes it to the table of its input. A time of NaN was not measured. Without `error`, or for a copy,
+ * the error is empty. */
 static void report_row(FILE *const csv[2], const struct task *t, const char *form, double ns, double ns_chained,
                        const double *error)
 {
@@ -141,12 +141,12 @@ static void report_row(FILE *const csv[2], const struct task *t, const char *for
                 m->instructions ? m->instructions : "", m->end == NO_END ? "" : end[m->end], form);
         table_number(files[i], "%.4g", ns);
         table_number(files[i], "%.4g", ns_chained);
-        /* an eps that is none somewhere in the scene is an error of nan */
+        /* an eps that is not a number makes the error nan */
         fprintf(files[i], m->end == NO_END || !error ? ",\n" : ",%.2e\n", error ? *error : NAN);
     }
 }
 
-/* Every method of the scene, in the cache. */
+/* Measures every method of the scene, in the cache. */
 static void measure_scene(FILE *const csv[2], const struct methods *methods, const struct scene *scene,
                           struct timing timing)
 {
@@ -176,8 +176,8 @@ static void measure_scene(FILE *const csv[2], const struct methods *methods, con
     inputs_free(&in);
 }
 
-/* Numbers in an array that, with its eps, is twice the last-level cache: 64 MiB at least, and no more than an eighth
- * of the memory and 512 MiB, which is also taken where the cache is not known. */
+/* Returns the number of elements of an array that, with its eps, is twice the last-level cache. It is at least 64 MiB,
+ * and at most an eighth of the memory and 512 MiB, which is also the choice if the cache is unknown. */
 static size_t large_elements(void)
 {
     const double mib = 1 << 20;
@@ -194,7 +194,7 @@ static size_t large_elements(void)
     return (size_t)bytes / sizeof(double);
 }
 
-/* The library from a speed, and copies, on arrays larger than the cache */
+/* Measures the library from a speed, and copies, on arrays larger than the cache. */
 static void measure_large(FILE *const csv[2], const struct methods *methods, const struct scene *scene)
 {
     static struct task tasks[METHODS_MAX];

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The arrays in float arithmetic next to those in double, by instruction set. Every time has its share of the double
- * time and the error: of floats the largest of all arguments, in units of the last place of a float, against the double
- * function; of doubles their bound, in units of a double.
+/* The arrays in float arithmetic next to those in double, by instruction set. Every row has a time, its fraction of the
+ * double time, and the error. For floats it is the largest error of all arguments, in units of the last place of a
+ * float, against the double function. For doubles it is their bound, in units of a double.
  *
  *     cor_bench_floats DIRECTORY [--quick]        writes DIRECTORY/floats.csv */
 #include <math.h>
@@ -22,7 +22,7 @@ static const double least_beta = 0.3, most_beta = 1.9;
 static double x[COUNT], y[COUNT];
 static float xf[COUNT], yf[COUNT];
 
-/* In place of the library's function, so that its arrays use the set of a line */
+/* Replaces the library's function, so that its arrays use the set of a line. */
 static int array_set;
 int cor_array_set(void)
 {

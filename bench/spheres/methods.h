@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What is compared: every method is a row of the table. A file methods_*.c adds its rows; the loops that are timed
- * stand there too, in the form that a user would write, so that what inlines is inlined. */
+/* The compared methods: every method is a row of the table. A file methods_*.c adds its rows. It also contains the
+ * timed loops, in the form that a user would write, so that inline functions are inlined. */
 #ifndef COR_BENCH_SPHERES_METHODS_H
 #define COR_BENCH_SPHERES_METHODS_H
 
@@ -11,24 +11,24 @@
 
 enum {
     ARRAY = 1,      /* one call for all; the arrays fit the first-level cache */
-    LARGE = 2,      /* timed on arrays larger than the last-level cache too */
+    LARGE = 2,      /* also timed on arrays larger than the last-level cache */
     INTEGRATES = 4, /* microseconds each: fewer speeds */
-    FLOAT = 8       /* in and out are arrays of float; the error is of the float that is given */
+    FLOAT = 8       /* in and out are arrays of float; error at the given float */
 };
 
 struct method {
     const char *curve;        /* methods of one curve differ by their setting and instructions */
-    char setting[32];         /* degrees, a tolerance, steps; empty: it has none */
-    const char *instructions; /* of loops and arrays; NULL: not chosen */
-    const char *scene;        /* the only scene that it knows, or NULL */
+    char setting[32];         /* degrees, a tolerance, steps; empty: none */
+    const char *instructions; /* of loops and arrays; NULL: not selected */
+    const char *scene;        /* the only scene that it supports, or NULL */
     enum end end;
     enum input input;
     unsigned flags;
-    int number; /* of steps; of arrays of the library, their instruction set */
+    int number; /* steps; for arrays of the library, their instruction set */
 
     /* out[i] = eps(in[i]), independent of each other */
     void (*each)(const struct method *method, const struct scene *scene, const double *in, double *out, size_t n);
-    /* each eps(in[i]) waits for the one before; returns the last; NULL for arrays */
+    /* each eps(in[i]) waits for the previous one; returns the last; NULL for arrays */
     double (*chain)(const struct method *method, const struct scene *scene, const double *in, size_t n);
 };
 
@@ -48,23 +48,23 @@ static inline void methods_add(struct methods *methods, const struct method *met
     methods->row[methods->n++] = *method;
 }
 
-/* Each adds its rows. */
+/* Each of these adds its rows. */
 void add_published(struct methods *methods);
 void add_library(struct methods *methods);
 
-/* methods_embedded.c, compiled with the flags of each of these */
+/* methods_embedded.c, compiled with each of these sets of flags */
 void add_embedded_plain(struct methods *methods);
 void add_embedded_avx2(struct methods *methods);
 void add_embedded_avx512(struct methods *methods);
 
-/* A scalar loop stays one: without this, compilers make vectors of what they can inline. */
+/* Keeps a scalar loop scalar; otherwise compilers vectorise inlined functions. */
 #if defined __GNUC__
 #define ONE_BY_ONE __asm__ volatile("")
 #else
 #define ONE_BY_ONE ((void)0)
 #endif
 
-/* G is there only when LAST is, at the least cost that the machine has for it, and does not change. */
+/* Makes G available only when LAST is, unchanged and at the least cost that the machine allows. */
 #if defined __GNUC__ && defined __AVX__
 #define WAIT_FOR(LAST, G) __asm__ volatile("vunpcklpd %1, %0, %0" : "+x"(G) : "x"(LAST))
 #elif defined __GNUC__ && defined __SSE2__
@@ -74,7 +74,7 @@ static volatile float methods_zero;
 #define WAIT_FOR(LAST, G) ((G) += methods_zero * (LAST))
 #endif
 
-/* NAME_each and NAME_chain of an expression in g (the speed, or beta) after SETUP, which may use scene and method. */
+/* Defines NAME_each and NAME_chain: an expression in g (speed or beta) after SETUP, which may use scene and method. */
 #define SCALAR_METHOD_OF(REAL, NAME, SETUP, EXPRESSION)                                                                \
     static void NAME##_each(const struct method *method, const struct scene *scene, const double *in, double *out,     \
                             size_t n)                                                                                  \
@@ -112,7 +112,7 @@ static volatile float methods_zero;
         .chain = NAME##_chain                                                                                          \
     }
 
-/* NAME_each as a loop that the compiler may make vectors of. */
+/* Defines NAME_each as a loop that the compiler may vectorise. */
 #define ARRAY_METHOD_OF(REAL, NAME, SETUP, EXPRESSION)                                                                 \
     static void NAME##_each(const struct method *method, const struct scene *scene, const double *restrict in,         \
                             double *restrict out, size_t n)                                                            \

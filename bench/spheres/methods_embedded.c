@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Code that a user compiles: generated/cor_sphere.h, for every beta; truncated series, Padés and two-point Padés of
- * growing order (approximants.sh); headers that corgen embed writes for the ordinary scene as the tolerance falls, in
- * double and float. This file is compiled once for each set of flags, with ADD the name of its one function, SET the
- * instruction set, and INSTRUCTIONS what the table calls it, NULL for plain flags. With vectors all rows are loops. */
+/* Code that a user compiles: generated/cor_sphere.h, for every beta, and truncated series, Padés and two-point Padés of
+ * growing order (approximants.sh). Headers of corgen embed for the ordinary scene with falling tolerance, in double and
+ * float. This file is compiled once for each set of flags. ADD is the name of its only function, SET the instruction
+ * set, and INSTRUCTIONS its name in the table, NULL for plain flags. With vectors all rows are loops. */
 #include "methods.h"
 
 #include <math.h>
@@ -47,7 +47,7 @@ APPROXIMANTS
 #undef X_overlap
 #undef X_force
 
-/* From a speed by pow, as they are written today: no loop of which becomes vectors. */
+/* From a speed by pow, as users write it today; none of these loops can be vectorised. */
 #ifndef __AVX2__
 #define X_overlap(NAME, CURVE, SETTING)                                                                                \
     FORM_OF(double, NAME##_speed, const double unit = scene->contact.beta_per_root, NAME(pow(g, 0.2) * unit))

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* libcor: scalar functions, in float too, and arrays by instruction set. */
+/* libcor: scalar functions, also in float, and arrays by instruction set. */
 #include "methods.h"
 
 #include <cor/cor.h>
@@ -12,7 +12,7 @@ SCALAR_METHOD_OF(double, speed_force, CONTACT, cor_contact_eps_zero_force(contac
 SCALAR_METHOD_OF(double, beta_overlap, , cor_sphere_eps_zero_overlap(g))
 SCALAR_METHOD_OF(double, beta_force, , cor_sphere_eps_zero_force(g))
 
-/* In place of the library's function, so that its arrays use the set of a method */
+/* Replaces the library's function, so that its arrays use the set of a method. */
 static int array_set;
 int cor_array_set(void)
 {

@@ -19,7 +19,7 @@ void scenes_init(struct scene scenes[SCENES])
     }
 }
 
-/* splitmix64, in [0, 1) */
+/* Returns a number of splitmix64 in [0, 1). */
 static double uniform(uint64_t *state)
 {
     uint64_t z = *state += 0x9e3779b97f4a7c15u;
@@ -42,7 +42,7 @@ void scene_even_speeds(const struct scene *scene, double *speed, size_t n)
     speed[n - 1] = scene->speed_max;
 }
 
-/* x = w^2: Hertz's spring, and its damper */
+/* Returns the force of Hertz's spring and its damper, where x = w^2. */
 static long double force(long double w, long double v, const void *beta)
 {
     return w * w * w + *(const long double *)beta * w * v;

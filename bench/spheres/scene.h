@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What eps is asked for, a contact and a range of impact speeds; and eps there, from the long double integration of the
+/* A scene for eps: a contact and a range of impact speeds. And eps there, from the long double integration of the
  * tests. */
 #ifndef COR_BENCH_SPHERES_SCENE_H
 #define COR_BENCH_SPHERES_SCENE_H
@@ -13,28 +13,28 @@ enum input { FROM_SPEED, FROM_BETA };
 
 struct scene {
     const char *name;
-    double g_star; /* m/s, as all speeds; fixes the contact */
+    double g_star; /* m/s, like all speeds; determines the contact */
     double speed_min, speed_max;
     struct cor_sphere_contact contact;
 };
 
 enum { SCENES = 3, CHECKED = 2000 };
 
-/* The scenes, with their contacts filled. */
+/* Sets the scenes, with their contacts. */
 void scenes_init(struct scene scenes[SCENES]);
 
-/* Random speeds, uniform in their logarithm, the same in every run. */
+/* Makes random speeds, log-uniform, the same in every run. */
 void scene_speeds(const struct scene *scene, double *speed, size_t n);
 
-/* From speed_min to speed_max, even in their logarithm. */
+/* Makes speeds from speed_min to speed_max, evenly spaced in their logarithm. */
 void scene_even_speeds(const struct scene *scene, double *speed, size_t n);
 
 struct truth {
-    double in[2][CHECKED];          /* by enum input: speeds, even in their logarithm, and their beta */
+    double in[2][CHECKED];          /* by enum input: speeds, even in their logarithm, and beta */
     long double eps[2][2][CHECKED]; /* by enum input and enum end */
 };
 
-/* eps at speed g is that of the exact beta_per_root g^(1/5), eps at beta that of the double in in[FROM_BETA]. */
+/* Computes eps at speed g for the exact beta_per_root g^(1/5), and eps at the double beta in in[FROM_BETA]. */
 void truth_compute(struct truth *truth, const struct scene *scene);
 
 #endif

@@ -8,7 +8,7 @@
 
 enum { SLOW_SAMPLES = 4 };
 
-/* Time of `repeats` runs, per run. */
+/* Returns the time of a run, from `repeats` runs. */
 static double sample(const struct job *job, long repeats)
 {
     const double start = clock_seconds();
@@ -25,7 +25,7 @@ void timing_measure(struct job *jobs, size_t n, struct timing timing)
     for (size_t i = 0; i < n; i++) {
         sample(&jobs[i], 1); /* caches, page tables, branch predictors */
         const double run_ns = sample(&jobs[i], 1);
-        /* 0 is a slow job */
+        /* 0 marks a slow job */
         repeats[i] = run_ns > SLOW_SAMPLES * timing.sample_ns ? 0 : (long)ceil(timing.sample_ns / fmax(run_ns, 1));
         jobs[i].best_ns = HUGE_VAL;
     }

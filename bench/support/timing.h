@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Times of short jobs on a machine that does other things too: jobs take turns, so that what slows the machine
- * down for a while slows all of them, and the least time of many turns is each job's time. */
+/* Times of short jobs on a machine that also does other work. Jobs alternate, so a temporary slowdown of the machine
+ * affects all of them. The time of a job is the least of many rounds. */
 #ifndef COR_BENCH_SUPPORT_TIMING_H
 #define COR_BENCH_SUPPORT_TIMING_H
 
@@ -14,12 +14,12 @@ struct job {
 };
 
 struct timing {
-    double sample_ns; /* a turn of a job lasts at least so long */
-    int rounds;       /* turns of a job */
-    int slow_share;   /* a job whose run takes several such times has one turn in so many */
+    double sample_ns; /* shortest duration of a job in a round */
+    int rounds;       /* rounds of a job */
+    int slow_share;   /* a job with a run of several such durations runs once in this number of rounds */
 };
 
-/* Runs every job by turns and fills best_ns. */
+/* Runs all jobs in turn and sets best_ns. */
 void timing_measure(struct job *jobs, size_t n, struct timing timing);
 
 #endif

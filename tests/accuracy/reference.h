@@ -2,10 +2,10 @@
 /* The sphere functions in long double at every beta >= 0, fast enough for 10^9 points and accurate to a few 2^-64 if
  * long double has 64 bits. They are the truth for the doubles of the library.
  *
- *   beta < 1/8           Chebyshev interpolation in sqrt(beta), of a loss over beta, from integrated values
- *   1/8 <= beta < 2^48   the same in beta within binades
- *   2^48 <= beta         powers of beta and ln(beta); the next terms are below 2^-70
- *   zero overlap, 8 <= beta: eps = h*^5/beta^5, exact to exp(-73)
+ *     beta < 1/8           Chebyshev interpolation in sqrt(beta), of a loss over beta, from integrated values
+ *     1/8 <= beta < 2^48   the same in beta within binades
+ *     2^48 <= beta         powers of beta and ln(beta); the next terms are below 2^-70
+ *     zero overlap, 8 <= beta: eps = h*^5/beta^5, exact to exp(-73)
  *
  * Nothing here comes from collision_solve, the source of the library's tables. test_reference.c compares the two. */
 #ifndef COR_TESTS_ACCURACY_REFERENCE_H

@@ -2,8 +2,7 @@
 /* Functions of law.h for a damping ratio, and Hunt and Crossley's law, against long double in another formulation, or
  * balls where long double has too few digits. Random points, doubles near every boundary of a kernel, the neighbours of
  * the worst point, special values. Prints one line for each function; docs/accuracy.md quotes these lines.
- *     test_laws [--points N] [--threads N] [--only TEXT] [--seed N]     (N random points of each function, by default
- *     20000) */
+ *     test_laws [--points N] [--threads N] [--only TEXT] [--seed N]     (N random points each, 20000 by default) */
 #include "cor/law.h"
 
 #include <stdio.h>

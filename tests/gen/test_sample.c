@@ -184,7 +184,7 @@ TEST(other_laws)
     }
     assert_true(s.best.error <= 1e-3 && s.error_of_fewer > 1e-3);
     sample_clear(&s);
-    /* so many decades that one polynomial is not enough */
+    /* over many decades one polynomial is not enough */
     for (double speed_min = 1e-2; speed_min > 1e-10; speed_min /= (double)few_or_all(2700, 30)) {
         const struct sample_request wide = {
             .contact = &contact, .speed_min = speed_min, .speed_max = 1, .tolerance = 1e-2, .log = true};

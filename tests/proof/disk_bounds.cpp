@@ -297,8 +297,8 @@ static double exp_error(double low, double high)
     return ((size(value) * e + plus_error(ball(1), value, whole)) / whole).above();
 }
 
-/* Tests the pairs stored in the code, and the limits: 4 exp(b - 1), 4 pi exp(b - 1), sqrt(8) exp(b - 1), 4 pi exp(2 b -
- * 2), with b - 1 = -2 + slope nu, or -1 - 2 ln 2 - 1/4 + slope nu. Returns the relative error of a limit. */
+/* Tests the pairs stored in the code, and the limits 4 exp(b - 1), 4 pi exp(b - 1), sqrt(8) exp(b - 1) and 4 pi exp(2 b
+ * - 2). Here b - 1 = -2 + slope nu, or -1 - 2 ln 2 - 1/4 + slope nu. Returns the relative error of a limit. */
 static double limit_error(void)
 {
     const ball circle = pi_ball(), root = sqrt(ball(2));

@@ -194,8 +194,8 @@ void law_check_random(const struct law_functions *f, size_t count)
     print_worst(&c, "random");
 }
 
-/* Returns a random border between tables from one of four lists: a power of two (near eps = 1), 8 (middle), beta_c -
- * 2^k or beta_c (zero overlap), exp(u) for whole eighths of octaves of u (tails). No other borders exist. */
+/* Returns a random border between tables: a power of two (near eps = 1), 8 (middle), beta_c - 2^k or beta_c (zero
+ * overlap), or exp(u) for whole eighths of octaves of u (tails). Other borders do not exist. */
 static double border(struct law_case *c, struct random_state *r, size_t i)
 {
     switch ((i + 3) % 4) { /* first the border to the rows in beta_c - beta, which short runs also test */

@@ -15,8 +15,8 @@ static const double pi = 3.14159265358979323846;
 /* Error that the reference may have in eps, and in energies relative to (pi/2) v^2 */
 static const double slack = 1e-13;
 
-/* Looser bounds, as in disk.h, at a tolerance of 1e-11, for numbers that come from between two moments during contact:
- * depth relative to v, time relative, averages relative to (pi/2) v^2 */
+/* Looser bounds, as in disk.h, at a tolerance of 1e-11, for values interpolated between two moments of the contact.
+ * Depth is relative to v, time relative, averages relative to (pi/2) v^2. */
 static const double depth_bound = 1e-7, time_bound = 1e-6, average_bound = 1e-6, soft_average_bound = 1e-4;
 
 enum { TABLE = 1800 };

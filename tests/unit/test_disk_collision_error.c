@@ -3,8 +3,8 @@
  * the error, and no call exceeds its budget. The truth is reference_collision.h: Taylor series in time, in long double
  * or, for collisions that amplify errors much, in quad precision. For more modes it is a call with a hundredth of the
  * tolerance.
- *     COR_TEST_LONG=1 COR_TEST_MULTIPLIER=834 test_disk_collision_error judges 10^4 random scenes of each kind, or
- *     others with another COR_SEED. This takes half an hour and two hours. */
+ *     COR_TEST_LONG=1 COR_TEST_MULTIPLIER=834 test_disk_collision_error
+ * judges 10^4 random scenes of each kind, or others with another COR_SEED. This takes half an hour and two hours. */
 #include "check.h"
 
 #include <cor/disk.h>

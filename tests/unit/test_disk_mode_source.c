@@ -80,8 +80,8 @@ TEST(counted)
     }
 }
 
-/* Checks that l counts from 0 for each n and that frequencies grow. The sums over l of C^2/omega^2 and C S/omega^2 fall
- * short of (11.5) by about 2 sqrt(1 - nu^2)/(pi Omega), the part of the omitted modes; half of it for n = 0. */
+/* Checks that l counts from 0 for each n and that frequencies grow. The sums over l of C^2/omega^2 and C S/omega^2 are
+ * below (11.5) by about 2 sqrt(1 - nu^2)/(pi Omega), or half of it for n = 0: the omitted modes. */
 static void sum_rules(double nu, size_t count)
 {
     enum { ORDERS = 2000, CHECKED = 12 };
