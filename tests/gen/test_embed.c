@@ -310,8 +310,8 @@ TEST(test_constant)
     }
 }
 
-/* Laws of one's own: the forms against formulas in long double, and a table against values of SciPy 1.10's
- * PchipInterpolator; their proofs; and how a range or a law of one number is refused or made a constant. */
+/* Laws of one's own: the forms against formulas in long double, a table against values of PchipInterpolator of SciPy
+ * 1.10, and the proofs. A range or a law of a single number is refused or becomes a constant. */
 static long double own_eps(int law, long double a, long double b, long double v)
 {
     return law == EMBED_LAW_POWER ? fminl(1, a * powl(v, -b)) : a + (1 - a) * expl(-v / b);

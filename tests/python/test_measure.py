@@ -125,7 +125,7 @@ def test_left_out(tmp_path):
 
 
 def test_kept_and_late(tmp_path, monkeypatch):
-    """The folder of a run stays only with --keep. A program that does not answer ends; no contact: nothing is run."""
+    """The folder of a run stays only with --keep. A program that does not answer ends. No contact: nothing runs."""
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "tmp"))
     os.mkdir(tmp_path / "tmp")
     deck, program, late = tmp_path / "deck.lmp", program_of(Path("x.lmp")), str(tmp_path / "late")
