@@ -243,6 +243,54 @@ int cor_scene_step_for(double *least_steps, const struct cor_scene_contact *cont
 int cor_scene_step_corrected(struct cor_scene_contact *corrected, const struct cor_scene_contact *contact,
                              double speed_m_s, int end, double steps, int integrator);
 
+/* ---- oblique impacts ---- */
+
+/* The memory of a tangential spring. The force of the spring is k x^p s of a displacement s that adds up the motion of
+ * the contact point; or the force itself adds up k x^p times this motion; in the next two s or the force also shrinks
+ * with the contact radius x^(1/2) on the way back, where p = a - 1. Without memory only a damper acts. */
+enum cor_tangential_memory {
+    COR_REMEMBERS_DISPLACEMENT,
+    COR_REMEMBERS_FORCE,
+    COR_REMEMBERS_DISPLACEMENT_RESCALED,
+    COR_REMEMBERS_FORCE_RESCALED,
+    COR_REMEMBERS_NOTHING,
+    COR_TANGENTIAL_MEMORIES
+};
+
+/* A tangential force in the units of the collision at its speed (mass m, stiffness K, speed g, length L). The contact
+ * point of solid spheres has 2/7 of the effective mass. kappa = (7/2) (k/K) L^(p-a+1) of the stiffness k x^p. p is
+ * a - 1, or 0 if constant_stiffness; then kappa depends on the speed. damping = (7/2) C_t/C beta of a damper C_t x^b
+ * that acts next to the normal damper C x^b. damper_in_cap: friction limits the sum of spring and damper (LAMMPS,
+ * MercuryDPM); otherwise it limits the spring, and the damper acts only while the contact sticks (LIGGGHTS, YADE). */
+struct cor_tangential {
+    int memory; /* enum cor_tangential_memory */
+    int constant_stiffness, damper_in_cap;
+    double kappa, damping;
+};
+
+/* An oblique impact: u'/u, the velocity of the contact point along the surface after over before (the tangential
+ * restitution coefficient of the literature is -u'/u); eps; tan of the rebound angle, u'/(eps g); the tangential
+ * impulse over m g; whether the contact stuck, slipped, or both, a sum of the next two. */
+enum cor_oblique_regime { COR_OBLIQUE_STICKS = 1, COR_OBLIQUE_SLIPS = 2 };
+struct cor_oblique_impact {
+    double restitution, eps, rebound_tangent, impulse;
+    int regime;
+};
+
+/* Computes the impact of solid spheres, or of one on a wall, with the friction coefficient `friction`, at the normal
+ * speed g and the tangential speed g times `tangent`. Friction limits the force to `friction` times the absolute value
+ * of the normal force of spring and damper, which pulls before the end of zero overlap. For tangent = 0 the result is
+ * the limit of small angles. The contact may have any power law, and a constant force; bodies that this force holds
+ * have NaN. By Taylor series of the motion between slip and stick, 10 to 50 microseconds.
+ * Accuracy: COR_OBLIQUE_ERROR, absolute, of u'/u while 1e-6 <= tangent/friction and eps >= 1e-3; sampled in
+ * tests/unit/test_scene_oblique.c. Returns COR_OK; COR_FAULT_RANGE for numbers that are out of range and for plates,
+ * yield, liquids and JKR; COR_FAULT_PRESSED if the motion takes too many steps. */
+#define COR_OBLIQUE_ERROR 1e-10
+#define COR_OBLIQUE_MOST 1e9 /* the largest kappa, damping, beta, tangent and finite friction */
+int cor_scene_oblique(struct cor_oblique_impact *oblique, const struct cor_scene_contact *contact,
+                      const struct cor_tangential *tangential, double friction, double speed_m_s, double tangent,
+                      int end);
+
 /* ---- what is known of a contact ---- */
 
 /* The index of a number of body 2 is that of body 1 plus COR_SCENE_BODY. */

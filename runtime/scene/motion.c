@@ -6,14 +6,14 @@
 
 enum { ORDER = MOTION_ORDER, BISECTIONS = 80 };
 
-static int power_of(struct motion *m, int exponent)
+int cor_motion_power(struct motion *m, int exponent)
 {
     for (int i = 0; i < m->powers; i++)
         if (m->power[i].exponent == exponent)
             return i;
     if (m->powers == MOTION_POWERS) /* cor_motion_init refuses the motion */
         return 0;
-    const int left = power_of(m, exponent / 2), right = power_of(m, exponent - exponent / 2);
+    const int left = cor_motion_power(m, exponent / 2), right = cor_motion_power(m, exponent - exponent / 2);
     if (m->powers == MOTION_POWERS)
         return 0;
     struct motion_power *const power = &m->power[m->powers];
@@ -33,7 +33,7 @@ int cor_motion_init(struct motion *m, double u, double v)
     for (int i = 0; i < 2; i++)
         m->power[i] = (struct motion_power){i, 0, 0, {i == 0}};
     for (int i = 0; i < TERMS; i++)
-        terms[i]->power = power_of(m, terms[i]->exponent);
+        terms[i]->power = cor_motion_power(m, terms[i]->exponent);
     m->power[1].c[0] = u;
     m->v[0] = v;
     m->t[0] = m->loss[0] = 0;

@@ -60,6 +60,9 @@ struct motion {
 /* Sets the powers of the terms, and the start u, v at t = 0. Returns 0 where the exponents need too many powers. */
 int cor_motion_init(struct motion *m, double u, double v);
 
+/* Adds a power of u to the series, and returns its place in `power`. */
+int cor_motion_power(struct motion *m, int exponent);
+
 /* Fills the coefficients from u, v and t at s = 0, and the longest step at which the last ones do not matter. Returns 0
  * where a coefficient is so large that a product of two would leave the doubles. */
 int cor_motion_expand(struct motion *m);

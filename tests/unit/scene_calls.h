@@ -107,7 +107,7 @@ static void scene_sets_draw(size_t i, struct bit_source *source)
 
 static double speed_m_s, eps, damping, e, speed_ratio, yield_stress_pa, yield_speed_m_s, overlap_m, requested, value,
     liquid_speed_m_s, viscosity_pa_s, gap_outer_m, gap_inner_m, adhesion_j_m2, distance_m, tangential_eps, steps,
-    tolerance, frequency, zeta, gravity_m_s2, solimp[5];
+    tolerance, frequency, zeta, gravity_m_s2, solimp[5], friction, tangent;
 static int end, number, integrator, body, same_law, options;
 static enum cor_law law;
 static const struct cor_exponents *exponents;
@@ -123,14 +123,17 @@ static struct cor_simulator_request request[1];
 static struct cor_scene_contact contact[1], contacts[COR_SCENE_ENDS], corrected[1];
 static struct cor_scene_fault fault[1];
 static enum cor_simulator_status status[1];
+static struct cor_tangential tangential[1];
 static int count[1];
 static struct { /* what functions write */
     struct cor_scene_impact impact;
     struct cor_step_error error;
+    struct cor_oblique_impact oblique;
     double number[6];
 } out;
 static struct cor_scene_impact *const impact = &out.impact;
 static struct cor_step_error *const error = &out.error;
+static struct cor_oblique_impact *const oblique = &out.oblique;
 static double *const eps_at_end = &out.number[0], *const least_steps = &out.number[1], *const least = &out.number[2],
                      *const most = &out.number[3], *const stiffness_n_m = &out.number[4],
                      *const damping_n_s_m = &out.number[5];
@@ -140,7 +143,8 @@ static void scene_arguments_load(const struct scene_arguments *s)
     speed_m_s = eps = tangential_eps = damping = e = speed_ratio = requested = yield_stress_pa = yield_speed_m_s =
         overlap_m = s->x[0];
     value = adhesion_j_m2 = liquid_speed_m_s = viscosity_pa_s = s->x[1];
-    gap_outer_m = distance_m = gravity_m_s2 = s->x[2];
+    gap_outer_m = distance_m = gravity_m_s2 = friction = s->x[2];
+    tangent = s->x[3];
     zeta = s->x[1];
     frequency = s->number % 8 ? 1e3 : s->x[3];
     memcpy(solimp, (const double[]){0.5, 0.9, s->number % 8 ? 0.01 : s->x[2], 0.5, 2}, sizeof solimp);
@@ -172,6 +176,7 @@ static void scene_arguments_load(const struct scene_arguments *s)
                                                 .steps = steps,
                                                 .step_errors = s->end == 2 && steps > 0,
                                                 .integrator = COR_NO_INTEGRATOR};
+    tangential[0] = (struct cor_tangential){number % COR_TANGENTIAL_MEMORIES, same_law, number % 3, s->x[1], s->x[2]};
     memset(&out, 0, sizeof out);
 }
 

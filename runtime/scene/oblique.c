@@ -1,0 +1,441 @@
+/* SPDX-License-Identifier: MIT */
+/* Oblique impacts with friction (docs/theory.md, 20). In the units of the normal motion (motion.h) with x = u^d, the
+ * velocity w of the contact point and the force S of a spring that remembers q obey
+ *
+ *     dw/dt = -(S + gamma x^b w),     S = kappa x^r q,     dq/dt = x^(p-r) w
+ *
+ * while the contact sticks. r = p remembers the displacement and r = 0 the force; both are 1/2 larger on the way back
+ * if the memory shrinks with the contact radius. While the contact slips the force is the cap M |F|, and the spring
+ * holds that force. All of this is polynomial in u. */
+#include "cor/scene.h"
+
+#include <float.h>
+
+#include "runtime/scene/exponents.h"
+#include "runtime/scene/motion.h"
+
+enum { ORDER = MOTION_ORDER, MOST_STEPS = 20000, MOST_IDLE = 6, PARTS = 12, HALVINGS = 60 };
+#define TOLERANCE 1e-14 /* of a force relative to the largest one of the step, below which it is 0 */
+#define MOMENT 1e-9     /* of a step */
+#define POWER_MOST 1e280
+#define PRESS_MOST 1e12
+#define KAPPA_MOST 1e24
+#define JUMP 1e-10  /* of w, where it begins to creep */
+#define STRETCH 1.3 /* of the steps of motion.c, whose last terms are 1e-17; here 1e-14 suffices */
+
+/* STICKS: spring and damper act. SLIPS: the cap acts. CREEPS: a damper that acts only while the contact sticks holds w
+ * at the threshold between both. */
+enum mode { STICKS, SLIPS, CREEPS };
+
+struct slide {
+    struct motion m;
+    int memory, damper_in_cap, slips, d, mode, idle, parts; /* idle: changes of the mode at one place */
+    int least;                                  /* exponent of u that `held` has at least, and T u x^p, too */
+    int time, spring, rate, damper;             /* places of powers of u: T/d, x^r, T x^(p-r)/d, x^b */
+    int stiff, elastic, damping;                /* of T u x^p/d, x^a and x^b over u^least */
+    double p, r, kappa, gamma, cap, side, sign; /* side: direction of the slip force. sign: the sign of F */
+    double w, q, size;                          /* size: of w at the start */
+    double series_w[ORDER + 1], series_q[ORDER + 1], held[ORDER + 1], damped[ORDER + 1], test[2][ORDER + 1];
+};
+
+/* ---- series ---- */
+
+static double product_at(const double *x, const double *y, int n)
+{
+    double sum = 0;
+    for (int k = 0; k <= n; k++)
+        sum += x[k] * y[n - k];
+    return sum;
+}
+
+static double value_at(const double *c, double s)
+{
+    double y = c[ORDER];
+    for (int n = ORDER - 1; n >= 0; n--)
+        y = y * s + c[n];
+    return y;
+}
+
+static double slope_at(const double *c, double s)
+{
+    double y = ORDER * c[ORDER];
+    for (int n = ORDER - 1; n > 0; n--)
+        y = y * s + n * c[n];
+    return y;
+}
+
+/* Returns the first place up to `end` at which a series falls below zero, or infinity. Leading coefficients of zero,
+ * which series from x = 0 have, are divided out: next to x = 0 the test is relative. */
+static double first_fall(const double *series, double end)
+{
+    double c[ORDER + 1] = {0}, size = 0, power = 1; /* c: in parts of `end` */
+    int first = 0;
+    while (first < ORDER && series[first] == 0)
+        first++;
+    for (int n = 0; n <= ORDER - first && power < POWER_MOST; n++, power *= end) {
+        c[n] = series[n + first] * power;
+        size += fabs(c[n]);
+    }
+    const double level = -TOLERANCE * size;
+    if (c[0] < level)
+        return 0;
+    if (2 * c[0] > size) /* no other terms outweigh the first */
+        return INFINITY;
+    for (int i = 1; i <= PARTS; i++) {
+        double low = (double)(i - 1) / PARTS, high = (double)i / PARTS, middle;
+        if (value_at(c, high) >= level) {
+            if (!(slope_at(c, low) < 0 && slope_at(c, high) > 0))
+                continue;
+            double left = low, right = high; /* of a minimum */
+            for (int k = 0; k < HALVINGS && cor_halve(&middle, left, right); k++)
+                *(slope_at(c, middle) < 0 ? &left : &right) = middle;
+            high = right;
+            if (value_at(c, high) >= level)
+                continue;
+        }
+        for (int k = 0; k < HALVINGS && cor_halve(&middle, low, high); k++)
+            *(value_at(c, middle) >= level ? &low : &high) = middle;
+        return high * end;
+    }
+    return INFINITY;
+}
+
+static const double *power_series(const struct slide *s, int place)
+{
+    return s->m.power[place].c;
+}
+
+/* Sets w and q, and the forces up to the cap in both directions. */
+static void expand_stick(struct slide *s)
+{
+    const double *const x_r = power_series(s, s->spring), *const x_b = power_series(s, s->damper),
+                        *const slope = power_series(s, s->time), *const rate = power_series(s, s->rate);
+    double total[ORDER + 1], capped[ORDER + 1];
+    const double unit = s->m.unit * s->d;
+    s->series_w[0] = s->w;
+    s->series_q[0] = s->q;
+    for (int n = 0; n < ORDER; n++) {
+        const double spring = s->kappa * product_at(x_r, s->series_q, n),
+                     damper = s->gamma * product_at(x_b, s->series_w, n), cap = s->cap * s->sign * s->m.force[n];
+        total[n] = spring + damper;
+        capped[n] = spring + (s->damper_in_cap ? damper : 0);
+        s->series_w[n + 1] = -unit * product_at(slope, total, n) / (n + 1);
+        s->series_q[n + 1] = unit * product_at(rate, s->series_w, n) / (n + 1);
+        for (int k = 0; k < 2; k++)
+            s->test[k][n] = cap - (k == 0 ? 1 : -1) * capped[n];
+    }
+    s->test[0][ORDER] = s->test[1][ORDER] = 0;
+}
+
+/* Sets w, and `held`, the spring force in the direction of the slip over u^least: the cap less the damper in it. */
+static void expand_slip(struct slide *s)
+{
+    const struct motion *const m = &s->m;
+    const double *const x_a = power_series(s, s->elastic), *const x_b = power_series(s, s->damping),
+                        *const slope = power_series(s, s->time);
+    const double cap = s->cap * s->sign, press = m->press * m->unit * s->d,
+                 damper = s->damper_in_cap ? s->side * s->gamma : 0;
+    s->series_w[0] = s->w;
+    for (int n = 0; n < ORDER; n++) {
+        s->held[n] = cap * (m->spring[0].factor * x_a[n] + m->damper.factor * product_at(x_b, m->v, n)) -
+                     damper * product_at(x_b, s->series_w, n);
+        s->series_w[n + 1] = s->side * cap * (m->v[n + 1] - press * slope[n] / (n + 1));
+    }
+    s->held[ORDER] = 0;
+}
+
+/* The rate at which the spring force would grow, in the direction of the slip, less the rate of `held`, times T u over
+ * u^least. The contact slips while this is positive. Without w this is the second part. */
+static void expand_excess(struct slide *s, double *excess, const double *w)
+{
+    const double *const stiff = power_series(s, s->stiff), *const u = power_series(s, 1);
+    double rise[ORDER + 1] = {0}; /* of `held`, in s */
+    for (int n = 0; n < ORDER; n++)
+        rise[n] = (n + 1) * s->held[n + 1] / s->m.unit;
+    for (int n = 0; n < ORDER; n++)
+        excess[n] = (w ? s->side * s->kappa * s->d * product_at(stiff, w, n) : 0) - product_at(u, rise, n) +
+                    (s->r * s->d - s->least) * product_at(s->m.v, s->held, n);
+    excess[ORDER - 1] = excess[ORDER] = 0; /* need the coefficient of `held` that is not known */
+}
+
+/* Sets w to the threshold, and the tests: the cap alone keeps w below it, and with the damper above it. */
+static void expand_creep(struct slide *s)
+{
+    const double *const stiff = power_series(s, s->stiff), *const slope = power_series(s, s->time),
+                        *const x_b = power_series(s, s->damper);
+    double threshold[ORDER + 1];
+    expand_slip(s);
+    expand_excess(s, threshold, NULL);
+    for (int n = 0; n <= ORDER; n++) {
+        double rest = -s->side * threshold[n] / (s->kappa * s->d);
+        for (int k = 1; k <= n; k++)
+            rest -= stiff[k] * s->series_w[n - k];
+        s->series_w[n] = rest / stiff[0];
+    }
+    for (int n = 0; n < ORDER; n++) {
+        const double rise = s->side * (n + 1) * s->series_w[n + 1] / s->m.unit;
+        s->damped[n] = s->side * s->gamma * product_at(x_b, s->series_w, n);
+        s->test[0][n] = s->d * s->cap * s->sign * product_at(slope, s->m.force, n) + rise;
+        s->test[1][n] = -s->test[0][n] - s->d * product_at(slope, s->damped, n);
+    }
+    for (int k = 0; k < 2; k++)
+        s->test[k][ORDER - 2] = s->test[k][ORDER - 1] = s->test[k][ORDER] = 0;
+}
+
+/* ---- modes ---- */
+
+/* A step after which the last terms of w and q do not matter. Series from x = 0 have gaps. */
+static double tangential_step(const struct slide *s)
+{
+    const double size_q = s->size / fmax(1, sqrt(s->kappa));
+    double step = STRETCH * s->m.step;
+    for (int n = cor_motion_start(&s->m) > 0 ? ORDER - 2 : ORDER / 2; n <= ORDER; n++) {
+        const double q = s->mode == STICKS ? fabs(s->series_q[n]) / size_q : 0;
+        const double last = fmax(fabs(s->series_w[n]) / s->size, isless(q, INFINITY) ? q : 0);
+        if (last > 0)
+            step = fmin(step, STRETCH * 0.9 * pow(DBL_EPSILON / 8 / last, 1.0 / n));
+    }
+    return step;
+}
+
+/* Sets q of a contact that slipped, and now sticks, at x = 0: a damper in the cap leaves a spring force of the order of
+ * x^b, b < a. If b < r no finite q gives it: the spring pushes back to the cap on the other side. */
+static void stick_at_first_touch(struct slide *s)
+{
+    const int order = (int)lround(s->r * s->d);
+    s->q = s->least == order ? s->side * s->held[0] / s->kappa : 0;
+    if (s->least < order && s->held[0] != 0) {
+        s->mode = SLIPS;
+        s->side = -s->side;
+    }
+}
+
+/* Begins a mode, at the place of m. */
+static void change_mode(struct slide *s, int mode, double side)
+{
+    const int touches = cor_motion_start(&s->m) == 0;
+    mode = mode == CREEPS && touches ? STICKS : mode;
+    const int sticks = mode == STICKS && s->mode != STICKS;
+    s->mode = mode;
+    if (sticks && s->kappa > 0 && touches) {
+        stick_at_first_touch(s);
+    } else if (sticks && s->kappa > 0) {
+        const double damper = s->damper_in_cap ? s->gamma * power_series(s, s->damper)[0] * s->w : 0;
+        s->q = (s->side * s->cap * s->sign * s->m.force[0] - damper) / (s->kappa * power_series(s, s->spring)[0]);
+        s->side = side;
+    } else {
+        s->side = side;
+    }
+}
+
+/* Expands the tangential motion. Returns the place at which the mode ends, or the length of the step. */
+static double expand_mode(struct slide *s, int *next, double *side)
+{
+    double step, place[2] = {INFINITY, INFINITY};
+    *next = STICKS;
+    *side = s->side;
+    if (s->mode == STICKS)
+        expand_stick(s);
+    else if (s->mode == SLIPS)
+        expand_slip(s);
+    else
+        expand_creep(s);
+    if (s->mode == CREEPS && !(fabs(s->series_w[0] - s->w) < JUMP * s->size)) {
+        s->series_w[0] = s->w; /* next to x = 0 all forces are small, whatever w is */
+        return 0;
+    }
+    step = tangential_step(s);
+    if (!s->slips)
+        return step;
+    if (s->idle >= MOST_IDLE) /* rounding errors decide: any mode will do for a moment */
+        return *next = s->mode, step * MOMENT;
+    if (s->mode == SLIPS) {
+        if (s->memory == COR_REMEMBERS_NOTHING)
+            for (int n = 0; n <= ORDER; n++)
+                s->test[0][n] = -s->held[n];
+        else
+            expand_excess(s, s->test[0], s->series_w);
+        place[0] = first_fall(s->test[0], step);
+        if (!s->damper_in_cap && s->gamma > 0)
+            *next = CREEPS;
+    } else {
+        for (int k = 0; k < 2; k++)
+            place[k] = first_fall(s->test[k], step);
+        if (s->mode == STICKS || place[0] < place[1])
+            *next = SLIPS;
+        if (s->mode == STICKS)
+            *side = place[0] <= place[1] ? 1 : -1;
+    }
+    const double first = fmin(place[0], place[1]);
+    if (first < step)
+        return first;
+    *next = s->mode;
+    return step;
+}
+
+/* ---- an impact ---- */
+
+/* Sets the units of the normal motion: those of the speed, and smaller ones where damping or a constant force outweighs
+ * the inertia. Returns 0 where the motion leaves the doubles. */
+static int begin(struct slide *s, const struct cor_scene_contact *contact, const struct cor_tangential *tangential,
+                 double speed_m_s)
+{
+    const struct cor_exponents *const law = &contact->law;
+    const double a = cor_elastic(law), b = cor_damping(law), beta = cor_scene_beta(contact, speed_m_s);
+    const int twice = law->denominator % 2 ? 2 : 1, d = twice * law->denominator;
+    const double ratio = cor_quiet_quotient(contact->mass_kg, contact->stiffness);
+    const double time =
+        cor_quiet_product(cor_quiet_power(ratio, 1 / (a + 1)), cor_quiet_power(speed_m_s, (1 - a) / (1 + a)));
+    const double press = contact->force_n > 0 ? cor_quiet_quotient(cor_quiet_product(contact->force_n, time),
+                                                                   cor_quiet_product(contact->mass_kg, speed_m_s))
+                                              : 0;
+    double length = beta > 1 ? cor_quiet_power(beta, -1 / (b + 1)) : 1, unit = length;
+    if (press > 1) {
+        length = cor_quiet_power(press, 1 / a);
+        unit = sqrt(length / press);
+    }
+    struct motion *const m = &s->m;
+    m->time[0] = (struct motion_term){(double)d, d - 1, 0};
+    m->spring[0] = (struct motion_term){cor_quiet_power(length, a - 1) * unit * unit, twice * law->elastic, 0};
+    m->damper = (struct motion_term){beta * cor_quiet_power(length, b) * unit, twice * law->damping, 0};
+    m->time[1] = m->spring[1] = (struct motion_term){0, 0, 0};
+    m->press = press * unit * unit / length;
+    if (!cor_motion_init(m, 0, unit / length))
+        return 0;
+    m->follows_energy = press > 1;
+    s->d = d;
+    s->memory = tangential->kappa == 0 && tangential->damper_in_cap ? COR_REMEMBERS_NOTHING : tangential->memory;
+    s->damper_in_cap = tangential->damper_in_cap || s->memory == COR_REMEMBERS_NOTHING;
+    s->p = tangential->constant_stiffness ? 0 : a - 1;
+    s->kappa = s->memory == COR_REMEMBERS_NOTHING ? 0 : tangential->kappa * unit * unit * cor_quiet_power(length, s->p);
+    s->gamma = tangential->damping * unit * cor_quiet_power(length, b);
+    s->cap = length / unit;
+    return isless(press, PRESS_MOST) && isless(s->kappa, KAPPA_MOST);
+}
+
+/* Sets r, and the powers of u that it needs. */
+static int set_memory(struct slide *s, int returns)
+{
+    const int shrinks = s->memory == COR_REMEMBERS_DISPLACEMENT_RESCALED || s->memory == COR_REMEMBERS_FORCE_RESCALED;
+    const int force = s->memory == COR_REMEMBERS_FORCE || s->memory == COR_REMEMBERS_FORCE_RESCALED ||
+                      s->memory == COR_REMEMBERS_NOTHING;
+    const int pd = (int)lround(s->p * s->d), rd = (force ? 0 : pd) + (shrinks && returns ? s->d / 2 : 0);
+    struct motion *const m = &s->m;
+    s->r = (double)rd / s->d;
+    s->time = cor_motion_power(m, s->d - 1);
+    s->spring = cor_motion_power(m, rd > 0 ? rd : 0);
+    s->rate = cor_motion_power(m, s->d - 1 + pd - rd);
+    s->damper = cor_motion_power(m, m->damper.exponent);
+    const int ad = m->spring[0].exponent, bd = m->damper.exponent;
+    s->least = pd + s->d < ad ? pd + s->d : ad;
+    if (bd < s->least && (m->damper.factor > 0 || (s->gamma > 0 && s->damper_in_cap)))
+        s->least = bd;
+    s->stiff = cor_motion_power(m, pd + s->d - s->least);
+    s->elastic = cor_motion_power(m, ad - s->least);
+    s->damping = cor_motion_power(m, bd > s->least ? bd - s->least : 0);
+    return m->powers < MOTION_POWERS && rd >= 0 && pd + s->d >= 0;
+}
+
+/* Follows the impact to its end. Returns 0 where it takes too many steps. */
+static int follow(struct slide *s, int end)
+{
+    int next = STICKS, returns = 0;
+    double side = 1;
+    s->mode = STICKS;
+    s->side = s->sign = 1;
+    for (int k = 0; k < MOST_STEPS; k++) {
+        struct motion *const m = &s->m;
+        if (!cor_motion_expand(m))
+            return 0;
+        change_mode(s, next, side);
+        double step = expand_mode(s, &next, &side), force[ORDER + 1];
+        for (int n = 0; n <= ORDER; n++)
+            force[n] = s->sign * m->force[n];
+        const double parts = first_fall(m->power[1].c, step), vanishes = first_fall(force, step),
+                     turns = returns ? (double)INFINITY : first_fall(m->v, step);
+        const double first = fmin(parts, fmin(vanishes, turns));
+        if (first <= step) {
+            step = first;
+            next = s->mode;
+            side = s->side;
+        }
+        s->idle = step > 0 ? 0 : s->idle + 1;
+        if (step > 0)
+            s->parts |= s->mode == SLIPS ? COR_OBLIQUE_SLIPS : COR_OBLIQUE_STICKS;
+        s->w = value_at(s->series_w, step);
+        s->q = s->mode == STICKS ? value_at(s->series_q, step) : s->q;
+        m->step = step;
+        cor_motion_advance(m);
+        if (parts <= step || (vanishes <= step && end == COR_END_ZERO_FORCE))
+            return 1;
+        if (vanishes <= step) {
+            s->sign = -s->sign;
+            next = STICKS;
+        }
+        if (turns <= step) {
+            const double r = s->r;
+            returns = 1;
+            if (!set_memory(s, returns))
+                return 0;
+            s->q *= cor_quiet_power(whole_power(cor_motion_start(m), s->d), r - s->r);
+        }
+    }
+    return 0;
+}
+
+#ifdef __GNUC__
+#define NOT_INLINE static __attribute__((noinline))
+#else
+#define NOT_INLINE static
+#endif
+
+/* An impact with arguments in range. Not inline, so that its stack is not added to the one of cor_scene_eps */
+NOT_INLINE int follow_impact(struct cor_oblique_impact *oblique, const struct cor_scene_contact *contact,
+                             const struct cor_tangential *tangential, double friction, double speed_m_s, double tangent,
+                             int end)
+{
+    struct slide s;
+    if (!begin(&s, contact, tangential, speed_m_s) || !set_memory(&s, 0))
+        return COR_FAULT_RANGE;
+    const double speed = s.m.v[0];
+    s.slips = tangent > 0 && !cor_is_infinity(friction); /* the limit of small angles does not slip */
+    s.cap *= s.slips ? 3.5 * friction : 0;
+    s.w = s.size = tangent > 0 ? tangent : 1;
+    s.q = 0;
+    s.idle = s.parts = 0;
+    if (!follow(&s, end))
+        return COR_FAULT_PRESSED;
+    oblique->eps = contact->force_n > 0 ? oblique->eps : fmax(-s.m.v[0] / speed, 0);
+    oblique->restitution = s.w / s.size;
+    oblique->rebound_tangent = cor_quiet_quotient(cor_quiet_product(tangent, oblique->restitution), oblique->eps);
+    oblique->impulse = tangent * (1 - oblique->restitution) / 3.5;
+    oblique->regime = s.parts;
+    return COR_FAULT_NONE;
+}
+
+static int is_within(double x, double largest)
+{
+    return isgreaterequal(x, 0) && x <= largest;
+}
+
+int cor_scene_oblique(struct cor_oblique_impact *oblique, const struct cor_scene_contact *contact,
+                      const struct cor_tangential *tangential, double friction, double speed_m_s, double tangent,
+                      int end)
+{
+    const int memory = tangential->memory,
+              rescaled = memory == COR_REMEMBERS_DISPLACEMENT_RESCALED || memory == COR_REMEMBERS_FORCE_RESCALED;
+    *oblique = (struct cor_oblique_impact){NAN, NAN, NAN, NAN, 0};
+    if (!cor_contact_is_sound(contact) || !is_within(cor_scene_beta(contact, speed_m_s), COR_OBLIQUE_MOST) ||
+        !(is_within(friction, COR_OBLIQUE_MOST) || cor_is_infinity(friction)) ||
+        !is_within(tangent, COR_OBLIQUE_MOST) || !is_within(tangential->kappa, COR_OBLIQUE_MOST) ||
+        !is_within(tangential->damping, COR_OBLIQUE_MOST) || memory < 0 || memory >= COR_TANGENTIAL_MEMORIES ||
+        (rescaled && tangential->constant_stiffness) || !cor_scene_has_end(contact, end) || contact->plate ||
+        contact->plastic || contact->liquid_speed_m_s > 0 || contact->adhesion_j_m2 > 0)
+        return COR_FAULT_RANGE;
+    if (contact->force_n > 0) {
+        const int status = cor_scene_eps(&oblique->eps, contact, speed_m_s, end);
+        if (status != COR_FAULT_NONE || oblique->eps == 0)
+            return status;
+    }
+    return follow_impact(oblique, contact, tangential, friction, speed_m_s, tangent, end);
+}

@@ -1,0 +1,380 @@
+/* SPDX-License-Identifier: MIT */
+/* Oblique impacts with friction, against docs/theory.md, 20, limits, and an integration by another method */
+#include "../reference/ode.h"
+#include "scene.h"
+
+/* ---- another method: the displacement, force or rescaled memory z in y = {u, x', w, z}, x = u^d ---- */
+
+struct reference {
+    struct cor_exponents law; /* d = law.denominator, which is even */
+    long double beta, press, kappa, gamma, cap, side, sign;
+    int memory, in_cap, returns, p, least; /* p: exponent of the stiffness times d. least: of the terms of `excess` */
+    enum { STICKS, SLIPS, CREEPS } mode;
+};
+
+static long double power(long double u, int n)
+{
+    return n < 0 ? 1 / motion_power(u, -n) : motion_power(u, n);
+}
+
+static long double normal_force(const long double *y, const struct reference *r)
+{
+    return power(y[0], r->law.elastic) + r->beta * power(y[0], r->law.damping) * y[1];
+}
+
+static int remembers_force(const struct reference *r)
+{
+    return r->memory == COR_REMEMBERS_FORCE || r->memory == COR_REMEMBERS_FORCE_RESCALED;
+}
+
+/* Half of d on the way back of a rescaled memory */
+static int shrinks(const struct reference *r)
+{
+    const int rescaled = r->memory == COR_REMEMBERS_DISPLACEMENT_RESCALED || r->memory == COR_REMEMBERS_FORCE_RESCALED;
+    return rescaled && r->returns ? r->law.denominator / 2 : 0;
+}
+
+static long double spring_per_z(const long double *y, const struct reference *r)
+{
+    return (remembers_force(r) ? 1 : r->kappa * power(y[0], r->p)) * power(y[0], shrinks(r));
+}
+
+static long double damper(const long double *y, const struct reference *r)
+{
+    return r->gamma * power(y[0], r->law.damping) * y[2];
+}
+
+static long double capped(const long double *y, const struct reference *r)
+{
+    return spring_per_z(y, r) * y[3] + (r->in_cap ? damper(y, r) : 0);
+}
+
+/* The spring force of the slip, in its direction */
+static long double held(const long double *y, const struct reference *r)
+{
+    return r->cap * r->sign * normal_force(y, r) - (r->in_cap ? r->side * damper(y, r) : 0);
+}
+
+/* The growth of the spring force less that of `held`, over x^(least - 1) */
+static long double excess(const long double *y, const struct reference *r)
+{
+    const int d = r->law.denominator, a = r->law.elastic, b = r->law.damping, m = r->least;
+    const long double v = y[1], f = normal_force(y, r), cap = r->cap * r->sign;
+    const long double rise =
+        cap * (power(y[0], a - m) * v * a / d +
+               r->beta * (power(y[0], b - m) * v * v * b / d + power(y[0], b + d - m) * (r->press - f)));
+    const long double of_damper =
+        r->in_cap && r->gamma > 0
+            ? r->gamma * (power(y[0], b - m) * v * y[2] * b / d - power(y[0], b + d - m) * r->side * cap * f)
+            : 0;
+    const long double share = (remembers_force(r) ? 0 : r->p) + shrinks(r); /* x'/x of the force, times d */
+    if (r->memory == COR_REMEMBERS_NOTHING)
+        return -held(y, r);
+    return r->side * r->kappa * power(y[0], r->p + d - m) * y[2] - rise + r->side * of_damper +
+           share / d * v *
+               (cap * (power(y[0], a - m) + r->beta * power(y[0], b - m) * v) -
+                (r->in_cap && r->gamma > 0 ? r->side * r->gamma * power(y[0], b - m) * y[2] : 0));
+}
+
+/* w at which `excess` is 0, without a damper in the cap */
+static long double threshold(const long double *y, const struct reference *r)
+{
+    const long double still[] = {y[0], y[1], 0, 0};
+    return -r->side * excess(still, r) / (r->kappa * power(y[0], r->p + r->law.denominator - r->least));
+}
+
+static void reference_slopes(long double *slope, const long double *y, const void *of)
+{
+    const struct reference *const r = of;
+    const long double time = r->law.denominator * power(y[0], r->law.denominator - 1);
+    slope[0] = y[1];
+    slope[1] = time * (r->press - normal_force(y, r));
+    slope[2] = r->mode == STICKS ? -time * (spring_per_z(y, r) * y[3] + damper(y, r))
+                                 : -time * r->side * r->sign * r->cap * normal_force(y, r);
+    slope[3] = r->law.denominator * y[2] * (remembers_force(r) ? r->kappa * power(y[0], r->p) : 1) *
+               power(y[0], r->law.denominator - 1 - shrinks(r));
+}
+
+static long double room_above(const long double *y, const void *of)
+{
+    const struct reference *const r = of;
+    return r->mode == STICKS ? r->sign * r->cap * normal_force(y, r) - capped(y, r) : 1;
+}
+
+static long double room_below(const long double *y, const void *of)
+{
+    const struct reference *const r = of;
+    return r->mode == STICKS ? r->sign * r->cap * normal_force(y, r) + capped(y, r) : 1;
+}
+
+static long double slip_goes_on(const long double *y, const void *of)
+{
+    const struct reference *const r = of;
+    return r->mode == SLIPS ? excess(y, r) : 1;
+}
+
+static long double force_left(const long double *y, const void *of)
+{
+    const struct reference *const r = of;
+    return r->sign * normal_force(y, r);
+}
+
+static long double speed_left(const long double *y, const void *of)
+{
+    return ((const struct reference *)of)->returns ? 1 : y[1];
+}
+
+/* The acceleration of the slip, or of the damped slip with `damped`, less that of the threshold, in its direction */
+static long double over_threshold(const long double *y, const struct reference *r, int damped)
+{
+    const long double f = normal_force(y, r), step = 1e-6L;
+    const long double w[] = {y[0], y[1], threshold(y, r), 0};
+    long double side[2];
+    for (int k = 0; k < 2; k++) { /* by a difference, along the motion */
+        long double slope[4], at[4] = {y[0], y[1], w[2], 0};
+        reference_slopes(slope, y, r);
+        for (int j = 0; j < 2; j++)
+            at[j] += (k == 0 ? -1 : 1) * step * slope[j];
+        side[k] = threshold(at, r);
+    }
+    const long double time = r->law.denominator * power(y[0], r->law.denominator - 1);
+    return -time * (r->cap * r->sign * f + (damped ? r->side * damper(w, r) : 0)) -
+           r->side * (side[1] - side[0]) / (2 * step);
+}
+
+static long double creep_below(const long double *y, const void *of)
+{
+    const struct reference *const r = of;
+    return r->mode == CREEPS ? -over_threshold(y, r, 0) : 1;
+}
+
+static long double creep_above(const long double *y, const void *of)
+{
+    const struct reference *const r = of;
+    return r->mode == CREEPS ? over_threshold(y, r, 1) : 1;
+}
+
+static void stick(long double *y, struct reference *r)
+{
+    y[3] = r->kappa > 0 ? r->side * held(y, r) / spring_per_z(y, r) : 0;
+    r->mode = STICKS;
+}
+
+/* The mode after a slip that no longer grows */
+static void end_slip(long double *y, struct reference *r)
+{
+    r->mode = CREEPS;
+    if (r->in_cap || r->gamma == 0 || creep_above(y, r) <= 0)
+        stick(y, r);
+}
+
+/* u'/u */
+static long double reference_restitution(struct reference *r, long double tangent, int end)
+{
+    enum { OVERLAP, ABOVE, BELOW, SLIP, FORCE, SPEED, CREEP_BELOW, CREEP_ABOVE, VALUES, STEPS = 20000 };
+    static ode_value *const value[VALUES] = {motion_overlap, room_above, room_below,  slip_goes_on,
+                                             force_left,     speed_left, creep_below, creep_above};
+    struct ode o = {.slopes = reference_slopes, .of = r, .n = 4, .longest = 0.02L, .error = 1e-15L, .h = 1e-4L};
+    const int d = r->law.denominator, a = r->law.elastic, b = r->law.damping;
+    const long double u = 1e-8L, early[] = {u, 1, tangent, 0}; /* the first terms decide the first mode */
+    const long double first = r->kappa * power(u, r->p + d) * tangent / (remembers_force(r) ? 1 + r->p / (double)d : 1);
+    long double y[4] = {0, 1, tangent, 0};
+    r->side = r->sign = 1;
+    r->returns = 0;
+    r->least = r->p + d < a ? r->p + d : a;
+    r->least = (r->beta > 0 || r->gamma > 0) && b < r->least ? b : r->least;
+    r->mode = first + (r->in_cap ? damper(early, r) : 0) > r->cap * normal_force(early, r) ? SLIPS : STICKS;
+    if (r->mode == SLIPS && excess(early, r) <= 0) { /* the damper filled the cap */
+        if (!remembers_force(r) && b < r->p) {
+            r->side = -1;
+        } else {
+            y[3] = held(early, r) / spring_per_z(early, r);
+            r->mode = STICKS;
+        }
+    }
+    for (int k = 0; k < STEPS; k++) {
+        int found = ode_until(&o, y, value, VALUES);
+        for (int i = ABOVE; i <= SLIP && found < 0; i++) /* one that was 0 at the start of the step */
+            found = value[i](y, r) < 0 ? i : found;
+        o.h = found < 0 ? o.h : 1e-7L;
+        if (r->mode == CREEPS)
+            y[2] = threshold(y, r);
+        if (found == OVERLAP || (found == FORCE && end == COR_END_ZERO_FORCE))
+            return y[2] / tangent;
+        if (found == ABOVE || found == BELOW || found == CREEP_BELOW) {
+            r->side = found == CREEP_BELOW ? r->side : found == ABOVE ? 1 : -1;
+            r->mode = SLIPS;
+        } else if (found == SLIP) {
+            end_slip(y, r);
+        } else if (found == CREEP_ABOVE) {
+            stick(y, r);
+        } else if (found == FORCE) {
+            r->sign = -1;
+            r->mode = SLIPS;
+            r->side = 1;
+            if (excess(y, r) <= 0)
+                r->side = -1;
+            if (excess(y, r) <= 0)
+                stick(y, r);
+        } else if (found == SPEED) {
+            y[3] /= power(y[0], (r->returns = 1, shrinks(r)));
+        }
+    }
+    return NAN;
+}
+
+/* ---- the tests ---- */
+
+static struct cor_scene_contact contact_of(int law, double beta, double press)
+{
+    struct cor_scene_contact c = {
+        .law = cor_law_exponents[law], .mass_kg = 1, .stiffness = 1, .radius_m = 1, .force_n = press};
+    cor_scene_set_damping(&c, COR_SCENE_DAMPING_COEFFICIENT, beta, 1, 0);
+    return c;
+}
+
+static double restitution(const struct cor_scene_contact *c, const struct cor_tangential *t, double mu, double tangent,
+                          int end)
+{
+    struct cor_oblique_impact oblique;
+    assert_int_equal(cor_scene_oblique(&oblique, c, t, mu, 1, tangent, end), COR_OK);
+    return oblique.restitution;
+}
+
+/* An impact at 1 m/s */
+struct impact {
+    int law, end, memory, constant_stiffness, damper_in_cap;
+    double beta, press, kappa, damping, mu, tangent;
+};
+
+static void compare(const struct impact *i)
+{
+    const struct cor_tangential t = {i->memory, i->constant_stiffness, i->damper_in_cap, i->kappa, i->damping};
+    const struct cor_scene_contact c = contact_of(i->law, i->beta, i->press);
+    const struct cor_exponents *const e = &c.law;
+    const int twice = e->denominator == 1 ? 2 : 1, nothing = t.memory == COR_REMEMBERS_NOTHING;
+    struct reference r = {.law = {twice * e->elastic, twice * e->damping, twice * e->denominator},
+                          .beta = i->beta,
+                          .press = i->press,
+                          .kappa = nothing ? 0 : t.kappa,
+                          .gamma = t.damping,
+                          .cap = 3.5 * (long double)i->mu,
+                          .memory = t.memory,
+                          .in_cap = t.damper_in_cap || nothing,
+                          .p = t.constant_stiffness ? 0 : twice * (e->elastic - e->denominator)};
+    struct cor_oblique_impact oblique;
+    assert_int_equal(cor_scene_oblique(&oblique, &c, &t, i->mu, 1, i->tangent, i->end), COR_OK);
+    if (isnan(oblique.eps) || oblique.eps == 0) /* held by the constant force */
+        return;
+    const double other = (double)reference_restitution(&r, i->tangent, i->end);
+    check(fabs(oblique.restitution - other) < 1e-9,
+          "law %d end %d beta %.17g press %.17g memory %d constant %d in cap %d kappa %.17g damping %.17g mu %.17g "
+          "tangent %.17g: %.15g, not %.15g",
+          i->law, i->end, i->beta, i->press, t.memory, t.constant_stiffness, t.damper_in_cap, t.kappa, t.damping, i->mu,
+          i->tangent, oblique.restitution, other);
+}
+
+/* 500 impacts of every model, law and end */
+TEST(against_another_method)
+{
+    static const int laws[] = {COR_LAW_VISCOELASTIC, COR_LAW_LINEAR, COR_LAW_TSUJI, COR_LAW_HUNT_CROSSLEY,
+                               COR_LAW_HERTZ_DASHPOT};
+    /* a damper outside the cap holds w where slip and stick meet; a damper that fills the cap at the first touch */
+    static const struct impact rare[] = {
+        {COR_LAW_HERTZ_DASHPOT, 1, COR_REMEMBERS_FORCE, 0, 0, 0.05, 0, 4, 0.7, 0.32, 1.8},
+        {COR_LAW_TSUJI, 0, COR_REMEMBERS_DISPLACEMENT, 0, 1, 0.1, 0, 4, 0.9, 0.1, 0.5},
+        {COR_LAW_TSUJI, 0, COR_REMEMBERS_DISPLACEMENT, 0, 1, 0, 0, 4, 0.1, 0.3, 0.5},
+        {COR_LAW_VISCOELASTIC, 1, COR_REMEMBERS_DISPLACEMENT, 0, 1, 0.1, 0, 4, 0.9, 0.1, 0.5}};
+    for (size_t k = 0; k < COUNT_OF(rare); k++)
+        compare(&rare[k]);
+    for (size_t k = points(few_or_all(60, 500)); k > 0; k--) {
+        struct impact i = {.law = laws[random_below(&draw, COUNT_OF(laws))],
+                           .end = (int)random_below(&draw, 2),
+                           .memory = (int)random_below(&draw, COR_TANGENTIAL_MEMORIES),
+                           .damper_in_cap = (int)random_below(&draw, 2),
+                           .beta = random_below(&draw, 3) ? random_log(&draw, 0.03, 0.6) : 0,
+                           .press = random_below(&draw, 4) ? 0 : random_log(&draw, 0.01, 0.2),
+                           .kappa = random_log(&draw, 0.5, 20),
+                           .mu = random_log(&draw, 0.1, 1)};
+        const int rescaled =
+            i.memory == COR_REMEMBERS_DISPLACEMENT_RESCALED || i.memory == COR_REMEMBERS_FORCE_RESCALED;
+        i.constant_stiffness = !rescaled && random_below(&draw, 4) == 0;
+        i.law = rescaled && i.law == COR_LAW_LINEAR ? COR_LAW_VISCOELASTIC : i.law; /* it has no contact radius */
+        i.damping = random_below(&draw, 2) || i.memory == COR_REMEMBERS_NOTHING ? random_log(&draw, 0.03, 1) : 0;
+        i.tangent = random_log(&draw, 0.1, 10) * 3.5 * i.mu / i.kappa;
+        compare(&i);
+    }
+}
+
+/* u'/u of elastic spheres whose displacement is remembered; u/v = w L, L = 7 mu/(2 kappa) (docs/theory.md, 20) */
+TEST(table_of_the_theory)
+{
+    static const double nus[] = {0, 0.3, 0.5}, ws[] = {0.1, 0.25, 0.5, 1, 2, 4, 8};
+    static const double table[][7] = {{1.0395523, 1.0440268, 1.0513419, 1.0625110, 0.5654061, -0.1626901, -0.2275090},
+                                      {0.9547583, 0.9543906, 0.9525804, 0.8970736, 0.0501002, -0.3476886, -0.0808824},
+                                      {0.5471572, 0.5264477, 0.4601048, 0.2238834, -0.3517573, -0.4249138, 0.1250000}};
+    const struct cor_scene_contact c = contact_of(COR_LAW_VISCOELASTIC, 0, 0);
+    for (size_t i = 0; i < COUNT_OF(nus); i++)
+        for (size_t k = 0; k < COUNT_OF(ws); k++) {
+            const struct cor_tangential t = {.kappa = 10.5 * (1 - nus[i]) / (2 - nus[i])};
+            for (double mu = 0.01; mu < 20; mu *= 30)
+                check(fabs(restitution(&c, &t, mu, ws[k] * 3.5 * mu / t.kappa, COR_END_ZERO_FORCE) - table[i][k]) <
+                          6e-8,
+                      "nu = %g, w_0 = %g", nus[i], ws[k]);
+        }
+}
+
+/* No slip, gross slip, no friction, friction that holds at once, no speed along the surface */
+TEST(limits)
+{
+    for (int memory = 0; memory < COR_TANGENTIAL_MEMORIES; memory++)
+        EACH (kappa, 0.3, 2, 4.5, 9) {
+            const struct cor_tangential t = {.memory = memory, .kappa = *kappa};
+            const struct cor_scene_contact c = contact_of(COR_LAW_VISCOELASTIC, 0, 0),
+                                           l = contact_of(COR_LAW_LINEAR, 0.2, 0);
+            struct cor_oblique_impact o, still;
+            assert_int_equal(cor_scene_oblique(&o, &c, &t, INFINITY, 1, 2, 0), COR_OK);
+            assert_int_equal(cor_scene_oblique(&still, &c, &t, 0.3, 1, 0, 0), COR_OK);
+            assert_true(o.regime == COR_OBLIQUE_STICKS && still.regime == COR_OBLIQUE_STICKS);
+            assert_true(fabs(o.restitution - still.restitution) < 1e-13 && still.rebound_tangent == 0);
+            assert_true(fabs(o.eps - 1) < 1e-12 && fabs(o.impulse - 2 * (1 - o.restitution) / 3.5) < 1e-14);
+            if (memory == COR_REMEMBERS_DISPLACEMENT || memory == COR_REMEMBERS_FORCE)
+                check(fabs(o.restitution - cor_tangential_no_slip(*kappa, 1.5)) < 1e-11, "%d %g", memory, *kappa);
+            assert_true(restitution(&c, &t, 0, 2, 0) == 1);
+            if (memory == COR_REMEMBERS_NOTHING)
+                continue;
+            assert_int_equal(cor_scene_oblique(&o, &c, &t, 0.1, 1, 30, 1), COR_OK);
+            assert_true(o.regime == COR_OBLIQUE_SLIPS && fabs(o.rebound_tangent - 30 + 0.7) < 1e-11);
+            /* a damped contact sticks at first, for less and less time, and loses little by it */
+            const double damped = restitution(&l, &t, 0.01, 1e4, 1), eps = scene_eps(&l, 1, 1);
+            check(fabs(1e4 * (1 - damped) - 0.035 * (1 + eps)) < 1e-6, "%.12g", damped);
+        }
+    /* stuck: the spring holds, and the damper takes all */
+    const struct cor_scene_contact d = contact_of(COR_LAW_LINEAR, 0.5, 0);
+    const struct cor_tangential stiff = {.kappa = 1e-3, .damping = 60, .damper_in_cap = 1};
+    assert_true(fabs(restitution(&d, &stiff, 1e6, 1, 0)) < 1e-3);
+}
+
+TEST(refused_numbers)
+{
+    const struct cor_scene_contact c = contact_of(COR_LAW_VISCOELASTIC, 0.1, 0);
+    struct cor_scene_contact plate = c, wet = c, sticky = c, held = contact_of(COR_LAW_VISCOELASTIC, 1, 0.3);
+    const struct cor_tangential good = {.kappa = 4};
+    struct cor_tangential bad[] = {{.kappa = -1}, {.kappa = NAN}, {.kappa = 1, .damping = -1}, {.memory = 5}};
+    struct cor_oblique_impact o;
+    plate.plate = 1;
+    wet.liquid_speed_m_s = 0.1;
+    sticky.adhesion_j_m2 = 0.1;
+    for (size_t i = 0; i < COUNT_OF(bad); i++)
+        assert_int_equal(cor_scene_oblique(&o, &c, &bad[i], 0.3, 1, 1, 0), COR_FAULT_RANGE);
+    EACH (x, -1, NAN)
+        assert_true(cor_scene_oblique(&o, &c, &good, *x, 1, 1, 0) == COR_FAULT_RANGE &&
+                    cor_scene_oblique(&o, &c, &good, 0.3, *x, 1, 0) == COR_FAULT_RANGE &&
+                    cor_scene_oblique(&o, &c, &good, 0.3, 1, *x, 0) == COR_FAULT_RANGE && isnan(o.restitution));
+    assert_true(cor_scene_oblique(&o, &plate, &good, 0.3, 1, 1, 0) == COR_FAULT_RANGE &&
+                cor_scene_oblique(&o, &wet, &good, 0.3, 1, 1, 0) == COR_FAULT_RANGE &&
+                cor_scene_oblique(&o, &sticky, &good, 0.3, 1, 1, 0) == COR_FAULT_RANGE);
+    assert_true(cor_scene_oblique(&o, &held, &good, 0.3, 1, 1, 0) == COR_OK && isnan(o.restitution) && o.regime == 0);
+}
+
+RUN_TESTS(table_of_the_theory, limits, refused_numbers, against_another_method)
