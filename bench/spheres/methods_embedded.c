@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Code that a user compiles: generated/cor_sphere.h, for every beta, and truncated series, Padés and two-point Padés of
+/* Code that a user compiles: generated/cor_sphere.h, for every beta. Truncated series, Padés and two-point Padés of
  * growing order (approximants.sh). Headers of corgen embed for the ordinary scene with falling tolerance, in double and
  * float. This file is compiled once for each set of flags. ADD is the name of its only function, SET the instruction
  * set, and INSTRUCTIONS its name in the table, NULL for plain flags. With vectors all rows are loops. */
