@@ -82,8 +82,9 @@ struct contact_arguments {
     struct decimal steps, time_step, step_tolerance, friction, tangential;
     int integrator; /* enum cor_integrator; OPTIONS_NOT_GIVEN: that of the simulator */
     bool step_corrected;
-    const char *simulator, *plot; /* NULL: not given */
-    const char *version;          /* of the simulator; NULL: any */
+    const char *simulator, *plot;  /* NULL: not given */
+    const char *version;           /* of the simulator; NULL: any */
+    const char *materials, *pairs; /* files of several materials; NULL: two bodies */
 };
 
 struct sample_arguments {

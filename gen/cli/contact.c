@@ -185,10 +185,17 @@ static int print_own(const struct contact_arguments *o, const struct own_law *la
 
 /* ---- the command ---- */
 
+/* Lines of several materials, of a contact, or a list */
 static int print_for_simulator(const struct contact_arguments *o, const struct contacts *contacts)
 {
-    const struct cor_simulator_request request = request_of(o, contacts);
-    char *const text = contact_simulator_text(&request);
+    struct cor_simulator_request request = request_of(o, contacts);
+    struct cor_scene scene;
+    if (o->materials && embed_request_scene(&scene, &o->scene) != STATUS_OK)
+        return STATUS_USAGE;
+    scene.solver = contact_enclosed;
+    request.scene = o->materials ? &scene : request.scene;
+    char *const text =
+        o->materials ? contact_materials_text(request, o->materials, o->pairs) : contact_simulator_text(&request);
     if (!text)
         return STATUS_USAGE;
     const int status = output_text(o->common.output, text);
@@ -202,9 +209,11 @@ static int run_contact(const void *arguments)
     struct contacts contacts;
     if (o->plot && gnuplot_check(o->plot) != STATUS_OK)
         return STATUS_USAGE;
-    /* a list, or a name that is none, needs no contact */
-    if (o->simulator &&
-        ((o->version && strcmp(o->version, CONTACT_SIMULATOR_LIST) == 0) || !cor_simulator_named(o->simulator)))
+    if (o->materials && !o->simulator)
+        return usage_error("--materials needs --for SIMULATOR, as --for lammps; --for list names them");
+    /* a list, a name that is none, and materials need no contact */
+    if (o->simulator && (o->materials || (o->version && strcmp(o->version, CONTACT_SIMULATOR_LIST) == 0) ||
+                         !cor_simulator_named(o->simulator)))
         return print_for_simulator(o, NULL);
     struct own_law own;
     int status = own_law_init(&own, &o->scene);
@@ -234,7 +243,7 @@ const char help_contact[] = HELP_CONTACT_TEXT;
 
 static const char help[] =
     "Usage: corgen contact BODIES DISSIPATION [--law L] [--speed LIST] [OPTION]...\n\n"
-    "One contact of two bodies, from what is known of it: dissipation time A, g*, beta or zeta, and\n"
+    "One contact of two bodies: dissipation time A, g*, beta or zeta, and\n"
     "for each impact speed eps, durations, largest overlap and force, and a time step.\n"
     "A contact ends at zero overlap, or at zero force, where the force would become attractive.\n" HELP_CONTACT
     "\nOutput:\n"
@@ -244,12 +253,13 @@ static const char help[] =
     "  --steps N        time_step_s is the shortest duration over N (default " DEFAULT_STEPS ")\n"
     "  --time-step DT   time_step_s is DT, s\n"
     "  --step-tolerance T   time_step_s is the largest at which bias and scatter stay below T\n"
-    "                   each of the three adds step_bias, the mean error of eps over the phases of the\n"
-    "                   first step, and step_scatter, its standard deviation\n"
+    "                   each of the three adds step_bias and step_scatter, mean and standard deviation of\n"
+    "                   the error of eps over the phases of the first step\n"
     "  --step-corrected   also the damping that makes it 0, and the factor to it\n"
     "  --integrator I   verlet-half-step (default, LAMMPS; the next two give the same), leapfrog,\n"
     "                   symplectic-euler, verlet-full-step; with --for that of the simulator\n"
     "  --for HOST       lines for the input of a simulator, such as LAMMPS; --for list names them\n"
+    "  --materials FILE, --pairs FILE   for it, csv of several materials (docs/contact.md)\n"
     "  --simulator-version V   for this version, as '29 Sep 2021' or 3.8.1; list names the models\n"
     "  --friction MU    of spheres, without --speed, --for: kappa, the tangential velocity after over before\n"
     "                   an elastic impact without slip, and the angle up to which it sticks when they touch\n"
@@ -268,6 +278,12 @@ static const struct option_numbers steps_numbers = {{"1", "1e9", true, true, tru
 static const struct option_numbers tolerance_numbers = {
     {"1e-5", "1", true, true, true, "a number from 1e-5 to 1, the error of eps"}, DECIMAL_PLAIN};
 
+/* The options of one contact except its law and end, which several materials have instead */
+#define ONE_CONTACT                                                                                                    \
+    " young poisson radius density mass young-2 poisson-2 radius-2 density-2 mass-2 wall plate-thickness gravity "     \
+    "adhesion yield-stress viscosity-liquid gap-outer gap-inner stiffness effective-mass duration dissipation-time "   \
+    "dissipation-time-2 viscosity viscosity-2 g-star restitution damping-coefficient beta zeta at"
+
 #define ARGUMENTS struct contact_arguments
 static const struct option_rule options[] = {
     SCENE_OPTIONS(NULL, NULL, ""),
@@ -282,6 +298,8 @@ static const struct option_rule options[] = {
            .needs = "speed"),
     OPTION("for", TEXT, simulator, .range.words = contact_simulator_names, .excludes = "format plot"),
     OPTION("simulator-version", TEXT, version, .needs = "for"),
+    OPTION("materials", TEXT, materials, .needs = "speed", .excludes = "plot format friction" ONE_CONTACT),
+    OPTION("pairs", TEXT, pairs, .needs = "materials"),
     OPTION("friction", REAL, friction, .range.number = &option_not_negative, .excludes = "for speed"),
     OPTION("tangential-restitution", REAL, tangential, .scene = &cor_scene_options[COR_SCENE_RESTITUTION],
            .excludes = "for speed"),

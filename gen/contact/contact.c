@@ -112,8 +112,9 @@ const char *const contact_simulator_names[] = {
 
 static long write_text(char *text, size_t size, const struct cor_simulator_request *request)
 {
-    return request->contacts ? cor_simulator_lines(text, size, request)
-                             : cor_simulator_list(text, size, cor_simulator_named(request->simulator));
+    return request->contacts || request->materials
+               ? cor_simulator_lines(text, size, request)
+               : cor_simulator_list(text, size, cor_simulator_named(request->simulator));
 }
 
 char *contact_simulator_text(const struct cor_simulator_request *request)
@@ -167,5 +168,105 @@ char *contact_own_lines(const struct own_law *law, const struct embed_request *r
             decimal_text(max, largest * margin), options, at + strlen(word), known->comment, known->comment_end);
     fclose(file);
     free(options);
+    return text;
+}
+
+/* ---- several materials ---- */
+
+enum { CONTACT_MOST_MATERIALS = 64 };
+enum { NAME, YOUNG, POISSON, DENSITY, RADIUS, RADIUS_MAX, TIME, WALL, LINE, MATERIAL_COLUMNS };
+static const char material_columns[] =
+    "name,young_pa,poisson,density_kg_m3,radius_m,radius_max_m,dissipation_time_s,wall";
+enum { A, B, RESTITUTION, AT, END, PAIR_LINE, PAIR_COLUMNS };
+
+/* Reads a number of a row in the range of a number of a scene. NaN: an empty cell. Returns an exit status */
+static int read_cell(double *value, const char *option, const struct table *t, char *const *row, int column,
+                     enum cor_scene_number number, bool needed)
+{
+    const struct cor_scene_option *const range = &cor_scene_options[number];
+    struct decimal d = {0};
+    *value = NAN;
+    if (*row[column] == '\0' && !needed)
+        return STATUS_OK;
+    if (decimal_parse(&d, row[column], DECIMAL_EXPONENT_DIGITS) && d.forms == DECIMAL_PLAIN)
+        *value = decimal_value(&d);
+    decimal_clear(&d);
+    return cor_option_allows(range, *value)
+               ? STATUS_OK
+               : usage_error("--%s, line %s, %s: '%s' is not %s", option, row[t->columns - 1], t->column[column],
+                             row[column], range->allowed);
+}
+
+static int read_material(struct cor_material *m, const struct table *t, char *const *row)
+{
+    const bool wall = strcmp(row[WALL], "1") == 0;
+    double density;
+    m->name = row[NAME];
+    if (!wall && *row[WALL] && strcmp(row[WALL], "0") != 0)
+        return usage_error("--materials, line %s, wall: '%s' is not 0, 1 or empty", row[LINE], row[WALL]);
+    if (wall && (*row[RADIUS] || *row[RADIUS_MAX]))
+        return usage_error("--materials, line %s: a wall has no radius; leave radius_m and radius_max_m empty",
+                           row[LINE]);
+    if (read_cell(&m->body.young_modulus_pa, "materials", t, row, YOUNG, COR_SCENE_YOUNG, true) ||
+        read_cell(&m->body.poisson_ratio, "materials", t, row, POISSON, COR_SCENE_POISSON, true) ||
+        read_cell(&density, "materials", t, row, DENSITY, COR_SCENE_DENSITY, !wall) ||
+        read_cell(&m->body.radius_m, "materials", t, row, RADIUS, COR_SCENE_RADIUS, !wall) ||
+        read_cell(&m->radius_max_m, "materials", t, row, RADIUS_MAX, COR_SCENE_RADIUS, false) ||
+        read_cell(&m->body.dissipation_time_s, "materials", t, row, TIME, COR_SCENE_DISSIPATION_TIME, false))
+        return STATUS_USAGE;
+    m->body.mass_kg = wall ? INFINITY : cor_sphere_mass_kg(m->body.radius_m, density);
+    m->body.radius_m = wall ? INFINITY : m->body.radius_m;
+    return STATUS_OK;
+}
+
+static int read_pair(struct cor_material_pair *p, const struct table *t, char *const *row,
+                     const struct table *materials)
+{
+    size_t *const place[] = {&p->a, &p->b};
+    for (int k = A; k <= B; k++) {
+        const size_t count = (size_t)(materials->cells / MATERIAL_COLUMNS);
+        for (*place[k] = 0; *place[k] < count; ++*place[k])
+            if (strcmp(row[k], materials->cell[*place[k] * MATERIAL_COLUMNS + NAME]) == 0)
+                break;
+        if (*place[k] == count)
+            return usage_error("--pairs, line %s, %s: '%s' is not a name of --materials", row[PAIR_LINE], t->column[k],
+                               row[k]);
+    }
+    for (p->end = 0; contact_end_options[p->end] && strcmp(row[END], contact_end_options[p->end]) != 0;)
+        p->end++;
+    if (*row[END] && !contact_end_options[p->end])
+        return usage_error("--pairs, line %s, end: '%s' is not zero-overlap, zero-force or empty", row[PAIR_LINE],
+                           row[END]);
+    p->end = *row[END] ? p->end : COR_BOTH_ENDS;
+    const int status = read_cell(&p->restitution, "pairs", t, row, RESTITUTION, COR_SCENE_RESTITUTION, true);
+    return status == STATUS_OK ? read_cell(&p->at_m_s, "pairs", t, row, AT, COR_SCENE_AT, false) : status;
+}
+
+char *contact_materials_text(struct cor_simulator_request request, const char *materials, const char *pairs)
+{
+    struct table m = {0}, p = {0};
+    int status = table_read(&m, "materials", materials, material_columns, 5);
+    if (status == STATUS_OK && pairs)
+        status = table_read(&p, "pairs", pairs, "a,b,restitution,at_m_s,end", 3);
+    const size_t count = (size_t)(m.cells / MATERIAL_COLUMNS), measured = (size_t)(p.cells / PAIR_COLUMNS);
+    struct cor_material *const material = xmalloc((count + 1) * sizeof *material);
+    struct cor_material_pair *const pair = xmalloc((measured + 1) * sizeof *pair);
+    if (count > CONTACT_MOST_MATERIALS)
+        status = usage_error("--materials: %zu materials; allowed: up to %d", count, CONTACT_MOST_MATERIALS);
+    for (size_t k = 0; k < count && status == STATUS_OK; k++)
+        status = read_material(&material[k], &m, &m.cell[k * MATERIAL_COLUMNS]);
+    for (size_t k = 0; k < measured && status == STATUS_OK; k++)
+        status = read_pair(&pair[k], &p, &p.cell[k * PAIR_COLUMNS], &m);
+    request.materials = material;
+    request.material_count = count;
+    request.pairs = pair;
+    request.pair_count = measured;
+    request.memory = status == STATUS_OK ? xmalloc(count * count * sizeof *request.memory) : NULL;
+    char *const text = status == STATUS_OK ? contact_simulator_text(&request) : NULL;
+    free(request.memory);
+    free(material);
+    free(pair);
+    table_clear(&m);
+    table_clear(&p);
     return text;
 }

@@ -77,4 +77,8 @@ extern const char *const contact_simulator_names[]; /* of cor_simulators, then t
  * simulator cannot realise this contact, or there is no such simulator. A list takes no contacts. */
 char *contact_simulator_text(const struct cor_simulator_request *request);
 
+/* The same for all contacts of the materials of a csv file, and of another one with measured pairs, or NULL. The
+ * request has a scene for law and end. */
+char *contact_materials_text(struct cor_simulator_request request, const char *materials, const char *pairs);
+
 #endif

@@ -333,6 +333,96 @@ void table_init(struct table *t, const char *header, const char *kinds)
     }
 }
 
+/* Splits a line at its commas into trimmed fields without quotes. Returns their number, at most `most`. */
+static int split_fields(char **field, int most, char *line)
+{
+    int count = 0;
+    while (line && count < most) {
+        char *const comma = strchr(line, ',');
+        if (comma)
+            *comma = '\0';
+        line += strspn(line, " \t");
+        size_t length = strlen(line);
+        while (length > 0 && strchr(" \t\r", line[length - 1]))
+            length--;
+        const bool quoted = length > 1 && *line == '"' && line[length - 1] == '"';
+        line[length - quoted] = '\0';
+        field[count++] = line + quoted;
+        line = comma ? comma + 1 : NULL;
+    }
+    return count;
+}
+
+/* Sets place[k] to the field of the header that is column k of the table, or to -1. Returns what is wrong, or NULL. */
+static char *read_header(int *place, const struct table *t, char *const *field, int fields, int required)
+{
+    for (int k = 0; k < t->columns - 1; k++) {
+        place[k] = -1;
+        for (int i = 0; i < fields; i++)
+            if (strcmp(field[i], t->column[k]) == 0 && place[k] >= 0)
+                return xprintf("the column %s is there twice", field[i]);
+            else if (strcmp(field[i], t->column[k]) == 0)
+                place[k] = i;
+        if (place[k] < 0 && k < required)
+            return xprintf("the column %s is missing", t->column[k]);
+    }
+    for (int i = 0; i < fields; i++) {
+        int k = 0;
+        while (k < t->columns - 1 && place[k] != i)
+            k++;
+        if (k == t->columns - 1)
+            return xprintf("the column '%s' is unknown", field[i]);
+    }
+    return NULL;
+}
+
+int table_read(struct table *t, const char *option, const char *path, const char *columns, int required)
+{
+    enum { COLUMNS = 16, MOST = 1 << 24 };
+    int place[COLUMNS], fields = 0, number = 0;
+    size_t size;
+    char *const all = xprintf("%s,line", columns), *const bytes = read_file(path, MOST, &size), *wrong = NULL;
+    table_init(t, all, "");
+    free(all);
+    if (!bytes)
+        return usage_error("--%s %s: %s", option, path, strerror(errno));
+    if (strlen(bytes) != size)
+        wrong = xstrdup("a zero byte");
+    char *const start = strncmp(bytes, "\xef\xbb\xbf", 3) == 0 ? bytes + 3 : bytes; /* behind a byte order mark */
+    for (char *line = start, *next; line && !wrong; line = next) {
+        char *field[COLUMNS];
+        next = strchr(line, '\n');
+        if (next)
+            *next++ = '\0';
+        number++;
+        const int found = line[strspn(line, " \t\r")] == '\0' || *line == '#' ? 0 : split_fields(field, COLUMNS, line);
+        for (int i = 0; i < found && !wrong; i++) {
+            char *const shown = xprintable(field[i]);
+            wrong = strcmp(shown, field[i]) == 0 ? NULL : xprintf("'%s' is not text in UTF-8", field[i]);
+            free(shown);
+        }
+        if (wrong || found == 0)
+            continue;
+        if (fields == 0) {
+            wrong = read_header(place, t, field, fields = found, required);
+            continue;
+        }
+        wrong = found == fields ? NULL : xprintf("%d fields, where the header has %d", found, fields);
+        for (int k = 0; k < t->columns - 1 && !wrong; k++)
+            table_add(t, xstrdup(place[k] < 0 ? "" : field[place[k]]));
+        if (!wrong)
+            table_add_integer(t, number);
+    }
+    if (!wrong && t->cells == 0)
+        wrong = xstrdup(fields ? "no row follows the header" : "no header, a line with the names of columns");
+    const int status = wrong ? usage_error("--%s %s, line %d: %s; allowed: csv with the columns %s", option, path,
+                                           number, wrong, columns)
+                             : STATUS_OK;
+    free(wrong);
+    free(bytes);
+    return status;
+}
+
 void table_add(struct table *t, char *cell)
 {
     t->cell = xgrow(t->cell, (size_t)t->cells, sizeof *t->cell);

@@ -538,10 +538,11 @@ struct cor_simulator_model {
     const char *version; /* that was run or read */
     const char *advice;  /* a sentence for the user */
 
-    /* Templates of lines for the input, and of lines for a sphere and a wall; NULL: none. Words in braces stand for
-     * numbers and texts of the contact (runtime/scene/lines.c). A line that starts with a question mark is left out
-     * where its numbers are not known. {pair} repeats a line for the pairs of two types, like pairs as comments. */
-    const char *lines, *wall_lines;
+    /* Templates of lines for the input, of lines for a sphere and a wall, and of lines for several materials; NULL:
+     * none. Words in braces stand for numbers and texts of the contact (runtime/scene/lines.c). A line that starts with
+     * a question mark is left out where its numbers are not known. {pair} repeats a line for the pairs of two types,
+     * like pairs as comments. In `many` the first letter of a line repeats it (repeats_line in lines.c). */
+    const char *lines, *wall_lines, *many;
     enum cor_simulator_pairs pairs;
     enum cor_simulator_mass mass;
     int any_spring;    /* e is realised on a linear spring, too */
@@ -567,6 +568,7 @@ struct cor_simulator {
     double wall_divides;
     const char *wall;    /* a sentence about that */
     const char *density; /* a sentence where the density of the bodies is not known; NULL: none */
+    int one_wall;        /* all walls are of one material */
 
     /* For spheres that yield: a sentence; or the name of Luding's model with a template of its lines; or NULL */
     const char *yielding, *luding, *luding_lines;
@@ -611,6 +613,30 @@ double cor_mujoco_eps(const double solimp[5], double frequency, double zeta, dou
  * neither. */
 long cor_simulator_version(const char *text);
 
+/* One of several materials, of balls or of a wall. The name consists of letters, digits, blanks, and _ - . */
+struct cor_material {
+    const char *name;
+    struct cor_body body; /* the smallest ball; radius and mass are infinite: a wall; dissipation time NaN: not known */
+    double radius_max_m;  /* of the largest ball, of the same density; NaN: all balls have one radius */
+};
+
+/* A restitution measured between the smallest balls of materials a and b, counted from 0, or a ball and a wall. at_m_s
+ * NaN: at every speed, where q = 0. end: COR_BOTH_ENDS: the end of the scene */
+struct cor_material_pair {
+    size_t a, b;
+    double restitution, at_m_s;
+    int end;
+};
+
+/* The contact of two materials, filled by cor_simulator_lines */
+struct cor_material_contact {
+    struct cor_scene scene;
+    struct cor_scene_contact contact[COR_SCENE_ENDS];
+    int count;
+    const struct cor_material_pair *measured; /* NULL: the damping is that of the dissipation times */
+    double number;                            /* of the model in the lines */
+};
+
 /* What cor_simulator_lines prints. The end of the scene is that at which contacts are to end. With a wall the lines
  * make the contact of a sphere and a wall. */
 struct cor_simulator_request {
@@ -627,6 +653,12 @@ struct cor_simulator_request {
     double step_tolerance;
     int step_errors, step_corrected;
     int integrator; /* enum cor_integrator; COR_NO_INTEGRATOR: that of the simulator */
+    /* Several materials, instead of contacts, with a scene without numbers, for its law, end and solver. NULL: two
+     * bodies. memory: material_count^2 elements for the function */
+    const struct cor_material *materials;
+    const struct cor_material_pair *pairs; /* those that were measured */
+    size_t material_count, pair_count;
+    struct cor_material_contact *memory;
 };
 
 /* Writes the lines by which a simulator realises a contact, as a text that can be put into its input whole. One block
@@ -634,6 +666,9 @@ struct cor_simulator_request {
  * Other models follow as comments. Where the simulator does not have the law, the lines hold at one speed: that of the
  * restitution, or the only one of the request. Under gravity the numbers are those of the contact, and eps is that
  * under gravity. Contacts that adhere have no lines.
+ * With materials the block has the lines of all their contacts, and one time step. A contact that was not measured has
+ * the dissipation times of both materials; where one is not known, it is that of the measured contact of two balls of
+ * this material.
  * As snprintf: writes at most `size` characters, the last of which is 0, and returns the length that the whole text
  * has. Negative: the simulator cannot realise the contact, or the request is incomplete; the text says why, in less
  * than COR_SIMULATOR_REASON characters. */

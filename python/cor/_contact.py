@@ -25,7 +25,7 @@ def raise_text(text: Any) -> None:
     raise ValueError(re.sub(r"--([a-z][a-z0-9-]*)", lambda name: name[1].replace("-", "_"), string(text)))
 
 
-def _number(name: str, value: Any) -> float:
+def option_number(name: str, value: Any) -> float:
     option = ffi.addressof(lib.cor_scene_options, _NUMBERS.index(name))
     made = float(number(name, value))
     if not lib.cor_option_allows(option, made):
@@ -103,7 +103,7 @@ class Contact:
         for name, value in numbers.items():
             if name not in _NUMBERS:
                 raise TypeError(f"{name!r} is not an argument; allowed: {', '.join(_NUMBERS)}")
-            scene.number[_NUMBERS.index(name)] = _number(name, value)
+            scene.number[_NUMBERS.index(name)] = option_number(name, value)
         pressed = "gravity" in numbers or scene.adhesion_model == lib.COR_ADHESION_DMT
         jkr = scene.adhesion_model == lib.COR_ADHESION_JKR
         self.ends = ("tail", "largest_pull") if jkr else ("zero_overlap", "surface" if pressed else "zero_force")

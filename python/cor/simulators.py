@@ -8,15 +8,15 @@ A contact is a cor.Contact; or one cor.Body or a pair of them, or nothing, with 
 import math
 import os
 import re
-from typing import Any, Callable, Dict, List, NamedTuple, Optional, Tuple, Union
+from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._contact import Contact, raise_text
+from ._contact import Contact, option_number, raise_text
 from ._cor import ffi, lib
 from ._evaluate import like, number, one_of, string
-from .contact import Body
+from .contact import Body, sphere_mass_kg
 
 _Bodies = Union[Contact, Body, Tuple[Body, Body], None]
 _INTEGRATORS = [string(lib.cor_integrator_names[i]) for i in range(lib.COR_INTEGRATORS)]
@@ -90,10 +90,66 @@ def realised(simulator: str, model: str, e: ArrayLike) -> Any:
     return like([e], result[()])
 
 
+_MATERIAL = {"young_pa": "young", "poisson": "poisson", "density_kg_m3": "density", "radius_m": "radius"}
+_MATERIAL.update(radius_max_m="radius", dissipation_time_s="dissipation_time", wall="")
+_PAIR = {"restitution": "restitution", "at_m_s": "at"}
+
+
+def _row(argument: str, row: Mapping[str, Any], texts: Tuple[str, ...], numbers: Dict[str, str]) -> Dict[str, Any]:
+    """The cells of a row of materials or pairs; numbers are NaN where they are not given."""
+    unknown = [name for name in row if name not in texts and name not in numbers]
+    if unknown:
+        raise ValueError(f"{argument}: the column {unknown[0]!r} is unknown; allowed: {', '.join((*texts, *numbers))}")
+    cells: Dict[str, Any] = {name: "" if row.get(name) is None else str(row[name]) for name in texts}
+    for column, name in numbers.items():
+        given = row.get(column)
+        try:
+            cells[column] = math.nan if given is None or given == "" else float(given)
+            if name and not math.isnan(cells[column]):
+                option_number(name, cells[column])
+        except ValueError as error:
+            raise ValueError(f"{argument}: {column}: {error}") from None
+    return cells
+
+
+def _many(request: Any, materials: Sequence[Mapping[str, Any]], pairs: Sequence[Mapping[str, Any]]) -> List[Any]:
+    """Puts several materials into a request. Returns what must live as long as it."""
+    rows = [_row("materials", row, ("name",), _MATERIAL) for row in materials]
+    measured = [_row("pairs", row, ("a", "b", "end"), _PAIR) for row in pairs]
+    names = [row["name"] for row in rows]
+    made = ffi.new("struct cor_material[]", len(rows) or 1)
+    of_pairs = ffi.new("struct cor_material_pair[]", len(measured) or 1)
+    memory = ffi.new("struct cor_material_contact[]", len(rows) ** 2 or 1)
+    kept: List[Any] = [made, of_pairs, memory, *(ffi.new("char[]", _text("materials", name)) for name in names)]
+    for k, row in enumerate(rows):
+        wall = row["wall"] == 1
+        for column in ("young_pa", "poisson", *(() if wall else ("density_kg_m3", "radius_m"))):
+            if math.isnan(row[column]):
+                raise ValueError(f"materials: {row['name']}: {column} is missing")
+        if not (wall or math.isnan(row["wall"]) or row["wall"] == 0) or wall and not math.isnan(row["radius_m"]):
+            raise ValueError(f"materials: {row['name']}: wall is 0, 1 or empty, and a wall has no radius")
+        radius = math.inf if wall else row["radius_m"]
+        mass = math.inf if wall else float(sphere_mass_kg(radius, row["density_kg_m3"]))
+        made[k].name, made[k].radius_max_m = kept[3 + k], row["radius_max_m"]
+        made[k].body = (row["young_pa"], row["poisson"], row["dissipation_time_s"], radius, mass)
+    for k, row in enumerate(measured):
+        if row["a"] not in names or row["b"] not in names or math.isnan(row["restitution"]):
+            raise ValueError(f"pairs: {row['a']}, {row['b']}: a restitution and two names of materials are needed")
+        of_pairs[k].a, of_pairs[k].b = names.index(row["a"]), names.index(row["b"])
+        of_pairs[k].restitution, of_pairs[k].at_m_s = row["restitution"], row["at_m_s"]
+        end = row["end"]
+        of_pairs[k].end = one_of("pairs: end", end, ("zero_overlap", "zero_force")) if end else lib.COR_BOTH_ENDS
+    request.materials, request.pairs, request.memory = made, of_pairs, memory
+    request.material_count, request.pair_count = len(rows), len(measured)
+    return kept
+
+
 def lines(
     simulator: str,
     contact: _Bodies = None,
     *,
+    materials: Optional[Sequence[Mapping[str, Any]]] = None,
+    pairs: Sequence[Mapping[str, Any]] = (),
     speeds: ArrayLike = (),
     version: Optional[str] = None,
     time_step: Optional[float] = None,
@@ -103,10 +159,20 @@ def lines(
     **scene: Any,
 ) -> str:
     """The lines by which a simulator realises a contact, to be put into its input whole: what corgen contact --for
-    prints. ValueError says why there are none. speeds: impact speeds for which the text says what is realised."""
-    made = _contact(contact, scene)
-    _positive(time_step=time_step, steps=steps, step_tolerance=step_tolerance)
+    prints. ValueError says why there are none. speeds: impact speeds for which the text says what is realised.
+
+    materials: instead of a contact, rows as those of csv.DictReader with the columns of corgen contact --materials;
+    pairs: rows of the measured pairs. Keywords are then law, elastic, damping and end, and speeds are needed."""
     request = ffi.new("struct cor_simulator_request *")
+    if materials is None:
+        made = _contact(contact, scene)
+    elif contact is not None or set(scene) - {"law", "elastic", "damping", "end"} or not np.size(speeds):
+        raise TypeError("materials: allowed with speeds, law, elastic, damping and end, and without a contact")
+    else:
+        made = Contact(restitution=0.5, at=1.0, **scene)  # for its law and end
+        made._scene.number = [math.nan] * lib.COR_SCENE_NUMBERS
+        kept = _many(request, materials, pairs)  # noqa: F841
+    _positive(time_step=time_step, steps=steps, step_tolerance=step_tolerance)
     name, array, number = ffi.new("char[]", _text("simulator", simulator)), *_speeds(speeds)
     version_text = _version(version)
     request.simulator, request.version = name, version_text

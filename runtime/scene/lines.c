@@ -165,7 +165,8 @@ struct task {
     /* For each end at which the restitution may have been measured, or the contact of the request */
     struct cor_scene_contact contact[CONTACTS][COR_SCENE_ENDS];
     struct cor_simulator_target target[CONTACTS];
-    struct cor_simulator_request softened; /* of soften_wall */
+    struct cor_simulator_request own; /* of soften_wall, or of one contact of several materials */
+    size_t i, j;                      /* types of this contact, from 0 */
     struct cor_scene_contact soft[COR_SCENE_ENDS];
     double k1, hardening, depth;        /* of put_luding: k_1, k_p/k_1, plasticity depth */
     char law[NUMBER];                   /* its name */
@@ -184,6 +185,36 @@ static int refuse_task(struct task *task, const char *format, ...)
     return 0;
 }
 
+/* Several materials: types are their balls, in the order of the request, and then their walls. */
+static int is_wall(const struct cor_material *material)
+{
+    return cor_is_infinity(material->body.radius_m);
+}
+
+static size_t count_balls(const struct cor_simulator_request *request)
+{
+    size_t balls = 0;
+    for (size_t k = 0; k < request->material_count; k++)
+        balls += !is_wall(&request->materials[k]);
+    return balls;
+}
+
+static const struct cor_material *material_of(const struct cor_simulator_request *request, size_t type)
+{
+    const struct cor_material *m = request->materials;
+    const size_t balls = count_balls(request), before = type < balls ? type : type - balls;
+    for (size_t found = 0; is_wall(m) != (type >= balls) || found++ < before;)
+        m++;
+    return m;
+}
+
+/* The contact of two types in any order; of two walls, which never touch, that of the first ball and the second wall */
+static struct cor_material_contact *contact_of(const struct cor_simulator_request *request, size_t i, size_t j)
+{
+    const size_t first = i < j ? i : j, last = i < j ? j : i;
+    return &request->memory[(first < count_balls(request) ? first : 0) * request->material_count + last];
+}
+
 /* A model with its numbers for each pair */
 struct block {
     const struct cor_simulator_model *model;
@@ -192,6 +223,17 @@ struct block {
     double time_step_s;        /* NaN: not known */
     char reason[SENTENCE];     /* why it has no numbers, or has none that are corrected */
 };
+
+/* Turns the numbers of words to the contact of types i and j. */
+static void turn_to_contact(struct task *task, struct block *block, size_t i, size_t j)
+{
+    const struct cor_material_contact *const c = contact_of(task->request, i, j);
+    task->i = i;
+    task->j = j;
+    task->target[PAIR].scene = &c->scene;
+    task->target[PAIR].contacts = c->contact;
+    block->number[PAIR] = c->number;
+}
 
 /* True if the request is of two spheres that differ */
 static int bodies_differ(const struct cor_scene *scene)
@@ -263,7 +305,9 @@ static int is_requested(const struct cor_simulator_model *model, const struct ta
 /* Whether lines of the model can be printed, but for their numbers */
 static int model_suits(const struct cor_simulator_model *model, const struct task *task, int has_law)
 {
-    return model->lines && is_requested(model, task) && (!task->request->scene->wall || model->wall_lines) &&
+    return (task->request->materials ? model->many != NULL
+                                     : model->lines && (!task->request->scene->wall || model->wall_lines)) &&
+           is_requested(model, task) &&
            (has_law ? cor_simulator_has_law(model, task->request->contacts)
                     : cor_simulator_has_one_eps(model, task->request->contacts));
 }
@@ -500,20 +544,29 @@ static void put_embed(struct text *t, const struct task *task)
 static double word_number(const char *word, const struct block *block, const struct task *task, int pair)
 {
     const struct cor_simulator_target *const target = &task->target[pair];
-    const struct cor_body one = cor_scene_body(target->scene, 1), two = cor_scene_body(target->scene, 2);
+    const struct cor_simulator_request *const r = task->request;
+    const struct cor_body one = r->materials ? material_of(r, task->i)->body : cor_scene_body(target->scene, 1),
+                          two = cor_scene_body(target->scene, 2);
+    const double i = (double)task->i, j = (double)task->j,
+                 types = r->materials ? (double)r->material_count : task->types;
     const int known = cor_is_moderate(target->contacts, 1);
     const double k = known ? target->contacts->stiffness : (double)NAN,
                  m = known ? target->contacts->mass_kg : (double)NAN,
                  radius = known ? target->contacts->radius_m : (double)NAN, kn = cor_quiet_quotient(k, sqrt(radius)),
                  number = block->number[pair];
     const double positive = isgreater(number, 0) ? number : (double)NAN, l = log(positive);
-    const double nu = one.poisson_ratio, density = cor_scene_body_density(target->scene, 1);
-    const int alike = !cor_scene_materials_differ(target->scene) && one.dissipation_time_s == two.dissipation_time_s;
+    const double nu = one.poisson_ratio,
+                 density = !r->materials         ? cor_scene_body_density(target->scene, 1)
+                           : isinf(one.radius_m) ? (double)NAN
+                                                 : cor_scene_body_density(&contact_of(r, task->i, task->i)->scene, 1);
+    const int alike = r->materials ||
+                      (!cor_scene_materials_differ(target->scene) && one.dissipation_time_s == two.dissipation_time_s);
     const struct {
         const char *word;
         double value;
     } words[] = {{"n", number},
                  {"n/2", number / 2},
+                 {"nR", number * radius},
                  {"root", sqrt(number)},
                  {"K", k},
                  {"2K", 2 * k},
@@ -540,6 +593,10 @@ static double word_number(const char *word, const struct block *block, const str
                  {"kp/k1", task->hardening},
                  {"depth", task->depth},
                  {"dt", block->time_step_s},
+                 {"types", types},
+                 {"i", i + 1},
+                 {"j", j + 1},
+                 {"k", i * ((r->materials ? (double)count_balls(r) : 0) - (i + 1) / 2) + j + 1},
                  {"0", 0},
                  {"1", 1}};
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
@@ -558,8 +615,7 @@ static const char *word_text(const char *word, const struct task *task, int pair
     } words[] = {{"model", hooke ? "hooke" : "hertz"},
                  {"Model", hooke ? "Hooke" : "Hertz"},
                  {"pair", two && pair < PAIRS ? pairs[pair] : "* *"},
-                 {"types", two ? "2" : "1"},
-                 {"s", two ? "s" : ""}};
+                 {"s", two || task->request->material_count > 1 ? "s" : ""}};
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (strcmp(words[i].word, word) == 0)
             return words[i].text;
@@ -583,16 +639,31 @@ static void put_density(struct text *t, const char *word, const struct block *bl
     put_text(t, isnan(density) ? "" : ", ");
 }
 
+/* {contact}: the types of the contact, i or i_j; {plane}: the variable with the plane of wall j */
+static void put_types(struct text *t, const char *word, const struct task *task)
+{
+    const int plane = strcmp(word, "plane") == 0;
+    put_text(t, plane ? "${cor_wall_" : "");
+    put_text(t, plane ? "" : TEXT((double)task->i + 1));
+    put_text(t, plane || task->i == task->j ? "" : "_");
+    put_text(t, plane || task->i != task->j ? TEXT((double)task->j + 1) : "");
+    put_text(t, plane ? "}" : "");
+}
+
 /* A word for the pair; t->known becomes 0 if its number is not known. {X[]} is the matrix of X for all pairs of types,
- * {X[i]} the list of X of all bodies. */
+ * {X[,]} the same with commas, {X[i]} the list of X of all bodies. */
 static void put_word(struct text *t, const char *word, const struct block *block, const struct task *task, int pair)
 {
     static const int order[] = {LIKE_1, PAIR, PAIR, LIKE_2};
-    const int two = task->types == 2, name = (int)strcspn(word, "["), matrix = strcmp(word + name, "[]") == 0;
+    const int two = task->types == 2, many = task->request->materials != NULL, name = (int)strcspn(word, "["),
+              matrix = word[name] && word[name + 1] != 'i';
+    const size_t types = many ? task->request->material_count : two ? 2 : 1;
     const char *const text = word_text(word, task, pair);
     char of_two[WORD + 1];
     if (text) {
         put_text(t, text);
+    } else if (strcmp(word, "contact") == 0 || strcmp(word, "plane") == 0) {
+        put_types(t, word, task);
     } else if (strcmp(word, "embed") == 0) {
         put_embed(t, task);
     } else if (strncmp(word, "density", strlen("density")) == 0) {
@@ -600,10 +671,14 @@ static void put_word(struct text *t, const char *word, const struct block *block
     } else if (word[name] == '\0') {
         put_number(t, word, block, task, pair);
     } else {
-        for (int i = 0; i < (!two ? 1 : matrix ? 4 : 2); i++) {
-            snprintf(of_two, sizeof of_two, "%.*s%s", name, word, !matrix && i > 0 ? "2" : "");
-            put_text(t, i > 0 ? " " : "");
-            put_number(t, of_two, block, task, matrix && two ? order[i] : PAIR);
+        for (size_t i = 0; i < types * (matrix ? types : 1); i++) {
+            struct task of_types = *task;
+            struct block number = *block;
+            snprintf(of_two, sizeof of_two, "%.*s%s", name, word, !many && !matrix && i > 0 ? "2" : "");
+            if (many)
+                turn_to_contact(&of_types, &number, matrix ? i / types : i, matrix ? i % types : i);
+            put_text(t, i == 0 ? "" : word[name + 1] == ',' ? ", " : " ");
+            put_number(t, of_two, &number, &of_types, matrix && two ? order[i] : PAIR);
         }
     }
 }
@@ -649,7 +724,7 @@ static int put_template(struct text *t, const char *template, const struct block
         t->known = 1;
         for (int i = task->types == 2 && line_has(template, "{pair}") ? 0 : 2; i < PAIRS; i++) {
             put_text(t, order[i] == PAIR ? "" : task->simulator->comment);
-            next = put_line(t, template + optional, block, task, order[i]);
+            next = put_line(t, template + (optional || *template == '-'), block, task, order[i]);
         }
         if (!t->known && optional)
             *t = before;
@@ -778,7 +853,7 @@ static void put_realised(struct text *t, const struct block *block, const struct
     }
     if (speeds == 0 && constant)
         put_comment(t, "realises eps = %s at every speed", TEXT(realised_eps(block, task, 1)));
-    else if (!task->has_law)
+    else if (!task->has_law && !request->materials)
         put_comment(t, "Right at %s m/s alone: %s does not have the law of the contact.", TEXT(block->speed_m_s),
                     task->simulator->title);
     else if (speeds == 0)
@@ -799,6 +874,17 @@ static void put_own_e(struct text *t, const struct block *block, const struct ta
                 task->simulator->title, TEXT(block->number[PAIR]), TEXT(eps), TEXT(back));
 }
 
+static void put_setup(struct text *t, const struct block *block, const struct task *task)
+{
+    const struct cor_simulator *const s = task->simulator;
+    t->commented++;
+    put_template(t, s->setup, block, task);
+    t->commented--;
+    if (!task->request->version && !cor_model_has_version(block->model, s->packaged))
+        put_comment(t, "%s %s, which Debian 12 has, lacks this model; --simulator-version %s asks for another one.",
+                    s->title, s->version, s->version);
+}
+
 /* All of a model: comments, lines and time step. Returns whether the numbers are known. */
 static int put_block(struct text *t, const struct block *block, const struct task *task, const char *instead)
 {
@@ -817,14 +903,8 @@ static int put_block(struct text *t, const struct block *block, const struct tas
     put_pairs(t, block, task);
     if (task->simulator->density && isnan(cor_scene_body_density(task->request->scene, 1)))
         put_comment(t, "%s", task->simulator->density);
-    if (!*instead) {
-        t->commented++;
-        put_template(t, task->simulator->setup, block, task);
-        t->commented--;
-        if (!task->request->version && !cor_model_has_version(model, task->simulator->packaged))
-            put_comment(t, "%s %s, which Debian 12 has, lacks this model; --simulator-version %s asks for another one.",
-                        task->simulator->title, task->simulator->version, task->simulator->version);
-    }
+    if (!*instead)
+        put_setup(t, block, task);
     t->commented += *instead != '\0';
     const int known = put_template(t, task->request->scene->wall ? model->wall_lines : model->lines, block, task);
     if (!isnan(block->time_step_s) && task->simulator->time_step)
@@ -1001,9 +1081,9 @@ static void soften_wall(struct task *task)
             cor_scene_set_damping(&task->soft[i], COR_SCENE_RESTITUTION, number[COR_SCENE_RESTITUTION],
                                   number[COR_SCENE_AT], end == COR_BOTH_ENDS ? i : end);
     }
-    task->softened = *task->request;
-    task->softened.contacts = task->soft;
-    task->request = &task->softened;
+    task->own = *task->request;
+    task->own.contacts = task->soft;
+    task->request = &task->own;
 }
 
 /* Finds the speed, and its eps, for a simulator without the law of the contact. False if the request lacks them */
@@ -1038,23 +1118,41 @@ static int find_speed(struct task *task)
     return 1;
 }
 
+/* True if a simulator has lines, and, of a request of several materials, lines for them */
+static int has_lines(const struct cor_simulator *simulator, const struct task *task)
+{
+    int many = task->request->materials == NULL;
+    for (int i = 0; i < simulator->model_count; i++)
+        many = many || simulator->models[i].many;
+    return simulator->comment && many;
+}
+
+/* Finds the simulator. Refuses a name without lines. */
+static int find_simulator(struct task *task)
+{
+    task->simulator = cor_simulator_named(task->request->simulator);
+    if (task->simulator && has_lines(task->simulator, task))
+        return 1;
+    struct text t = {task->refusal, sizeof task->refusal, 0, NULL, 0, 0, 1};
+    put_text(&t, "'");
+    put_text(&t, task->request->simulator);
+    put_text(&t, "' is not a simulator that cor has lines for");
+    put_text(&t, task->request->materials ? " with several materials; allowed: " : "; allowed: ");
+    for (size_t i = 0, named = 0; i < cor_simulator_count; i++)
+        if (has_lines(&cor_simulators[i], task)) {
+            put_text(&t, named++ ? ", " : "");
+            put_text(&t, cor_simulators[i].name);
+        }
+    return 0;
+}
+
 /* Finds the simulator, and whether it has what the request asks for. */
 static int check_task(struct task *task)
 {
     const struct cor_simulator_request *const request = task->request;
     const struct cor_scene_contact *const contact = request->contacts;
-    task->simulator = cor_simulator_named(request->simulator);
-    if (!task->simulator) {
-        struct text t = {task->refusal, sizeof task->refusal, 0, NULL, 0, 0, 1};
-        put_text(&t, "'");
-        put_text(&t, request->simulator);
-        put_text(&t, "' is not a simulator that cor has lines for; allowed: ");
-        for (size_t i = 0; i < cor_simulator_count; i++) {
-            put_text(&t, i > 0 && cor_simulators[i].comment ? ", " : "");
-            put_text(&t, cor_simulators[i].comment ? cor_simulators[i].name : "");
-        }
+    if (!find_simulator(task))
         return 0;
-    }
     const struct cor_exponents *const law = &request->scene->law;
     const int named = request->scene->plastic ? COR_LAW_ELASTIC_PLASTIC : law_with_name(law);
     int has_wall = 0;
@@ -1075,12 +1173,12 @@ static int check_task(struct task *task)
     else
         snprintf(task->law, NUMBER, "x^(%d/%d), x^(%d/%d) x'", law->elastic, law->denominator, law->damping,
                  law->denominator);
-    task->types = request->scene->wall || bodies_differ(request->scene) ? 2 : 1;
+    task->types = !request->materials && (request->scene->wall || bodies_differ(request->scene)) ? 2 : 1;
     for (int i = 0; i < task->simulator->model_count; i++) {
         task->has_law = task->has_law || model_suits(&task->simulator->models[i], task, 1);
         has_wall = has_wall || task->simulator->models[i].wall_lines;
     }
-    return !request->scene->wall || has_wall ||
+    return !request->scene->wall || has_wall || request->materials ||
            refuse_task(task, "no model of %s has lines for a wall", task->simulator->title);
 }
 
@@ -1118,10 +1216,326 @@ static int check_numbers(struct task *task)
     return moderate || refuse_task(task, "lines need numbers in SI units from 1e-48 to 1e48");
 }
 
+/* ---- several materials ---- */
+
+/* The scene of two types with their smallest or their largest balls, without a damping; only j may be a wall. */
+static struct cor_scene scene_of_types(const struct cor_simulator_request *request, size_t i, size_t j, int largest)
+{
+    struct cor_scene scene = *request->scene;
+    for (int body = 0; body < 2; body++) {
+        const struct cor_material *const m = material_of(request, body ? j : i);
+        double *const number = scene.number + body * COR_SCENE_BODY;
+        const double radius = m->body.radius_m, ratio = largest ? cor_quiet_quotient(m->radius_max_m, radius) : 1;
+        number[COR_SCENE_YOUNG] = m->body.young_modulus_pa;
+        number[COR_SCENE_POISSON] = m->body.poisson_ratio;
+        scene.wall = is_wall(m);
+        if (scene.wall)
+            continue;
+        number[COR_SCENE_RADIUS] = isnan(ratio) ? radius : cor_quiet_product(radius, ratio);
+        number[COR_SCENE_MASS] =
+            isnan(ratio) ? m->body.mass_kg : cor_quiet_product(m->body.mass_kg, cor_quiet_power(ratio, 3));
+    }
+    return scene;
+}
+
+/* The dissipation time of a type, or of the measured contact of two of its balls; NaN: neither is known. *ends: 2 if it
+ * depends on the end at which that contact was measured */
+static double dissipation_time(const struct cor_simulator_request *request, size_t type, int end, int *ends)
+{
+    const struct cor_material *const m = material_of(request, type);
+    const struct cor_material_contact *const like = contact_of(request, type, type);
+    if (!isnan(m->body.dissipation_time_s) || is_wall(m) || !like->measured)
+        return m->body.dissipation_time_s;
+    *ends = like->count > *ends ? like->count : *ends;
+    return cor_scene_damping(&like->contact[like->count > 1 ? end : 0], COR_SCENE_DISSIPATION_TIME);
+}
+
+static int find_contact(struct task *task, size_t i, size_t j)
+{
+    const struct cor_simulator_request *const r = task->request;
+    const struct cor_material *const one = material_of(r, i), *const two = material_of(r, j);
+    struct cor_material_contact *const c = contact_of(r, i, j);
+    double *const number = c->scene.number;
+    struct cor_scene_contact found[COR_SCENE_ENDS];
+    struct cor_scene_fault fault;
+    char text[COR_SCENE_FAULT_TEXT];
+    int ends = 1;
+    c->scene = scene_of_types(r, i, j, 0);
+    c->measured = NULL;
+    for (const struct cor_material_pair *p = r->pairs; p < r->pairs + r->pair_count; p++)
+        if ((&r->materials[p->a] == one && &r->materials[p->b] == two) ||
+            (&r->materials[p->a] == two && &r->materials[p->b] == one))
+            c->measured = p;
+    for (int end = 0; end < ends; end++) {
+        if (c->measured) {
+            number[COR_SCENE_RESTITUTION] = c->measured->restitution;
+            number[COR_SCENE_AT] = c->measured->at_m_s;
+            c->scene.end = c->measured->end == COR_BOTH_ENDS ? c->scene.end : c->measured->end;
+        } else {
+            number[COR_SCENE_DISSIPATION_TIME] = dissipation_time(r, i, end, &ends);
+            number[COR_SCENE_DISSIPATION_TIME_2] = dissipation_time(r, j, end, &ends);
+            if (isnan(number[COR_SCENE_DISSIPATION_TIME] + number[COR_SCENE_DISSIPATION_TIME_2]))
+                return refuse_task(
+                    task,
+                    "%s and %s: nothing gives the damping of their contact; allowed: a row of pairs for "
+                    "them, or for each a dissipation time or, of viscoelastic balls, a row of pairs with "
+                    "itself",
+                    one->name, two->name);
+        }
+        const int status = cor_scene_contacts(found, &c->count, &fault, &c->scene);
+        if (status != COR_FAULT_NONE) {
+            cor_scene_fault_text(text, sizeof text, &fault, "of the request", NULL);
+            return refuse_task(task, "%s and %s: %s", one->name, two->name, status < 0 ? "not solved" : text);
+        }
+        memcpy(c->contact + end, found, sizeof *found * (size_t)c->count);
+    }
+    c->count = c->measured ? c->count : ends;
+    if (c->measured && r->scene->end != COR_BOTH_ENDS && c->scene.end != r->scene->end) { /* eps is the other one */
+        number[COR_SCENE_RESTITUTION] = number[COR_SCENE_AT] = NAN;
+        c->scene.end = r->scene->end;
+    }
+    return 1;
+}
+
+static int check_name(struct task *task, const char *name)
+{
+    static const char letters[] = "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ _-.";
+    const char *c = name;
+    while (*c && (strchr(letters, *c) || (unsigned char)*c > 127))
+        c++;
+    return (*c == '\0' && c > name && c - name < NUMBER) ||
+           refuse_task(task, "'%.40s' is not a name of a material; allowed: up to %d letters, digits, blanks, _ - .",
+                       name, NUMBER - 1);
+}
+
+/* Checks the materials and their pairs, and finds all contacts, at first those of like balls. */
+static int check_materials(struct task *task)
+{
+    const struct cor_simulator_request *const r = task->request;
+    const size_t types = r->material_count, balls = count_balls(r);
+    for (const struct cor_material *m = r->materials; m < r->materials + types; m++) {
+        if (!check_name(task, m->name))
+            return 0;
+        if (isless(m->radius_max_m, m->body.radius_m))
+            return refuse_task(task, "%s: the largest radius, %s m, is below the radius, %s m", m->name,
+                               TEXT(m->radius_max_m), TEXT(m->body.radius_m));
+        for (const struct cor_material *other = r->materials; other < m; other++)
+            if (strcmp(m->name, other->name) == 0)
+                return refuse_task(task, "%s: two materials have this name", m->name);
+    }
+    if (balls == 0)
+        return refuse_task(task, "no material has balls: at least one is to have a radius, and no wall");
+    if (task->simulator->one_wall && types > balls + 1)
+        return refuse_task(task, "%s has one material for all walls; leave out %s", task->simulator->title,
+                           material_of(r, balls + 1)->name);
+    for (const struct cor_material_pair *p = r->pairs; p < r->pairs + r->pair_count; p++) {
+        const struct cor_material *const a = &r->materials[p->a], *const b = &r->materials[p->b];
+        if (is_wall(a) && is_wall(b))
+            return refuse_task(task, "%s and %s: two walls never touch; leave out this pair", a->name, b->name);
+        for (const struct cor_material_pair *other = r->pairs; other < p; other++)
+            if ((p->a == other->a && p->b == other->b) || (p->a == other->b && p->b == other->a))
+                return refuse_task(task, "%s and %s: two pairs of these materials; leave out one", a->name, b->name);
+    }
+    for (size_t apart = 0; apart < types; apart++)
+        for (size_t i = 0; i < balls && i + apart < types; i++)
+            if (!find_contact(task, i, i + apart))
+                return 0;
+    return 1;
+}
+
+/* The task of one contact. False after a refusal of the whole */
+static int start_contact(struct task *own, struct task *task, size_t i, size_t j)
+{
+    const struct cor_material_contact *const c = contact_of(task->request, i, j);
+    *own = (struct task){.i = i, .j = j, .own = *task->request};
+    own->own.scene = &c->scene;
+    own->own.contacts = c->contact;
+    own->own.count = c->count;
+    own->request = &own->own;
+    if (check_numbers(own) && check_task(own) && find_speed(own)) {
+        memcpy(task->law, own->law, sizeof task->law);
+        task->has_law = own->has_law;
+        return 1;
+    }
+    return refuse_task(task, "%s and %s: %s", material_of(task->request, i)->name, material_of(task->request, j)->name,
+                       own->refusal);
+}
+
+/* Finds the numbers of a model for all contacts, and the contact with the smallest time step, NaN if one is not known.
+ * Returns how well the model suits; -1: not at all */
+static int fill_contacts(struct task *task, const struct cor_simulator_model *model, struct block *shortest)
+{
+    const size_t types = task->request->material_count, balls = count_balls(task->request);
+    int rank = 0;
+    *shortest = (struct block){.model = model, .time_step_s = INFINITY};
+    for (size_t k = 0; k < balls * types; k++) {
+        const size_t i = k / types, j = k % types;
+        struct task own;
+        struct block block;
+        if (j < i)
+            continue;
+        if (!start_contact(&own, task, i, j) || !model_suits(model, &own, own.has_law))
+            return -1;
+        if (!fill_block(&block, &own, model))
+            return refuse_task(task, "%s, %s, %s and %s: %s", task->simulator->name, model->model,
+                               material_of(task->request, i)->name, material_of(task->request, j)->name, block.reason) -
+                   1;
+        contact_of(task->request, i, j)->number = block.number[PAIR];
+        rank += rank_model(model, &own);
+        if (isnan(block.time_step_s) || isless(block.time_step_s, shortest->time_step_s)) {
+            *shortest = block;
+            task->i = i;
+            task->j = j;
+        }
+    }
+    return rank;
+}
+
+/* Where the number depends on the mass: what it realises between the largest balls of both types */
+static void put_largest(struct text *t, const struct block *block, const struct task *own)
+{
+    const struct cor_simulator_model *const model = block->model;
+    const struct cor_scene large = scene_of_types(own->request, own->i, own->j, 1);
+    struct cor_scene_contact c = own->contact[PAIR][own->request->count > 1 ? (int)model->end : 0];
+    const struct cor_scene_contact small = c;
+    const double speed = own->request->speeds > 0 ? *own->request->speed_m_s : block->speed_m_s;
+    double eps, wanted;
+    make_contact(&c, &large, PAIR);
+    if (!needs_mass(block, own) || !isgreater(c.mass_kg, small.mass_kg) || !model->damping_of_number)
+        return;
+    struct cor_scene_contact made = c;
+    if (model->id == COR_CHRONO_HERTZ) { /* one radius of curvature, that of its lines, for every contact */
+        made.stiffness = small.stiffness;
+        made.radius_m = small.radius_m;
+    }
+    made = cor_model_contact(made, own->has_law ? NULL : &cor_law_exponents[model->law],
+                             model->damping_of_number(block->number[PAIR], &made, speed), speed);
+    if (cor_scene_eps(&eps, &made, speed, (int)model->end) == 0 &&
+        cor_scene_eps(&wanted, &c, speed, (int)model->end) == 0)
+        put_comment(t, "between the largest balls it realises eps = %s at %s m/s; the materials have %s", TEXT(eps),
+                    TEXT(speed), TEXT(wanted));
+}
+
+/* What is known of a contact, and what the model realises */
+static void put_contact(struct text *t, const struct block *block, const struct task *own)
+{
+    const struct cor_simulator_request *const r = own->request;
+    const struct cor_material_contact *const c = contact_of(r, own->i, own->j);
+    const char *const one = material_of(r, own->i)->name, *const two = material_of(r, own->j)->name;
+    const int i = (int)own->i + 1, j = (int)own->j + 1, end = block->model->end == COR_END_ZERO_FORCE;
+    const int measured = c->measured && c->measured->end != COR_BOTH_ENDS ? c->measured->end : c->scene.end;
+    int ends;
+    if (c->measured)
+        put_comment(t, "%d %d, %s and %s: measured%s%s, eps = %s%s%s%s", i, j, one, two,
+                    measured == COR_BOTH_ENDS ? "" : " at ", measured == COR_BOTH_ENDS ? "" : cor_end_names[measured],
+                    TEXT(c->measured->restitution), isnan(c->measured->at_m_s) ? "" : " at ",
+                    isnan(c->measured->at_m_s) ? "" : TEXT(c->measured->at_m_s),
+                    isnan(c->measured->at_m_s) ? "" : " m/s");
+    else
+        put_comment(t, "%d %d, %s and %s: not measured, from the dissipation times %s s and %s s", i, j, one, two,
+                    TEXT(dissipation_time(r, own->i, end, &ends)), TEXT(dissipation_time(r, own->j, end, &ends)));
+    put_realised(t, block, own);
+    put_largest(t, block, own);
+    if (has_soft_wall(own))
+        put_comment(t, "%s", own->simulator->wall);
+}
+
+/* True if a line of a template for several materials is repeated for types i and j: by m for each type, b for each
+ * ball, g for each ball if a wall is there, v for each wall, p for each two balls, u for each two types that differ, w
+ * for each ball and wall, c for each contact; by - the line is there once. */
+static int repeats_line(char letter, size_t i, size_t j, size_t balls, size_t types)
+{
+    const int contact = i <= j && i < balls;
+    return letter == 'm'   ? i == j
+           : letter == 'b' ? i == j && i < balls
+           : letter == 'g' ? i == j && i < balls && balls < types
+           : letter == 'v' ? i == j && i >= balls
+           : letter == 'p' ? contact && j < balls
+           : letter == 'u' ? contact && i != j
+           : letter == 'w' ? contact && j >= balls
+           : letter == 'c' ? contact
+                           : i + j == 0;
+}
+
+static void put_many(struct text *t, const char *template, struct block *block, struct task *task)
+{
+    const size_t types = task->request->material_count, balls = count_balls(task->request);
+    for (; *template; template = strchr(template, '\n') + 1)
+        for (size_t k = 0; k < types * types; k++)
+            if (repeats_line(*template, k / types, k % types, balls, types)) {
+                turn_to_contact(task, block, k / types, k % types);
+                put_line(t, template + 1, block, task, PAIR);
+            }
+}
+
+/* Prints the block of all contacts: comments, lines and the smallest time step. False after a refusal */
+static int put_materials(struct text *t, struct task *task)
+{
+    const struct cor_simulator_request *const given = task->request;
+    const size_t types = given->material_count, balls = count_balls(given);
+    const struct cor_simulator *const s = task->simulator;
+    struct block block, best = {.model = NULL};
+    int rank = -1;
+    task->own = *given;
+    task->own.contacts = given->memory->contact;
+    task->own.step_corrected = 0;
+    task->request = &task->own;
+    for (int i = 0; i < s->model_count; i++) {
+        const int suits = s->models[i].many ? fill_contacts(task, &s->models[i], &block) : -1;
+        best = suits > rank ? block : best;
+        rank = suits > rank ? suits : rank;
+    }
+    if (!best.model)
+        return *task->refusal ? 0
+                              : refuse_task(task, "%s has no model for the law %s%s", s->title, task->law,
+                                            given->version ? " in this version" : "");
+    const struct cor_simulator_model *const model = best.model;
+    task->own.step_corrected = given->step_corrected;
+    task->own.time_step_s = isless(best.time_step_s, INFINITY) ? best.time_step_s : 0;
+    if (fill_contacts(task, model, &block) < 0) /* with the step of all */
+        return 0;
+    put_comment(t, "%s, %s (%s): contacts end at %s", s->title, model->model, model->version,
+                cor_end_names[model->end]);
+    for (size_t k = 0; k < types; k++) {
+        const struct cor_material *const m = material_of(given, k);
+        put_comment(t, "type %d: %s, %s%s%s%s%s", (int)k + 1, m->name, k < balls ? "radius " : "a wall",
+                    k < balls ? TEXT(m->body.radius_m) : "", isnan(m->radius_max_m) ? "" : " to ",
+                    isnan(m->radius_max_m) ? "" : TEXT(m->radius_max_m), k < balls ? " m" : "");
+    }
+    if (!task->has_law)
+        put_comment(t, "%s does not have the law of the contacts: the lines hold at one speed.", s->title);
+    put_comment(t, "%s", model->advice);
+    turn_to_contact(task, &best, 0, 0);
+    put_setup(t, &best, task);
+    for (size_t k = 0; k < balls * types; k++) {
+        struct task own;
+        if (k % types >= k / types && start_contact(&own, task, k / types, k % types)) {
+            fill_block(&block, &own, model);
+            if (k == 0 && needs_mass(&block, &own))
+                put_comment(t, "%.*s depends on the masses: each line is for the radii of its types.",
+                            (int)strcspn(model->parameter, ","), model->parameter);
+            put_contact(t, &block, &own);
+        }
+    }
+    put_many(t, model->many, &best, task);
+    if (task->own.time_step_s > 0 && s->time_step)
+        put_template(t, s->time_step, &best, task);
+    else
+        put_comment(t, "time step: at most %s s", TEXT(best.time_step_s));
+    put_text(t, "\n");
+    return 1;
+}
+
 long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_request *request)
 {
     struct task task = {.request = request};
-    if (check_numbers(&task) && check_task(&task) && find_speed(&task)) {
+    if (request->materials) {
+        if (find_simulator(&task) && check_materials(&task)) {
+            struct text t = {text, size, 0, task.simulator, 0, 1, 1};
+            if (put_materials(&t, &task))
+                return (long)t.length;
+        }
+    } else if (check_numbers(&task) && check_task(&task) && find_speed(&task)) {
         struct text t = {text, size, 0, task.simulator, 0, 1, 1};
         if (put_all(&t, &task)) {
             if (request->contacts[0].plastic)

@@ -214,35 +214,53 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
              "pair_coeff {pair} " spring " {n} tangential linear_nohistory 0 0 damping " damping "\n",                 \
     .wall_lines = "fix cor_wall all wall/gran granular " spring                                                        \
                   " {n} tangential linear_nohistory 0 0 damping " damping " zplane 0 NULL\n",                          \
+    .many = "-pair_style granular\n"                                                                                   \
+            "ppair_coeff {i} {j} " spring " {n} tangential linear_nohistory 0 0 damping " damping "\n"                 \
+            "ggroup cor_{i} type {i}\n" WALL_PLANE(                                                                    \
+                "zplane 0 NULL") "wfix cor_wall_{i}_{j} cor_{i} wall/gran granular " spring                            \
+                                 " {n} tangential linear_nohistory 0 0 damping " damping " {plane}\n",                 \
     .pairs = COR_PAIRS_LINES
+/* The place of a wall of a material, which a user may define before */
+#define WALL_PLANE(plane)                                                                                              \
+    "v# the plane of wall {j}: for another one define this variable before these lines\n"                              \
+    "vvariable cor_wall_{j} index \"" plane "\"\n"
 /* A wall is of atom type 2, for its contacts have other numbers than those of two spheres. */
 #define LIGGGHTS(model, limit, properties)                                                                             \
     .lines = LIGGGHTS_PAIR(model, limit, properties),                                                                  \
     .wall_lines = LIGGGHTS_PAIR(model, limit, properties) "fix cor_wall all wall/gran model " model " tangential off"  \
                                                           " primitive type 2 zplane 0" limit "\n",                     \
+    .many = LIGGGHTS_PAIR(model, limit, properties)                                                                    \
+        WALL_PLANE("zplane 0") "vfix cor_wall_{j} all wall/gran model " model                                          \
+                               " tangential off primitive type {j} {plane}" limit "\n",                                \
     .pairs = COR_PAIRS_MATRIX
 #define LIGGGHTS_PAIR(model, limit, properties)                                                                        \
-    "pair_style gran model " model " tangential off" limit "\n"                                                        \
-    "pair_coeff * *\n" properties
+    "-pair_style gran model " model " tangential off" limit "\n"                                                       \
+    "-pair_coeff * *\n" properties
 #define LIGGGHTS_E                                                                                                     \
     "?fix cor_young all property/global youngsModulus peratomtype {young[i]}\n"                                        \
     "?fix cor_poisson all property/global poissonsRatio peratomtype {poisson[i]}\n"                                    \
-    "fix cor_e all property/global coefficientRestitution peratomtypepair {types} {n[]}\n"
+    "-fix cor_e all property/global coefficientRestitution peratomtypepair {types} {n[]}\n"
 /* kt and gammat are asked for even with tangential off. */
 #define LIGGGHTS_STIFFNESS(stiffness)                                                                                  \
-    "fix cor_kn all property/global kn peratomtypepair {types} " stiffness "\n"                                        \
-    "fix cor_gamman all property/global gamman peratomtypepair {types} {n[]}\n"                                        \
-    "fix cor_kt all property/global kt peratomtypepair {types} {0[]}\n"                                                \
-    "fix cor_gammat all property/global gammat peratomtypepair {types} {0[]}\n"
+    "-fix cor_kn all property/global kn peratomtypepair {types} " stiffness "\n"                                       \
+    "-fix cor_gamman all property/global gamman peratomtypepair {types} {n[]}\n"                                       \
+    "-fix cor_kt all property/global kt peratomtypepair {types} {0[]}\n"                                               \
+    "-fix cor_gammat all property/global gammat peratomtypepair {types} {0[]}\n"
 #define YADE(where, material, physics, law)                                                                            \
     where(material "cor_contact = InteractionLoop(\n"                                                                  \
                    "    [Ig2_Sphere_Sphere_ScGeom(), Ig2_Facet_Sphere_ScGeom(), Ig2_Wall_Sphere_ScGeom()],\n"          \
                    "    [" physics "],\n"                                                                              \
                    "    [" law "])\n"),                                                                                \
         .pairs = COR_PAIRS_ONE_LAW
-#define YADE_MINDLIN(numbers)                                                                                          \
-    YADE(EVERYWHERE, YADE_FRICTION, "Ip2_FrictMat_FrictMat_MindlinPhys(" numbers ")",                                  \
-         "Law2_ScGeom_MindlinPhys_Mindlin()")
+#define YADE_MINDLIN(number, others)                                                                                   \
+    YADE(EVERYWHERE, YADE_FRICTION, "Ip2_FrictMat_FrictMat_MindlinPhys(" number "={n}, " others ")",                   \
+         "Law2_ScGeom_MindlinPhys_Mindlin()"),                                                                         \
+        .many = "mcor_material_{i} = FrictMat(young={young}, poisson={poisson}, {density}frictionAngle=0)\n"           \
+                "mO.materials.append(cor_material_{i})\n-cor_contact = InteractionLoop(\n"                             \
+                "-    [Ig2_Sphere_Sphere_ScGeom(), Ig2_Facet_Sphere_ScGeom(), Ig2_Wall_Sphere_ScGeom()],\n"            \
+                "-    [Ip2_FrictMat_FrictMat_MindlinPhys(" number "=MatchMaker(matches=(\n"                            \
+                "c        (cor_material_{i}.id, cor_material_{j}.id, {n}),\n"                                          \
+                "-    )), " others ")],\n-    [Law2_ScGeom_MindlinPhys_Mindlin()])\n"
 #define YADE_FRICTION                                                                                                  \
     "?cor_material = FrictMat(young={young}, poisson={poisson}, {density}frictionAngle=0)\n"                           \
     "?cor_material_2 = FrictMat(young={young2}, poisson={poisson2}, {density2}frictionAngle=0)\n"
@@ -254,6 +272,13 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
     "fix cor_luding_" number " all property/global " property " peratomtypepair {types} " value "\n"
 #define YADE_LUDING "k1={k1}, kp={kp}, kc=0, ks=0, PhiF={depth}, G0=0)\n"
 
+/* Species of several materials, and those of their pairs; walls have no density. */
+#define MERCURYDPM_MANY(name, numbers)                                                                                 \
+    .many = "mauto cor_{i} = speciesHandler.copyAndAddObject(" name "Species());\n"                                    \
+            "bcor_{i}->setDensity({rho});\n"                                                                           \
+            "uauto cor_{i}_{j} = speciesHandler.getMixedObject(cor_{i}, cor_{j});\n" numbers
+#define MERCURYDPM_DISSIPATION                                                                                         \
+    "ccor_{contact}->setEffectiveElasticModulus({E});\nccor_{contact}->setDissipation({n});\n"
 /* Of one material: the mixed species of two has no density. */
 #define MERCURYDPM_DENSITY "?species->setDensity({rho});\n"
 
@@ -365,17 +390,17 @@ static const struct cor_simulator_model liggghts[] = {
 
 static const struct cor_simulator_model yade[] = {
     ROW(YADE_BETAN, OF_YADE("HertzMindlin.cpp"), "Mindlin, betan", "betan", TSUJI, ZERO_FORCE, NUMBER(tangent_ratio),
-        "Exact.", YADE_MINDLIN("betan={n}, betas=0")),
+        "Exact.", YADE_MINDLIN("betan", "betas=0")),
     ROW(YADE_EN, OF_YADE("HertzMindlin.cpp"), "Mindlin, en (2023 and later)", "e", TSUJI, ZERO_FORCE,
         ASKED(thornton_yade, 0.001, 1), "Within 0.0003 for 0.02 < e < 0.9; above, set betan instead.",
-        YADE_MINDLIN("en={n}, es=1"), .since = 20230200),
+        YADE_MINDLIN("en", "es=1"), .since = 20230200),
     ROW(YADE_EN_UNTIL_2023, OF("pkg/dem/HertzMindlin.cpp", "source", "before 2023.02a; SudoDEM 6666937"),
         "Mindlin, en (before 2023); SudoDEM", "e", TSUJI, ZERO_FORCE, ASKED(exact_at_zero_overlap, OPEN, 1),
         "YADE realises more than its e; betan is exact.", NO_LINES),
     ROW(YADE_EN_VN, OF("pkg/dem/HertzMindlin.cpp", "run", "2025.2.0"), "Mindlin, en at vn = 1 m/s (2025)", "en",
         VISCOELASTIC, ZERO_FORCE, NUMBER(yade_en),
         "The viscoelastic sphere: en is the Padé approximant of eps at vn, and A holds at every speed.",
-        YADE_MINDLIN("en={n}, vn=1.0"), .since = 20250200),
+        YADE_MINDLIN("en", "vn=1.0"), .since = 20250200),
     ROW(YADE_KN_CN, OF_YADE("ViscoelasticPM.cpp"), "ViscElMat, kn and cn", "cn of each of two equal bodies, kg/s",
         LINEAR, ZERO_FORCE, NUMBER(pair_dashpot),
         "K is kn/2 of two equal bodies: the numbers of two bodies are in series.",
@@ -400,18 +425,34 @@ static const struct cor_simulator_model mercurydpm[] = {
     ROW(MERCURYDPM_HERTZIAN, OF_MERCURYDPM("HertzianViscoelasticNormalSpecies.cc"),
         "HertzianViscoelastic, setEffectiveElasticModulusAndRestitutionCoefficient", "e", TSUJI, ZERO_OVERLAP,
         ASKED(exact_at_zero_overlap, OPEN, 1), "Exact.",
-        EVERYWHERE(MERCURYDPM_DENSITY "species->setEffectiveElasticModulusAndRestitutionCoefficient({E}, {n});\n")),
+        EVERYWHERE(MERCURYDPM_DENSITY "species->setEffectiveElasticModulusAndRestitutionCoefficient({E}, {n});\n"),
+        MERCURYDPM_MANY("HertzianViscoelastic",
+                        "ccor_{contact}->setEffectiveElasticModulusAndRestitutionCoefficient({E}, {n});\n")),
     ROW(MERCURYDPM_HERTZIAN_DISSIPATION, OF_MERCURYDPM("HertzianViscoelasticNormalSpecies.cc"),
         "HertzianViscoelastic, dissipation", "dissipation", TSUJI, ZERO_OVERLAP, NUMBER(tsuji_beta), "Exact.",
         EVERYWHERE(MERCURYDPM_DENSITY "species->setEffectiveElasticModulus({E});\n"
-                                      "species->setDissipation({n});\n")),
+                                      "species->setDissipation({n});\n"),
+        MERCURYDPM_MANY("HertzianViscoelastic", MERCURYDPM_DISSIPATION)),
     ROW(MERCURYDPM_BSHP, OF_MERCURYDPM("HertzianBSHPViscoelasticNormalSpecies.cc"), "HertzianBSHPViscoelastic",
         "dissipation A, s", VISCOELASTIC, ZERO_FORCE, NUMBER(dissipation_time),
         "The viscoelastic sphere: A holds at every speed.",
         EVERYWHERE(MERCURYDPM_DENSITY "species->setEffectiveElasticModulus({E});\n"
-                                      "species->setDissipation({n});\n")),
+                                      "species->setDissipation({n});\n"),
+        MERCURYDPM_MANY("HertzianBSHPViscoelastic", MERCURYDPM_DISSIPATION)),
 };
 
+/* Chrono combines two numbers of two materials. Here these are the types, and its strategy looks up the pair. */
+#define CHRONO_PAIRS(what, number, numbers)                                                                            \
+    "-    float Combine" what "(float i, float j) const override\n-    {\n"                                            \
+    "-        static const float pair[] = {\n-            " numbers "\n-        };\n"                                  \
+    "-        return i < 1 || j < 1 ? 0 : pair[((int)i - 1) * {types} + (int)j - 1]; // Set" number "(type)\n-    }\n"
+#define CHRONO_MANY(properties, law, pairs, numbers)                                                                   \
+    .many = "-system.UseMaterialProperties(" properties ");\n"                                                         \
+            "-system.SetContactForceModel(ChSystemSMC::ContactForceModel::" law ");\n"                                 \
+            "-struct cor_pairs : ChContactMaterialCompositionStrategy {\n" pairs                                       \
+            "-};\n-system.SetMaterialCompositionStrategy(std::make_unique<cor_pairs>());\n"                            \
+            "mauto cor_{i} = chrono_types::make_shared<ChContactMaterialSMC>();\n" numbers                             \
+            "-// the body of a wall: a mass far above those of the balls, even if it is fixed\n"
 static const struct cor_simulator_model chrono[] = {
     ROW(CHRONO_MATERIAL, OF_CHRONO, "SMC, Hooke or Hertz from material, cr", "e", TSUJI, ZERO_FORCE,
         ASKED(exact_at_zero_overlap, 2.220446049250313e-16, 1 - 2.220446049250313e-16),
@@ -419,6 +460,9 @@ static const struct cor_simulator_model chrono[] = {
         PAIRS("system.UseMaterialProperties(true);\n"
               "system.SetContactForceModel(ChSystemSMC::ContactForceModel::{Model});\n"
               "material->SetRestitution({n});\n"),
+        CHRONO_MANY("true", "Hertz", CHRONO_PAIRS("Restitution", "Restitution", "{n[,]}"),
+                    "mcor_{i}->SetYoungModulus({young});\nmcor_{i}->SetPoissonRatio({poisson});\n"
+                    "mcor_{i}->SetRestitution({i});\n"),
         .any_spring = 1),
     ROW(CHRONO_HOOKE, OF_CHRONO, "SMC Hooke, kn and gn", "gn, 1/s", LINEAR, ZERO_FORCE, NUMBER(dashpot_per_mass),
         "Exact.",
@@ -434,7 +478,13 @@ static const struct cor_simulator_model chrono[] = {
               "system.UseMaterialProperties(false);\n"
               "system.SetContactForceModel(ChSystemSMC::ContactForceModel::Hertz);\n"
               "material->SetKn({K/R});\n"
-              "material->SetGn({n});\n")),
+              "material->SetGn({n});\n"),
+        CHRONO_MANY("false", "Hertz",
+                    CHRONO_PAIRS("StiffnessCoefficient", "Kn", "{K[,]}")
+                        CHRONO_PAIRS("DampingCoefficient", "Gn", "{nR[,]}"),
+                    "mcor_{i}->SetKn({i});\nmcor_{i}->SetGn({i});\nmcor_{i}->SetKt(0);\nmcor_{i}->SetGt(0);\n"
+                    "-// the collision system Type::BULLET has this radius for every contact; K = kn R\n"
+                    "-ChCollisionInfo::SetDefaultEffectiveCurvatureRadius(1);\n")),
 };
 
 static const struct cor_simulator_model chrono_multicore[] = {
@@ -457,7 +507,10 @@ static const struct cor_simulator_model mfix[] = {
         BOTH("DES_COLL_MODEL = 'HERTZIAN'\n"
              "DES_EN_INPUT(1) = {n}\n",
              "DES_COLL_MODEL = 'HERTZIAN'\n"
-             "DES_EN_WALL_INPUT(1) = {n}\n")),
+             "DES_EN_WALL_INPUT(1) = {n}\n"),
+        .many = "-DES_COLL_MODEL = 'HERTZIAN'\n"
+                "bE_YOUNG({i}) = {young}\nbV_POISSON({i}) = {poisson}\nvEW_YOUNG = {young}\nvVW_POISSON = {poisson}\n"
+                "pDES_EN_INPUT({k}) = {n}\nwDES_EN_WALL_INPUT({i}) = {n}\n"),
 };
 
 static const struct cor_simulator_model openfoam[] = {
@@ -673,7 +726,7 @@ const struct cor_simulator cor_simulators[] = {
      .time_step = "const double time_step = {dt}; // s, for DoStepDynamics\n"},
     {SIMULATOR(chrono_multicore, "chrono-multicore", "chrono-multicore", NO_INTEGRATOR)},
     {SIMULATOR(mfix, "mfix", "MFiX", SYMPLECTIC_EULER), COMMENT("! ", ""),
-     .setup = "UNITS = 'SI'; MFiX chooses its time step."},
+     .setup = "UNITS = 'SI'; MFiX chooses its time step.", .one_wall = 1},
     {SIMULATOR(openfoam, "openfoam", "OpenFOAM", VERLET_HALF_STEP), CPP, .setup = "SI units." FRICTION},
     {SIMULATOR(kratos, "kratos", "kratos", SYMPLECTIC_EULER)},
     {SIMULATOR(granulars_jl, "granulars.jl", "granulars.jl", NO_INTEGRATOR)},

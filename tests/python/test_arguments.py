@@ -24,12 +24,15 @@ MEASURED = {"restitution": 0.8, "at": 1.0}
 LAMMPS, AT_ONE = ("lammps", BODY), {"speeds": 1.0}
 AUDITED = {"radius": 2e-3, "density": 1.0, "time_step": 1e-7, "tolerance": 0.9, "version": "2 Aug 2023"}
 CONTACT = cor.Contact(BODY, end="zero_force")
+MATERIALS = [dict(name="steel", young_pa=2e11, poisson=0.3, density_kg_m3=7850, radius_m=1e-3, dissipation_time_s=1e-8)]
+STEEL = dict(a="steel", b="steel", restitution=0.8, at_m_s=1)
 
 # A function, the arguments of its call, and another value for each of its optional arguments
 OPTIONAL = [
     (simulators.lines, LAMMPS, {**MEASURED, **AT_ONE}, {"contact": SOFT, "speeds": 0.5, "version": "1 Jan 2020"}),
     (simulators.lines, LAMMPS, {**AT_ONE, "steps": 12}, {"steps": 30, "time_step": 1e-8, "step_corrected": True}),
     (simulators.lines, LAMMPS, AT_ONE, {"step_tolerance": 1e-3}),
+    (simulators.lines, LAMMPS[:1], {**AT_ONE, "materials": MATERIALS}, {"materials": [], "pairs": [STEEL]}),
     (simulators.step_error, (BODY, 0.1, 12), {"end": "zero_force"}, {"integrator": "verlet-full-step"}),
     (cor.Contact, (BODY,), MEASURED, {"end": "zero_force", "wall": True, "law": "tsuji", "elastic": 1, "damping": 1}),
     (cor.Contact, (BODY,), {"adhesion": 1.0, "adhesion_model": "dmt"}, {"adhesion_model": "jkr"}),

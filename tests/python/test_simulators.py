@@ -3,6 +3,7 @@
 
 import csv
 import io
+import math
 import os
 import pickle
 import re
@@ -64,6 +65,33 @@ def test_bodies_and_their_numbers_give_the_same_lines():
         "lammps", speeds=1.0, end="zero_force", wall=True, young_2=2e11, poisson_2=0.3, restitution=0.9, at=1.0, **given
     )
     assert simulators.lines("lammps", cor.Contact(BODY, BODY, end="zero_force"), speeds=1.0) == text
+
+
+MATERIALS = [
+    {"name": "floor", "young_pa": "2e9", "poisson": "0.35", "dissipation_time_s": "1e-6", "wall": "1"},
+    {"name": "glass", "young_pa": 7e9, "poisson": 0.24, "density_kg_m3": 2500, "radius_m": 1e-3, "radius_max_m": 2e-3},
+    {"name": "steel", "young_pa": 2e10, "poisson": 0.3, "density_kg_m3": 7850, "radius_m": 1.5e-3, "wall": math.nan},
+]
+PAIRS = [
+    {"a": "glass", "b": "glass", "restitution": 0.9, "at_m_s": 1.0, "end": "zero-force"},
+    {"a": "steel", "b": "steel", "restitution": 0.8, "at_m_s": 2.0, "end": ""},
+]
+
+
+def written(path, rows):
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        table = csv.DictWriter(file, list({name: 0 for row in rows for name in row}))
+        table.writeheader()
+        table.writerows([{k: "" if v != v else v for k, v in row.items()} for row in rows])
+    return str(path)
+
+
+def test_lines_of_several_materials_are_those_of_corgen(tmp_path):
+    files = dict(materials=written(tmp_path / "m.csv", MATERIALS), pairs=written(tmp_path / "p.csv", PAIRS))
+    for simulator in "lammps", "yade", "chrono":
+        done = corgen("contact", **files, **{"for": simulator, "speed": 0.5, "end": "zero-force", "steps": 30})
+        options = dict(speeds=0.5, end="zero_force", steps=30)
+        assert simulators.lines(simulator, materials=MATERIALS, pairs=PAIRS, **options) == done.stdout != ""
 
 
 def test_a_measured_contact_gives_the_measured_eps():
@@ -218,6 +246,16 @@ def test_a_measured_restitution():
         (lambda: simulators.lines("lammps", (WALL, BODY)), "^contact: "),
         (lambda: simulators.lines("lammps", young=1e9, poisson=0.3), "radius"),
         (lambda: simulators.lines("lammps", BODY, law="hooke"), "^law: "),
+        (lambda: simulators.lines("lammps", BODY, materials=MATERIALS, speeds=1), "^materials: allowed with speeds"),
+        (lambda: simulators.lines("lammps", materials=MATERIALS, speeds=1, young=1e9), "^materials: allowed with"),
+        (lambda: simulators.lines("lammps", materials=MATERIALS), "^materials: allowed with speeds"),
+        (lambda: simulators.lines("lammps", materials=[], speeds=1), "^no material has balls"),
+        (lambda: simulators.lines("lammps", materials=[{"name": "a"}], speeds=1), "^materials: a: young_pa is missing"),
+        (lambda: simulators.lines("lammps", materials=[{"mass": 1}], speeds=1), "^materials: the column 'mass'"),
+        (lambda: simulators.lines("lammps", materials=[{"young_pa": -1}], speeds=1), "^materials: young_pa: young: "),
+        (lambda: simulators.lines("lammps", materials=[{**MATERIALS[1], "wall": 1}], speeds=1), "a wall has no radius"),
+        (lambda: simulators.lines("lammps", materials=MATERIALS, pairs=PAIRS[:1], speeds=1), "^steel and steel: nothing"),
+        (lambda: simulators.lines("lammps", materials=MATERIALS, pairs=[{"a": "x"}], speeds=1), "^pairs: x, : a rest"),
         (lambda: simulators.lines("lammps", BODY, version="new"), "^version: "),
         (lambda: simulators.lines("lammps", BODY, version="3.8.1\0x"), "^version: "),
         (lambda: simulators.lines("yade\0x", BODY), "^simulator: "),

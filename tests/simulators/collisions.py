@@ -421,6 +421,52 @@ def unlike(host, work, seed):
     verdict(len(seen) == len(e), "%s: three pairs, both walls and a ball that falls" % host.upper())
 
 
+# ---- several materials: one block for two balls and a wall, pasted whole ----
+
+
+def several(host, work, seed):
+    """Measured contacts realise their eps; others the eps of the dissipation times, which like contacts give. The
+    comment on larger balls of one material is right."""
+    draw, end = random.Random(seed + 1), "zero-force" if host == "yade" else "zero-overlap"
+    low, high, names = (1e7, 0.1, 2e-3, 1000), (1e9, 0.45, 6e-3, 8000), ["young", "poisson", "radius", "density"]
+    balls = [["%.6g" % draw.uniform(*bounds) for bounds in zip(low, high)] for _ in "12"]
+    e = {pair: "%.3f" % draw.uniform(0.5, 0.9) for pair in [(0, 0), (1, 1), (0, 2)]}
+    one, two = [["--%s=%s" % pair for pair in zip(names, ball)] for ball in balls]
+    times = [numbers_of(*ball, "--restitution", e[i, i], "--at=1", "--end", end)["dissipation_time"]
+             for i, ball in enumerate((one, two))] + [2e-6]
+    for pair, bodies in ((0, 1), one + [word.replace("=", "-2=") for word in two]), (
+            (1, 2), two + ["--wall", "--young-2=3e8", "--poisson-2=0.3"]):
+        damped = ["--dissipation-time=%.15g" % times[pair[0]], "--dissipation-time-2=%.15g" % times[pair[1]]]
+        e[pair] = first_row("contact", *bodies, *damped, "--speed=1")["eps_" + end.replace("-", "_")]
+    rows = "floor,3e8,0.3,,,,2e-6,1\n" + "".join(
+        "%s,%s,%s,%s,%s,%s,,\n" % (name, *ball[:2], ball[3], ball[2], largest)
+        for name, ball, largest in zip(("one", "two"), balls, ("%g" % (1.3 * float(balls[0][2])), "")))
+    materials = written(work, "materials.csv", "name,young_pa,poisson,density_kg_m3,radius_m,radius_max_m,"
+                        "dissipation_time_s,wall\n" + rows)
+    pairs = written(work, "pairs.csv", "restitution,a,b,at_m_s\n%s,one,one,1\n%s,two,two,1\n%s,floor,one,1\n" %
+                    (e[0, 0], e[1, 1], e[0, 2]))
+    text = output_of([CORGEN, "contact", "--materials", materials, "--pairs", pairs, "--speed=1", "--end", end, "--for",
+                      host, "--steps=%d" % UNLIKE_STEPS] + ["--simulator-version=2023.02"] * (host == "yade"))
+    paste, dt = written(work, "several", text), float(re.search(r"^(?:timestep|O\.dt =) (\S+)", text, re.M)[1])
+    kinds = [(*pair, 1, float(eps)) for pair, eps in e.items()] + [
+        (0, 0, 1.3, float(eps)) for eps in re.findall(r"between the largest balls it realises eps = (\S+) at", text)[:1]]
+    commands, n = [], 12000
+    for i, j, factor, _ in kinds:
+        radii = [factor * float(balls[k % 2][2]) for k in (i, j)]
+        masses = [4 / 3 * math.pi * radius**3 * float(balls[k % 2][3]) for radius, k in zip(radii, (i, j))]
+        shared = {"paste": paste, "wall": int(j == 2), "duration": dt * (n + 0.5)}
+        commands.append({**shared, "n": [n], "radius": radii, "material": [i, j]} if host == "yade" else
+                        script(LMP if host == "lammps" else LIGGGHTS, "restitution/%s.in" % host, **shared, n=n, types=3,
+                               r1=radii[0], r2=radii[1], m1=masses[0], m2=masses[1], t1=i + 1, t2=j % 2 + 1,
+                               cor_wall_3="zplane %d" % -(j < 2) + " NULL" * (host == "lammps")))
+    seen = [row for command in ([yade(*commands)] if host == "yade" else commands) for row in lines_of(command, "eps")]
+    for (i, j, factor, wanted), row in zip(kinds, seen):
+        verdict(abs(float(row[-2]) - wanted) < 1e-3 and abs(float(row[-1])) < 1e-9,
+                "%s, seed %d, materials %d and %d, radius times %g: eps %.5f, wanted %.5f" %
+                (host.upper(), seed, i + 1, j + 1, factor, float(row[-2]), wanted))
+    verdict(len(seen) == 6 - (host == "yade"), "%s: all contacts of three materials" % host.upper())
+
+
 def main():
     if not os.access(CORGEN, os.X_OK):
         sys.exit("collisions.py: no program %s; build it, or name it by CORGEN" % CORGEN)
@@ -450,6 +496,7 @@ def main():
                 else:
                     skip("YADE, en and vn", "this YADE has no vn, 2025.2.0 has")
             unlike(host, work, seed)
+            several(host, work, seed)
     return summary()
 
 

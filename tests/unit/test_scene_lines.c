@@ -34,8 +34,8 @@ static long lines_for(char *text, size_t size, const char *simulator, const char
     const double *const speeds = steps > 0 ? all_speeds : &speed;
     const size_t number = steps > 0 ? COUNT_OF(all_speeds) : speed > 0;
     const struct cor_simulator_request request = {
-        simulator,        version, scene, contacts,  count,     speeds,           number,
-        corrected_step_s, steps,   0,     corrected, corrected, COR_NO_INTEGRATOR};
+        simulator, version,           scene, contacts, count, speeds, number, corrected_step_s, steps, 0, corrected,
+        corrected, COR_NO_INTEGRATOR, NULL,  NULL,     0,     0,      NULL};
     return cor_simulator_lines(text, size, &request);
 }
 
@@ -362,6 +362,108 @@ TEST(unlike_bodies_of_a_constant_law)
     }
 }
 
+/* A wall, two balls and a wall: types 3, 1, 2 and 4. The first ball has a dissipation time, the second one the time of
+ * a measured contact of two of its balls; the contact of the first ball and the first wall was measured. In LAMMPS and
+ * LIGGGHTS F = kn sqrt(R x) (x + (3/2) A x'), eta_n = gamman = (3/2) A kn/m; Chrono with R = 1 m: kn = K, gn = (3/2) A K/m. */
+TEST(several_materials)
+{
+    enum { TYPES = 4 };
+    static const char *const names[] = {"base", "a", "b b", "side"};
+    static const size_t place[TYPES] = {1, 2, 0, 3}; /* of a type */
+    struct cor_material material[TYPES];
+    struct cor_material_contact memory[TYPES * TYPES];
+    double n[TYPES][OF_BODY], kn[TYPES][TYPES], eta[TYPES][TYPES], gn[TYPES][TYPES], least = INFINITY;
+    static char text[20000];
+    char words[100];
+    for (int k = 0; k < TYPES; k++) {
+        const double low[] = {1e6, 0.05, 1e-4, 500, 1e-7}, high[] = {1e9, 0.45, 1e-2, 9000, 1e-6};
+        for (int i = 0; i < OF_BODY; i++)
+            n[k][i] = random_log(&draw, low[i], high[i]);
+        const int wall = k % 3 == 0;
+        material[k] =
+            (struct cor_material){names[k],
+                                  {n[k][0], n[k][1], k != 2 ? n[k][4] : (double)NAN, wall ? INFINITY : n[k][2],
+                                   wall ? INFINITY : 4 * PI / 3 * pow(n[k][2], 3) * n[k][3]},
+                                  k == 1 ? 2 * n[k][2] : (double)NAN};
+    }
+    struct cor_scene scene = scene_without_numbers(COR_LAW_VISCOELASTIC);
+    struct cor_material_pair pair[] = {{2, 2, 0, 0.3, COR_BOTH_ENDS}, {0, 1, 0, 2, COR_END_ZERO_FORCE}};
+    for (size_t i = 0; i < COUNT_OF(all_speeds); i++)
+        all_speeds[i] = random_log(&draw, 1e-2, 10);
+    for (int i = 0; i < 2; i++)
+        for (int j = i; j < TYPES; j++) {
+            double other[OF_BODY];
+            memcpy(other, n[place[j]], sizeof other);
+            other[4] *= i == 0 && j == 2 ? 2 : 1; /* not the one of its dissipation times */
+            const struct cor_sphere_contact c = pair_of(n[place[i]], other, j > 1);
+            if (i == 1 && j == 1)
+                pair[0].restitution = cor_contact_eps_zero_overlap(&c, 0.3);
+            if (j == 2 && i == 0)
+                pair[1].restitution = cor_contact_eps_zero_force(&c, 2);
+            kn[i][j] = c.elastic_constant_n_m15 / sqrt(c.effective_radius_m);
+            eta[i][j] = 1.5 * c.dissipation_time_s * kn[i][j] / c.effective_mass_kg;
+            gn[i][j] = eta[i][j] * sqrt(c.effective_radius_m);
+            for (size_t k = 0; k < COUNT_OF(all_speeds); k++)
+                least = fmin(least, cor_contact_duration_s_zero_overlap(&c, all_speeds[k]));
+        }
+    pair[0].end = scene.end = COR_END_ZERO_OVERLAP;
+    struct cor_simulator_request request = {.simulator = "lammps",
+                                            .scene = &scene,
+                                            .speed_m_s = all_speeds,
+                                            .speeds = COUNT_OF(all_speeds),
+                                            .steps = 40,
+                                            .integrator = COR_NO_INTEGRATOR,
+                                            .materials = material,
+                                            .pairs = pair,
+                                            .material_count = TYPES,
+                                            .pair_count = 2,
+                                            .memory = memory};
+    assert_true(cor_simulator_lines(text, sizeof text, &request) > 0);
+    is_near(found(text, "\ntimestep "), least / 40, 1e-5);
+    for (int i = 0; i < 2; i++)
+        for (int j = i; j < TYPES; j++) {
+            snprintf(words, sizeof words,
+                     j < 2 ? "\npair_coeff %d %d hertz " : "\nfix cor_wall_%d_%d cor_%d wall/gran granular hertz ",
+                     i + 1, j + 1, i + 1);
+            const char *const at = found(text, words);
+            is_near(at, kn[i][j], 1e-10);
+            is_near(strchr(at, ' '), eta[i][j], 1e-9);
+        }
+    found(text, "\n# type 2: b b, radius ");
+    found(text, "\n# 2 4, b b and side: not measured, from the dissipation times ");
+    found(text, "\n# 1 3, a and base: measured at zero force, eps = ");
+    request.simulator = "liggghts";
+    assert_true(cor_simulator_lines(text, sizeof text, &request) > 0);
+    const char *at = found(text, "\nfix cor_gamman all property/global gamman peratomtypepair 4 ");
+    for (int k = 0; k < TYPES * TYPES; k++, at += strcspn(at, " \n") + 1) {
+        const int low = k / TYPES < k % TYPES ? k / TYPES : k % TYPES, high = k / TYPES + k % TYPES - low;
+        is_near(at, eta[low < 2 ? low : 0][high], 1e-9);
+    }
+    scene.end = COR_END_ZERO_FORCE;
+    request.simulator = "chrono";
+    assert_true(cor_simulator_lines(text, sizeof text, &request) > 0);
+    at = found(found(text, "CombineDampingCoefficient"), "pair[] = {\n            ");
+    is_near(at, gn[0][0], 1e-9);
+    is_near(found(at, ", "), gn[0][1], 1e-9);
+    request.simulator = "mercurydpm";
+    assert_true(cor_simulator_lines(text, sizeof text, &request) > 0);
+    is_near(found(text, "\ncor_2_4->setDissipation("), pair_of(n[2], n[3], 1).dissipation_time_s, 1e-9);
+    /* MFiX has e of one speed, and one material of walls: the formula of a linear spring on Hertz's force */
+    request.simulator = "mfix";
+    request.speeds = 1;
+    assert_true(cor_simulator_lines(text, sizeof text, &request) < 0);
+    found(text, "MFiX has one material for all walls; leave out side");
+    request.material_count = 3;
+    assert_true(cor_simulator_lines(text, sizeof text, &request) > 0);
+    const struct cor_sphere_contact c = pair_of(n[2], n[2], 0);
+    is_near(found(text, "\n! 2 2, b b and b b: measured at zero overlap, eps = "), pair[0].restitution, 1e-5);
+    const double log_e = log(strtod(found(text, "\nDES_EN_INPUT(3) = "), NULL));
+    is_near(found(found(text, "\n! 2 2,"), "\n! realises eps = "), cor_contact_eps_zero_force(&c, *all_speeds), 1e-5);
+    check(fabs(cor_law_eps(COR_LAW_TSUJI, COR_END_ZERO_OVERLAP, 2 / sqrt(5) * -log_e / sqrt(PI * PI + log_e * log_e)) -
+               cor_contact_eps_zero_force(&c, *all_speeds)) < 1e-6,
+          "MFiX, e = %g", exp(log_e));
+}
+
 /* The contact of a scene; the one whose restitution was measured at the end, if there are two */
 static struct cor_scene_contact contact_of(const struct cor_scene *scene, int end)
 {
@@ -448,6 +550,6 @@ TEST(a_ball_that_falls)
     check(fabs(scene_eps(&contact, 0.5, COR_END_ZERO_OVERLAP) - 0.7) < 1e-8, "MFiX with e = %.9g", e);
 }
 
-RUN_TESTS(a_ball_that_falls, bodies_that_differ_in_one_number, unlike_bodies_of_a_constant_law, speeds_in_any_order,
-          corrected_for_a_step, stiffness_of_a_duration, walls, ends, active_lines_are_one_block, buffer_of_any_size,
-          versions)
+RUN_TESTS(several_materials, a_ball_that_falls, bodies_that_differ_in_one_number, unlike_bodies_of_a_constant_law,
+          speeds_in_any_order, corrected_for_a_step, stiffness_of_a_duration, walls, ends, active_lines_are_one_block,
+          buffer_of_any_size, versions)

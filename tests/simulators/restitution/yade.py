@@ -22,14 +22,14 @@ def collide(text, step, steps, wall=0, speed=1, g=0, radius=None, material=(0, 1
     names = {**start, "step": step, "before_step": []}
     exec(text, names)
     globals().update(names)
-    materials = [cor_material, names.get("cor_material_2", cor_material)]
+    materials = [names[name] for name in sorted(names) if name.startswith("cor_material")]
     # the numbers of ViscElMat are valid for two equal bodies
-    equal = isinstance(cor_material, ViscElMat) and not wall
+    equal = isinstance(materials[0], ViscElMat) and not wall
     mass = () if radius else (0.0032, 0.0032) if equal else (0.002, 0.008)
     radius = radius or ((0.008, 0.008) if equal else (0.005, 0.02))
-    for added in materials:
+    for added in materials if len(O.materials) == 0 else []:
         O.materials.append(added)
-    first, second = [materials[i] for i in material]
+    first, second = [materials[i % len(materials)] for i in material]
     O.bodies.append(sphere((0, 0, radius[0]), radius[0], material=first))
     O.bodies.append(
         utils.wall(0, axis=2, material=second) if wall else sphere((0, 0, -radius[1]), radius[1], material=second))
