@@ -9,28 +9,28 @@
  *     an elastic disk                                     modes, contact law, energy, collisions     disk.h
  *     a status                                            its sentence                               status.h
  *
- * and, in the library libcor_scene, scene.h: one contact as a simulator has it.
+ * The library libcor_scene has one more header, scene.h: one contact as a simulator computes it.
  *
  *     struct cor_body glass = {70e9, 0.22, 0.4e-6, 5e-3, cor_sphere_mass_kg(5e-3, 2500)};
  *     struct cor_sphere_contact contact;
  *     if (cor_sphere_contact_init(&contact, &glass, &glass) == COR_OK)
  *         printf("%g\n", cor_contact_eps_zero_force(&contact, 0.1));
  *
- * What holds for every function, unless its header says otherwise:
+ * Unless its header states otherwise, every function has these properties:
  *
- * Threads, memory: no function has state, so that several threads may call it at once. None allocates memory. Each
- * header bounds the stack.
+ * Threads, memory: no function has state, so several threads may call it at once. None allocates memory. Each header
+ * bounds the stack.
  * Floating-point environment: no function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW or sets errno, whatever its
  * argument, so that programs may trap these exceptions. FE_UNDERFLOW and FE_INEXACT may be raised. All functions assume
- * rounding to nearest; in other rounding modes no result is promised. Where subnormal numbers are flushed to zero,
- * results change by a relative 1e-9 at most (floats: 1.2e-7).
+ * rounding to nearest; other rounding modes give no guarantee. Where subnormal numbers are flushed to zero, results
+ * change by a relative 1e-9 at most (floats: 1.2e-7).
  * Arrays: a function whose name ends in _array sets y[i] to the bits of function(x[i]) for i < n. If n is 0, the
  * pointers may be NULL. x and y may be the same array, but must not overlap otherwise.
  * Bits: the same input gives the same bits on every processor. The library chooses an instruction set at run time, and
  * none changes a result. Where a function calls the C library's exp, log, sin or atan, another C library may change the
- * last place, and of Rayleigh's energy and collisions of disks more, far within their error estimates
+ * last place. Rayleigh's energy and collisions of disks may change more, but far less than their error estimates
  * (docs/evidence.md#platforms has the list).
- * tests/unit/test_environment.c and test_stack.c assert this of every function. */
+ * tests/unit/test_environment.c and test_stack.c assert these properties for every function. */
 #ifndef COR_COR_H
 #define COR_COR_H
 

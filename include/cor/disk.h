@@ -8,9 +8,9 @@
  * nu is Poisson's ratio in plane stress, -1 < nu < 1. For plane strain, replace the three-dimensional E and nu by E/(1
  * - nu^2) and nu/(1 - nu), (2).
  *
- * The model: the wall has no friction. The depth of the rim is taken at the angle of the material, not where that
- * material has moved to. Elasticity is linear: at v = 0.3 compressions reach a third of the radius, far outside it, so
- * that digits of eps beyond 1e-3 there are digits of the model, not of a disk.
+ * The model: the wall has no friction. The depth of the rim is evaluated at the original angle of the material, not at
+ * its displaced angle. Elasticity is linear. At v = 0.3 compressions reach a third of the radius, far outside the
+ * linear range. Digits of eps beyond 1e-3 then describe the model, not a disk.
  *
  *     one rigid collision from a table    cor_disk_eps, cor_disk_one_minus_eps2, each with _uncertainty
  *     collisions with a rigid wall        cor_disk_hard_wall, cor_disk_hard_wall_nu, _in, _workspace
@@ -25,7 +25,7 @@
  * cor_disk_modes_compute, cor_disk_rayleigh_array, cor_disk_collision, cor_disk_collision_array, cor_disk_hard_wall and
  * cor_disk_hard_wall_nu. (cor_disk_modes_read opens a file, for which the C library may allocate a buffer.)
  *
- * Equation numbers (n) are those of Gerl and Zippelius, Phys. Rev. E 59, 2361 (1999); docs/theory-disks.md, 11 to 17,
+ * Equation numbers (n) refer to Gerl and Zippelius, Phys. Rev. E 59, 2361 (1999); docs/theory-disks.md, 11 to 17,
  * derives them again, and docs/errata.md lists where the print is wrong. */
 #ifndef COR_DISK_H
 #define COR_DISK_H
@@ -61,14 +61,14 @@ extern "C" {
  * COR_BEYOND_THEORY. */
 #define COR_DISK_RAYLEIGH_MAX_SPEED 0.03
 
-/* No function uses more bytes of stack, whatever the number of modes and speeds. Measured in an optimised build, libm
- * included: cor_disk_rayleigh and its variants use 60 kB, the others less than half of it. */
+/* Bound on the stack of every function, in bytes, for any number of modes and speeds. Measured in an optimised build,
+ * libm included: cor_disk_rayleigh and its variants use 60 kB, the others less than half of it. */
 #define COR_DISK_MAX_STACK 65536
 
 /* ---- free modes ---- */
 
 /* One free vibration of the disk: displacements u_r(r) cos(n phi), u_phi(r) sin(n phi), frequency omega; l = 0, 1, ...
- * counts the modes of one n upwards. c = u_r(1) and s = u_phi(1), (28), normalised by (26); the overall sign is that of
+ * counts the modes of one n upwards. c = u_r(1) and s = u_phi(1), (28), normalised by (26); the overall sign makes
  * c > 0. The table omits the torsional modes of n = 0, which have c = s = 0, and the translation n = 1, omega = 0. */
 struct cor_disk_mode {
     int n, l;
@@ -76,8 +76,8 @@ struct cor_disk_mode {
 };
 
 /* Largest n of a mode that any function accepts, in a table or a file: the memory of a collision grows with n^2. The
- * 10^6 lowest modes of a disk, COR_DISK_MODES_MAX_COUNT, have n below 3900 where nu is -0.7 or more. Nearer to -1 a
- * table may have larger n, which collisions refuse. */
+ * 10^6 lowest modes of a disk, COR_DISK_MODES_MAX_COUNT, have n below 3900 where nu is -0.7 or more. For nu closer to
+ * -1 a table may have larger n, which collisions reject. */
 #define COR_DISK_MODES_MAX_N 4095
 
 /* The lowest `count` modes of a disk, by increasing omega, without gaps. mode has count elements. */
@@ -118,9 +118,9 @@ COR_API int cor_disk_modes_read(const char *path, struct cor_disk_mode *mode, si
 #define COR_DISK_MODES_AMPLITUDE_MAX_ERROR 1e-10
 COR_API int cor_disk_modes_compute(double nu, size_t count, struct cor_disk_mode *mode, struct cor_disk_modes *modes);
 
-/* Number of modes below omega, about ((1 - nu^2) + 2 (1 + nu)) omega^2/8. Domain: -1 < nu < 1, 0 < omega <=
- * COR_DISK_MODES_MAX_OMEGA; 0 outside. The number may be wrong by one if omega equals the frequency of a mode up to
- * rounding. */
+/* Returns the number of modes below omega, which is about ((1 - nu^2) + 2 (1 + nu)) omega^2/8. Domain: -1 < nu < 1,
+ * 0 < omega <= COR_DISK_MODES_MAX_OMEGA; 0 outside. The number may be wrong by one if omega equals the frequency of a
+ * mode up to rounding. */
 #define COR_DISK_MODES_MAX_OMEGA 2000.0
 COR_API size_t cor_disk_modes_below(double nu, double omega);
 
@@ -135,20 +135,21 @@ enum cor_disk_datum {
     COR_DISK_DATUM_PRINTED         /* b = -1 - nu, as (56) and (57) are printed; follows from neither */
 };
 
-/* The limits of the law: the load P = 4 pi exp(b - 1) at which delta stops growing, its delta = 4 exp(b - 1), its V = 4
- * pi exp(2 b - 2), and the impact speed sqrt(8) exp(b - 1) that reaches this load. Each result is the largest double
- * inside the limit, which the functions below accept. Here and below the result is NaN if nu is outside -1 < nu < 1 or
- * the datum does not exist. */
+/* Return the limits of the law: the load P = 4 pi exp(b - 1) at which delta stops growing, its delta = 4 exp(b - 1),
+ * its V = 4 pi exp(2 b - 2), and the impact speed sqrt(8) exp(b - 1) that reaches this load. Each result is the largest
+ * double inside the limit, which the functions below accept. Here and below the result is NaN if nu is outside
+ * -1 < nu < 1 or the datum does not exist. */
 COR_API double cor_disk_load_limit(double nu, enum cor_disk_datum datum);
 COR_API double cor_disk_compression_limit(double nu, enum cor_disk_datum datum);
 COR_API double cor_disk_energy_limit(double nu, enum cor_disk_datum datum);
 COR_API double cor_disk_speed_limit(double nu, enum cor_disk_datum datum);
 
-/* The law and its inverses, (57): load P of a compression, compression delta of a load, stored energy V of a load,
- * load of an energy.
- * Domain: 0 up to the limit above. Accuracy: COR_DISK_LAW_MAX_ULP (proved), with the arguments taken as exact. Results
- * below the smallest normal double are rounded to subnormal numbers. 0 -> 0; negative, beyond the limit or NaN -> NaN.
- * Array functions, here and below, give n numbers, each that of the function of one; load may be compression. */
+/* Evaluate the law and its inverses, (57): load P of a compression, compression delta of a load, stored energy V of a
+ * load, load of an energy.
+ * Domain: 0 up to the limit above. Accuracy: COR_DISK_LAW_MAX_ULP (proved), with the arguments treated as exact.
+ * Results below the smallest normal double are rounded to subnormal numbers. 0 -> 0; negative, beyond the limit or
+ * NaN -> NaN.
+ * Array functions, here and below, give the same numbers as the function of one number. load may be compression. */
 COR_API double cor_disk_load(double compression, double nu, enum cor_disk_datum datum);
 COR_API void cor_disk_load_array(const double *compression, double nu, enum cor_disk_datum datum, double *load,
                                  size_t n);
@@ -156,8 +157,8 @@ COR_API double cor_disk_compression(double load, double nu, enum cor_disk_datum 
 COR_API double cor_disk_energy(double load, double nu, enum cor_disk_datum datum);
 COR_API double cor_disk_load_of_energy(double energy, double nu, enum cor_disk_datum datum);
 
-/* A quasistatic collision at an impact speed v, in which the energy (pi/2) v^2 becomes V: the largest load, the largest
- * compression (accuracy: COR_DISK_LAW_MAX_ULP, proved) and the contact time
+/* Return the largest load, the largest compression (accuracy: COR_DISK_LAW_MAX_ULP, proved) and the contact time of a
+ * quasistatic collision at impact speed v. The energy (pi/2) v^2 becomes V. The contact time is
  *
  *     tau = sqrt(2) int_0^(pi/2) sqrt(-w) dtheta,   w = W_-1(-(v^2/8) exp(1 - 2 b) sin^2 theta)
  *
@@ -169,14 +170,14 @@ COR_API double cor_disk_contact_time(double speed, double nu, enum cor_disk_datu
 COR_API void cor_disk_contact_time_array(const double *speed, double nu, enum cor_disk_datum datum, double *time,
                                          size_t n);
 
-/* The functions above to leading logarithm, as the paper simplifies them, without nu and datum. At nu = 0.33 the
+/* Approximate the functions above to leading logarithm, as in the paper, without nu and datum. At nu = 0.33 the
  * neglected constants nearly cancel in (61), which is within 7 % of the law for v <= 1e-2. They do not cancel in (59),
  * which is off by up to 35 % between delta = 0.001 and 0.2.
  *     compression  (P/pi) ln(4 pi/P)                    0 <= P <= 4 pi/e        (58)
  *     load         pi delta/ln(4/delta)                 0 <= delta < 4          (59)
  *     energy       (pi/2) delta^2/ln(4/delta)           0 <= delta < 4          (60)
  *     max_compression  v sqrt(ln(4/v))                  0 <= v <= 4             (61)
- *     contact_time     pi sqrt(ln(4/v))                 0 <= v <= 4             (61), pi in place of its "proportional"
+ *     contact_time     pi sqrt(ln(4/v))                 0 <= v <= 4             (61), which omits the factor pi
  * Accuracy: COR_DISK_LAW_MAX_ULP (proved). 0 -> 0, contact_time +inf; outside and NaN -> NaN. */
 COR_API double cor_disk_compression_leading_log(double load);
 COR_API double cor_disk_load_leading_log(double compression);
@@ -186,7 +187,7 @@ COR_API double cor_disk_contact_time_leading_log(double speed);
 
 /* ---- Rayleigh's energy ---- */
 
-/* Energy that a collision at the impact speed v leaves in the modes, as a fraction of (pi/2) v^2, to first order
+/* Energy that a collision at impact speed v leaves in the modes, as a fraction of (pi/2) v^2, to first order
  * (Rayleigh): the quasistatic load drives each mode at the point of contact, (65) to (68). Each mode takes one
  * integral,
  *
@@ -199,13 +200,13 @@ COR_API double cor_disk_contact_time_leading_log(double speed);
 struct cor_disk_rayleigh {
     double fraction;       /* sum over the n_modes modes */
     double tail;           /* sum over all higher modes */
-    double error_estimate; /* absolute, of fraction + tail as sums, not of the theory; typically 20 times the error */
-    double contact_time;   /* cor_disk_contact_time, but for the last place */
+    double error_estimate; /* absolute, of the sums fraction + tail, not of the theory; typically 20 times the error */
+    double contact_time;   /* cor_disk_contact_time, except for the last place */
 };
 
 /* Sums the lowest n_modes of *modes, 1 <= n_modes <= modes->count. mode_fraction is NULL, or receives the n_modes
- * fractions. The tail sums modes n_modes + 1 to 1800 individually, as far as the table goes, so that accuracy and cost
- * equal those of 1800 modes. To use n_modes modes alone, pass a table cut to them.
+ * fractions. The tail sums modes n_modes + 1 to 1800 individually, as far as the table has them. Accuracy and cost are
+ * therefore the same as for 1800 modes. To use only n_modes modes, pass a table cut to them.
  * Domain: 0 <= v <= cor_disk_speed_limit(modes->nu, datum). At v = 0 no mode has energy and the contact time is
  * infinite.
  * Accuracy: COR_DISK_RAYLEIGH_MAX_ERROR or _MAX_ABSOLUTE for each mode; COR_DISK_RAYLEIGH_TAIL_MAX_ERROR and
@@ -219,10 +220,10 @@ struct cor_disk_rayleigh {
 COR_API int cor_disk_rayleigh(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum,
                               double speed, struct cor_disk_rayleigh *out, double *mode_fraction);
 
-/* The same at n speeds of one table: out[i] belongs to speed[i], and mode_fraction[i n_modes + k], if mode_fraction is
- * not NULL, to mode k. The speeds share most of the work. Where at least 28 speeds have 2 ln(limit/v) between two
- * powers of 4, the function interpolates the terms that vary slowly with v. Its results differ from those of
- * cor_disk_rayleigh by less than the bounds, and between lists of speeds by less than 1e-12. status is NULL, or
+/* Does the same at n speeds with one table: out[i] belongs to speed[i], and mode_fraction[i n_modes + k], if
+ * mode_fraction is not NULL, to mode k. The speeds share most of the work. Where at least 28 speeds have 2 ln(limit/v)
+ * between two powers of 4, the function interpolates the terms that vary slowly with v. Its results differ from
+ * cor_disk_rayleigh by less than the bounds, and from another list of speeds by less than 1e-12. status is NULL, or
  * receives the status of each speed. out[i] is NaN where the speed is out of range. If n is 0, speed and out may be
  * NULL. Callers may divide the speeds among threads.
  * Returns COR_OK, the first status of a speed that is not COR_OK, or, with nothing changed,
@@ -232,18 +233,18 @@ COR_API int cor_disk_rayleigh_array(const struct cor_disk_modes *modes, size_t n
                                     int *status);
 
 /* Sums the smallest number of modes with error_estimate below tolerance (fraction + tail), 0 < tolerance < 1. *n_modes,
- * if n_modes is not NULL, becomes that number. The tail is computed from these modes alone. Returns a status as above,
+ * if n_modes is not NULL, becomes that number. The tail is computed from only these modes. Returns a status as above,
  * COR_ERROR_TOLERANCE for a tolerance outside its range, or
- *     COR_TOLERANCE_NOT_REACHED  the table has too few modes; the results are those of all of them */
+ *     COR_TOLERANCE_NOT_REACHED  the table has too few modes; the results use all of them */
 COR_API int cor_disk_rayleigh_tolerance(const struct cor_disk_modes *modes, enum cor_disk_datum datum, double speed,
                                         double tolerance, struct cor_disk_rayleigh *out, size_t *n_modes);
 
 /* ---- full dynamics ---- */
 
-/* A collision of the disk of n_modes modes with a wall of potential exp(alpha x)/alpha, (41) to (45): head on, with no
- * mode excited before. x(phi) = x_0 + cos(phi) + sum Q (C cos(n phi) cos(phi) - S sin(n phi) sin(phi)) is the depth of
- * the rim in the wall at the angle phi, (40), and x_0 is the position of the centre of mass. The wall pushes with the
- * force exp(alpha x) per unit length of the rim. At time 0 the rim of a disk that kept its shape and speed would be at
+/* A head-on collision of a disk of n_modes modes with a wall of potential exp(alpha x)/alpha, (41) to (45). No mode is
+ * excited before. x(phi) = x_0 + cos(phi) + sum Q (C cos(n phi) cos(phi) - S sin(n phi) sin(phi)) is the depth of the
+ * rim in the wall at the angle phi, (40), and x_0 is the position of the centre of mass. The wall pushes with the force
+ * exp(alpha x) per unit length of the rim. At time 0 the rim of a disk that kept its shape and speed would be at
  * x = 0. */
 
 /* Above this speed the disk is far outside linear elasticity. */
@@ -253,7 +254,7 @@ COR_API int cor_disk_rayleigh_tolerance(const struct cor_disk_modes *modes, enum
 #define COR_DISK_COLLISION_MAX_ALPHA 1e5
 #define COR_DISK_COLLISION_MIN_TOLERANCE 1e-13
 #define COR_DISK_COLLISION_MAX_PHI_POINTS 16384
-/* Bytes of workspace for n up to COR_DISK_MODES_MAX_N, but for 200 for each mode */
+/* Bytes of workspace for n up to COR_DISK_MODES_MAX_N; each mode needs 200 more */
 #define COR_DISK_COLLISION_MAX_WORKSPACE 1.3e9
 /* Largest number of steps of one run. A contact that lasts longer returns COR_CONTACT_NOT_ENDED. */
 #define COR_DISK_COLLISION_MAX_STEPS 1000000
@@ -282,14 +283,14 @@ struct cor_disk_collision {
  * error_estimate is the sum of four parts: the remainder of the extrapolation and, times the amplification of errors by
  * the collision, the quadrature over the rim, round-off, and the wall's force before and after the contact. The
  * amplification is bounded from the runs, or measured by a run with v changed by 2^-40. If the quadrature may take more
- * than a tenth of the tolerance, a run with angles shifted by half their distance measures what it does to eps.
+ * than a tenth of the tolerance, a run with angles shifted by half their distance measures its effect on eps.
  * Accuracy, sampled in 8640 random scenes of 1 to 60 modes of nu = 0.33 and 0.9 (alpha 200 to 8000, v 0.003 to 0.3,
  * tolerances 1e-3 to 1e-11) and in 8640 of 10 to 1800 modes (alpha 100 to 8000, v 0.003 to 0.45, tolerances 1e-2 to
  * 1e-6): where the status is COR_OK the error is at most 0.86 of the tolerance. In 6 scenes it exceeds error_estimate,
- * by at most 3.7 times: docs/theory-disks.md, 15. Near chaos, round-off alone may exceed a small tolerance; below 1e-12
- * it mostly does. one_minus_eps2 is as accurate as eps. contact_time and max_compression, which are taken during the
- * contact, are less accurate. energy_drift is eps^2 + one_minus_eps2 - 1. The same arguments give the same bits on
- * every instruction set.
+ * by at most 3.7 times: docs/theory-disks.md, 15. Near chaos, round-off alone may exceed a small tolerance; below
+ * 1e-12 it mostly does. one_minus_eps2 is as accurate as eps. contact_time and max_compression, which are measured
+ * during the contact, are less accurate. energy_drift is eps^2 + one_minus_eps2 - 1. The same arguments give the same
+ * bits on every instruction set.
  *
  * Returns COR_OK if error_estimate is at most the tolerance. It returns, with the best numbers and their
  * error_estimate,
@@ -310,11 +311,11 @@ COR_API int cor_disk_collision(const struct cor_disk_modes *modes, size_t n_mode
                                const struct cor_disk_collision_options *options, double speed,
                                struct cor_disk_collision *out);
 
-/* The same at n speeds with one table, wall and tolerance: out[i] has the bits of cor_disk_collision at speed[i]. The
- * speeds share the workspace, what depends on the modes alone, and the tables of equal numbers of angles. status is
- * NULL, or receives the status of each speed. The numbers of out[i] are NaN, and steps is 0, where the speed is too
- * high or NaN. If n is 0, speed and out may be NULL. max_steps holds for each speed. Callers may divide the
- * speeds among threads.
+/* Does the same at n speeds with one table, wall and tolerance: out[i] has the bits of cor_disk_collision at speed[i].
+ * The speeds share the workspace and all data that depend only on the modes. Speeds with equal numbers of angles share
+ * the tables of angles. status is NULL, or receives the status of each speed. The numbers of out[i] are NaN, and steps
+ * is 0, where the speed is too high or NaN. If n is 0, speed and out may be NULL. max_steps holds for each speed.
+ * Callers may divide the speeds among threads.
  * Returns COR_OK, the first status of a speed that is not COR_OK, or, with nothing changed,
  *     COR_ERROR_NULL, COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_MODES, COR_ERROR_TOLERANCE, COR_ERROR_ALPHA,
  *     COR_ERROR_PHI_POINTS as above, COR_ERROR_MEMORY */
@@ -342,9 +343,9 @@ struct cor_disk_collision_detail {
     double *q, *q_dot;
 };
 
-/* cor_disk_collision_in computes the same with a workspace of the caller, for many collisions, and with detail, which
- * may be NULL. cor_disk_collision_workspace returns the number of bytes that it needs, at any address, or 0 if an
- * argument is outside its domain. The number grows with alpha, with n_modes and with a smaller tolerance. */
+/* cor_disk_collision_in computes the same in a workspace of the caller, for many collisions, and sets *detail, which
+ * may be NULL. cor_disk_collision_workspace returns the number of bytes that the workspace needs, at any address, or
+ * 0 if an argument is outside its domain. The number grows with alpha, with n_modes and with a smaller tolerance. */
 COR_API size_t cor_disk_collision_workspace(const struct cor_disk_modes *modes, size_t n_modes,
                                             const struct cor_disk_collision_options *options);
 /* Returns a status as above, or COR_ERROR_WORKSPACE if the workspace is too small. It allocates nothing. */
@@ -354,12 +355,12 @@ COR_API int cor_disk_collision_in(void *workspace, size_t bytes, const struct co
 
 /* ---- the hard wall ---- */
 
-/* A collision of the disk of all its modes with a rigid wall: the limit of cor_disk_collision for alpha -> infinity and
+/* A collision of a disk with all its modes at a rigid wall: the limit of cor_disk_collision for alpha -> infinity and
  * n_modes -> infinity, computed directly. docs/theory-disks.md, 17.
  *
- * Modes below a frequency Omega move, under a weight that fades smoothly to 0 at Omega. The rest of the static
+ * Modes below a frequency Omega move, with a weight that decreases smoothly to 0 at Omega. The rest of the static
  * compliance, which is known for all modes, acts at once. The wall is rigid. L = 1 - eps^2 then tends to its limit like
- * Omega^-2. The function extrapolates a sequence of levels Omega, each sqrt(2) times the one before. Below
+ * Omega^-2. The function extrapolates a sequence of levels Omega, each sqrt(2) times the previous one. Below
  * COR_DISK_HARD_WALL_POINT_SPEED the contact is a point with one equation for the load, which allows any speed. */
 #define COR_DISK_HARD_WALL_MAX_SPEED 0.5
 #define COR_DISK_HARD_WALL_POINT_SPEED 1e-7
@@ -404,7 +405,7 @@ COR_API int cor_disk_hard_wall(const struct cor_disk_modes *modes, size_t n_mode
                                const struct cor_disk_hard_wall_options *options, double speed,
                                struct cor_disk_hard_wall *out);
 
-/* The same for any nu, -1 < nu < 1, without a table. The function computes the modes that the tolerance needs by
+/* Does the same for any nu, -1 < nu < 1, without a table. The function computes the modes that the tolerance needs by
  * cor_disk_modes_compute, up to COR_DISK_HARD_WALL_MAX_LEVELS. For many speeds a table is faster. */
 COR_API int cor_disk_hard_wall_nu(double nu, const struct cor_disk_hard_wall_options *options, double speed,
                                   struct cor_disk_hard_wall *out);
@@ -430,9 +431,9 @@ struct cor_disk_hard_wall_detail {
     double *q, *q_dot;
 };
 
-/* cor_disk_hard_wall_in computes the same with a workspace of the caller, and with detail, which may be NULL.
- * cor_disk_hard_wall_workspace returns the number of bytes that it needs, at any address, or 0 where it would
- * return COR_ERROR_... for these arguments. */
+/* cor_disk_hard_wall_in computes the same in a workspace of the caller, and sets *detail, which may be NULL.
+ * cor_disk_hard_wall_workspace returns the number of bytes that the workspace needs, at any address, or 0 if
+ * cor_disk_hard_wall_in would return COR_ERROR_... for these arguments. */
 COR_API size_t cor_disk_hard_wall_workspace(const struct cor_disk_modes *modes, size_t n_modes,
                                             const struct cor_disk_hard_wall_options *options, double speed);
 /* Returns a status as above, or COR_ERROR_WORKSPACE if the workspace is too small. It allocates nothing. */
@@ -442,17 +443,17 @@ COR_API int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct co
 
 /* ---- restitution at a rigid wall from a table ---- */
 
-/* Restitution of a disk of all its modes at a rigid wall, as cor_disk_hard_wall computes it. The functions interpolate
- * a table of collisions, generated/disk_limits.h, by polynomials of degree 3 in v^(1/8) and nu, which join where cells
- * of the table end. A call takes 14 ns (measured; docs/speed).
+/* Return the restitution of a disk with all its modes at a rigid wall, as cor_disk_hard_wall computes it. The functions
+ * interpolate a table of collisions, generated/disk_limits.h, by polynomials of degree 3 in v^(1/8) and nu. The
+ * polynomials are continuous across the borders of the table's cells. A call takes 14 ns (measured; docs/speed).
  *     one_minus_eps2               energy left in the modes, as a fraction of (pi/2) v^2
  *     one_minus_eps2_uncertainty   1.5 times the largest error of the polynomial seen between the points of its cell,
  *                                  combined with the error estimates of the collisions: an estimate, not a bound.
- *                                  Near smaller cells it goes over to theirs. The error did not exceed it at 600
+ *                                  Near smaller cells it blends into theirs. The error did not exceed it at 600
  *                                  random points off the grid and 400 on and near borders of cells
  *                                  (tests/unit/test_disk_eps.c). It is at most COR_DISK_EPS_MAX_UNCERTAINTY for
  *                                  v <= COR_DISK_EPS_CALM_SPEED, and at most COR_DISK_EPS_MAX_UNCERTAINTY_FAST beyond
- *     eps, eps_uncertainty         the same for eps; eps_array: of many speeds, the same numbers
+ *     eps, eps_uncertainty         the same for eps; eps_array gives the same numbers for many speeds
  * The functions are continuous: where v differs by 2e-13 v, or nu by 2e-13, 1 - eps^2 and eps differ by at most
  * COR_DISK_EPS_MAX_JUMP (sampled at 24 10^6 places on borders). The uncertainty may jump.
  * Domain: the speeds and Poisson's ratios below, ends included. Outside the domain, and for NaN, the result is NaN.

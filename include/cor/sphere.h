@@ -23,12 +23,13 @@
  * eps and loss at zero overlap and zero force also have NAME_arrayf, in float arithmetic. Published approximations:
  * cor_sphere_eps_simple, cor_sphere_eps_simple_fraction, cor_sphere_eps_published_pade.
  *
- * cor.h says what holds of threads, memory, the floating-point environment and arrays. No function uses more bytes of
- * stack than COR_SPHERE_MAX_STACK (4 kB, if it is not of arrays). Beyond beta = 8, or 16 for eps and
- * loss at zero force, the functions call cbrt and log of the C library, and its bits are theirs.
+ * cor.h describes threads, memory, the floating-point environment and arrays. No function uses more than
+ * COR_SPHERE_MAX_STACK bytes of stack; a function of a single number uses at most 4 kB. For beta beyond 8, or beyond
+ * 16 for eps and loss at zero force, the functions call cbrt and log of the C library. The bits of the results then
+ * depend on that library.
  *
- * Equation numbers (n) are those of Ramirez, Poeschel, Brilliantov and Schwager, Phys. Rev. E 60,
- * 4465 (1999); docs/theory.md derives them again, and docs/errata.md lists where the print is wrong. */
+ * Equation numbers (n) refer to Ramirez, Poeschel, Brilliantov and Schwager, Phys. Rev. E 60, 4465 (1999);
+ * docs/theory.md derives them again, and docs/errata.md lists where the print is wrong. */
 #ifndef COR_SPHERE_H
 #define COR_SPHERE_H
 
@@ -65,14 +66,14 @@ extern "C" {
  * by (30). The constant is rounded to the nearest double. */
 #define COR_SPHERE_C1 (-1.15344885809528879913)
 
-/* double cor_sphere_eps_zero_overlap(double beta), cor_sphere_eps_zero_force: restitution coefficient for the end of
- * contact that the name says.
+/* double cor_sphere_eps_zero_overlap(double beta), cor_sphere_eps_zero_force: restitution coefficient. The name gives
+ * the end of contact.
  * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_EPS_MAX_ULP. 0 <= eps <= 1, and from one double beta to the next eps
  * never rises by more than one unit of its last place: proved (docs/theory.md, 18).
- * Large beta: h*^5 beta^-5, h*^5 = 5.1583817..., exact in double precision from beta = 7 on (zero overlap);
- * (3/2)^(2/3) beta^(-5/3) and corrections of relative size beta^(-5/3) ln(beta) (zero force).
+ * Large beta: h*^5 beta^-5, h*^5 = 5.1583817..., exact in double precision for beta >= 7 (zero overlap); (3/2)^(2/3)
+ * beta^(-5/3) with corrections of relative size beta^(-5/3) ln(beta) (zero force).
  * Special values: +-0 -> exactly 1, +inf -> 0; negative and NaN -> NaN.
- * Source: (10), by the equation of motion itself; docs/theory.md, 4 to 6 and 8. */
+ * Source: (10), from the equation of motion itself; docs/theory.md, 4 to 6 and 8. */
 COR_API double cor_sphere_eps_zero_overlap(double beta);
 COR_API void cor_sphere_eps_zero_overlap_array(const double *beta, double *y, size_t n);
 COR_API double cor_sphere_eps_zero_force(double beta);
@@ -81,7 +82,7 @@ COR_API void cor_sphere_eps_zero_force_array(const double *beta, double *y, size
 /* double cor_sphere_loss_zero_overlap(double beta), cor_sphere_loss_zero_force: 1 - eps. The relative accuracy holds
  * where a subtraction would cancel: the loss tends to |C_1| beta as beta -> 0, down to the smallest subnormal.
  * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_LOSS_MAX_ULP.
- * Special values: +-0 -> 0, +inf -> 1; negative and NaN -> NaN. Source: as eps. */
+ * Special values: +-0 -> 0, +inf -> 1; negative and NaN -> NaN. Source: as for eps. */
 COR_API double cor_sphere_loss_zero_overlap(double beta);
 COR_API void cor_sphere_loss_zero_overlap_array(const double *beta, double *y, size_t n);
 COR_API double cor_sphere_loss_zero_force(double beta);
@@ -89,10 +90,10 @@ COR_API void cor_sphere_loss_zero_force_array(const double *beta, double *y, siz
 
 /* double cor_sphere_beta_zero_overlap(double eps), cor_sphere_beta_zero_force: the inverse functions, which return the
  * beta that has this eps.
- * Domain: 0 <= eps <= 1. Accuracy: COR_SPHERE_BETA_MAX_ULP with the given double eps taken as exact. (Near eps = 1,
- * where beta is (1 - eps)/|C_1|, one unit of the last place of eps changes beta much: the condition number is eps/(1 -
- * eps).)
- * Special values: 1 -> 0, +-0 -> +inf; outside [0, 1] and NaN -> NaN. Source: as eps. */
+ * Domain: 0 <= eps <= 1. Accuracy: COR_SPHERE_BETA_MAX_ULP with the given double eps treated as exact. (Near eps = 1,
+ * where beta is (1 - eps)/|C_1|, one unit of the last place of eps changes beta much: the condition number is
+ * eps/(1 - eps).)
+ * Special values: 1 -> 0, +-0 -> +inf; outside [0, 1] and NaN -> NaN. Source: as for eps. */
 COR_API double cor_sphere_beta_zero_overlap(double eps);
 COR_API void cor_sphere_beta_zero_overlap_array(const double *eps, double *y, size_t n);
 COR_API double cor_sphere_beta_zero_force(double eps);
@@ -127,11 +128,11 @@ COR_API void cor_sphere_time_of_max_overlap_array(const double *beta, double *y,
 /* ---- Arrays of floats ----
  *
  * eps and 1 - eps in float arithmetic, in less than half the time of the double arrays. For every other function of
- * floats call the double function and round its result.
+ * floats, call the double function and round its result.
  * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_FLOAT_MAX_ULP, in units of the last place of a float, measured at
  * every float (tests/accuracy/test_floats.c). Beta >= 8 (zero overlap) or 16 (zero force), -0 and, for the loss,
  * 0 < beta < 2^-100 give the double result rounded to a float, which takes longer.
- * Special values: those of the double functions. */
+ * Special values: as for the double functions. */
 #define COR_SPHERE_FLOAT_MAX_ULP 0.75
 COR_API void cor_sphere_eps_zero_overlap_arrayf(const float *beta, float *y, size_t n);
 COR_API void cor_sphere_eps_zero_force_arrayf(const float *beta, float *y, size_t n);
@@ -140,8 +141,8 @@ COR_API void cor_sphere_loss_zero_force_arrayf(const float *beta, float *y, size
 
 /* ---- Damping during the approach only ----
  *
- * Some simulators damp the force while the bodies approach, and use the elastic force alone from the turning point on
- * (law.h, approach_only). The approach and its largest overlap x_max are those of the full law, so that
+ * Some simulators damp the force while the bodies approach, and use only the elastic force after the turning point
+ * (law.h, approach_only). The approach and its largest overlap x_max are the same as in the full law, so that
  *
  *     eps = sqrt((4/5) x_max^(5/2)),     duration = time of the largest overlap + tau_0 eps^(-1/5)
  *
@@ -153,7 +154,7 @@ COR_API void cor_sphere_loss_zero_force_arrayf(const float *beta, float *y, size
  *
  * double cor_sphere_beta_approach_only(double eps), cor_sphere_beta_of_loss_approach_only(double loss): the inverse
  * functions, from eps or from 1 - eps.
- * Domain: 0 to 1. Accuracy: COR_SPHERE_APPROACH_MAX_ULP with the given double taken as exact.
+ * Domain: 0 to 1. Accuracy: COR_SPHERE_APPROACH_MAX_ULP with the given double treated as exact.
  * Special values: eps 1, loss 0 -> 0; eps 0, loss 1 -> +inf, and +inf where beta is beyond the largest double; outside
  * [0, 1] and NaN -> NaN.
  *
@@ -185,16 +186,16 @@ COR_API void cor_sphere_duration_approach_only_array(const double *beta, double 
  * last place. */
 #define COR_SPHERE_EPS_SIMPLE_MAX_ULP 12.0
 
-/* The simple theory: the root in [0, 1] of eps + 2 delta d eps^(3/5) = 1, (27).
- * Only its C_1 and C_2 agree with eps at zero overlap. Against that eps the root is 1.6 % too large at beta = 0.5, 11 %
- * at 1, 88 % at 2, and falls like beta^(-5/3) instead of beta^(-5). Against eps at zero force it is 2 %, 7 % and 16 %
- * too small at the same beta.
+/* Returns the root in [0, 1] of eps + 2 delta d eps^(3/5) = 1, (27), of the simple theory. Only its C_1 and C_2 agree
+ * with eps at zero overlap. Relative to that eps the root is 1.6 % too large at beta = 0.5, 11 % at 1 and 88 % at 2. It
+ * decreases like beta^(-5/3) instead of beta^(-5). Relative to eps at zero force it is 2 %, 7 % and 16 % too small at
+ * the same beta.
  * Domain: 0 <= beta <= inf.
  * Accuracy as the solution of (27): COR_SPHERE_EPS_SIMPLE_MAX_ULP, sampled.
  * Special values: +-0 -> 1, +inf -> 0, negative or NaN -> NaN. */
 COR_API double cor_sphere_eps_simple(double beta);
 
-/* The continued fraction of the simple theory, (28), cut after `depth` levels: eps = 1/t_depth,
+/* Returns the continued fraction of the simple theory, (28), cut off after `depth` levels: eps = 1/t_depth,
  *
  *     t_0 = 1,     t_(k+1) = 1 + 2 delta d t_k^(2/5)
  *
@@ -205,15 +206,15 @@ COR_API double cor_sphere_eps_simple(double beta);
  * depth -> NaN. */
 COR_API double cor_sphere_eps_simple_fraction(double beta, int depth);
 
-/* The published [1/4] Pade approximant (35) with the printed coefficients of Table I,
+/* Returns the published [1/4] Pade approximant (35) with the printed coefficients of Table I,
  *
  *     (1 + d_1 s)/(1 + d_2 s + d_3 s^2 + d_4 s^3 + d_5 s^4),     s = (g/g*)^(1/5) = |C_1| beta,
  *     d_1 ... d_5 = 2.5839, 3.5839, 2.9839, 1.1487, 0.3265
  *
- * It is inaccurate for two reasons: the published a_3 and a_4 are wrong (docs/errata.md), and the series behind it
- * ends after a_4. Against eps at zero overlap it is 0.6 % too large at beta = 0.5, 5 % at 1, 51 % at 2, a factor 3.3 at
- * 3, and falls like beta^(-3) instead of beta^(-5). Call it to reproduce old simulations and figures only, and
- * cor_sphere_eps_zero_overlap for the restitution itself.
+ * It is inaccurate for two reasons: the published a_3 and a_4 are wrong (docs/errata.md), and the series behind it ends
+ * after a_4. Relative to eps at zero overlap it is 0.6 % too large at beta = 0.5, 5 % at 1, 51 % at 2, and a factor of
+ * 3.3 at 3. It decreases like beta^(-3) instead of beta^(-5). Call it only to reproduce old simulations and figures.
+ * For the restitution itself, call cor_sphere_eps_zero_overlap.
  * Domain: 0 <= beta <= inf. Accuracy as (35): COR_SPHERE_EPS_SIMPLE_MAX_ULP, sampled.
  * Special values: +-0 -> 1, +inf -> 0, negative or NaN -> NaN. */
 COR_API double cor_sphere_eps_published_pade(double beta);

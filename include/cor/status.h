@@ -17,7 +17,7 @@ enum cor_status {
     COR_ERROR_POISSON_RATIO = 3,    /* outside (-1, 1/2], or NaN */
     COR_ERROR_DISSIPATION_TIME = 4, /* negative, infinite or NaN */
     COR_ERROR_RADIUS = 5,           /* not positive, or NaN; +inf is a flat wall */
-    COR_ERROR_MASS = 6,             /* not positive, or NaN; +inf is a body held fast */
+    COR_ERROR_MASS = 6,             /* not positive, or NaN; +inf is a fixed body */
     COR_ERROR_BOTH_FLAT = 7,        /* two infinite radii: two walls */
     COR_ERROR_BOTH_FIXED = 8,       /* two infinite masses */
     COR_ERROR_BOTH_RIGID = 9,       /* two infinite moduli */
@@ -33,7 +33,7 @@ enum cor_status {
     COR_ERROR_FILE_VERSION = 18,       /* not a mode file, or a mode file of another version */
     COR_ERROR_FILE_DAMAGED = 19,       /* the checks of a mode file fail */
     COR_ERROR_CAPACITY = 20,           /* an array is too small for its results */
-    /* The functions return these together with results, which are less than was asked for. */
+    /* The functions return these statuses together with results that do not fully meet the request. */
     COR_BEYOND_THEORY = 21,         /* a collision too violent for perturbation theory */
     COR_TOLERANCE_NOT_REACHED = 22, /* the table has too few modes, or the extrapolated steps disagree */
     COR_WALL_NOT_TOUCHED = 23,      /* a disk that does not move towards the wall */
@@ -41,15 +41,15 @@ enum cor_status {
     /* disk.h, full dynamics */
     COR_ERROR_ALPHA = 25,      /* hardness of the wall not positive, infinite or NaN */
     COR_ERROR_PHI_POINTS = 26, /* more angles than COR_DISK_COLLISION_MAX_PHI_POINTS */
-    COR_ERROR_WORKSPACE = 27,  /* a workspace is smaller than the size function says */
+    COR_ERROR_WORKSPACE = 27,  /* a workspace is smaller than the size function requires */
     COR_ERROR_MEMORY = 28,     /* the allocation of a workspace failed */
     /* contact.h, plates */
     COR_ERROR_DENSITY = 29,  /* not positive, infinite or NaN */
     COR_ERROR_THICKNESS = 30 /* not positive, infinite or NaN */
 };
 
-/* One English sentence for a status, without a newline. The result is never NULL: a number that is no status gets a
- * sentence that says so. The string is constant and lives as long as the program. */
+/* Returns one English sentence for a status, without a newline. The result is never NULL: a number that is not a status
+ * also gives a sentence. The string is constant and lives as long as the program. */
 COR_API const char *cor_status_text(int status);
 
 #ifdef __cplusplus
