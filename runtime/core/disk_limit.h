@@ -1,25 +1,26 @@
 /* SPDX-License-Identifier: MIT */
-/* The table of generated/disk_limits.h and its evaluation, which corgen shares: 1 - eps^2 over the plane of x = v^(1/8)
- * and nu. The grid in x is denser for faster disks: 0.002 and 0.2 are as far apart as 2e-7 and 0.002.
+/* The table of generated/disk_limits.h and its evaluation, which corgen uses too: 1 - eps^2 over the plane of
+ * x = v^(1/8) and nu. The grid in x is denser for faster disks: the distance between 0.002 and 0.2 is the same as
+ * between 2e-7 and 0.002.
  *
  * The plane is divided into cells. A cell in which a polynomial of degree 3 in x and in nu is not accurate enough is
- * divided into four, repeatedly. Beside smaller cells a cell's function goes over to theirs (docs/theory-disks.md, 17),
- * so that the whole is continuous. corgen cuts such a cell into pieces, rectangles in each of which its function is one
- * polynomial, so that a call finds one piece and evaluates one polynomial. */
+ * divided into four, repeatedly. Near smaller cells the function of a cell blends into theirs
+ * (docs/theory-disks.md, 17), which makes it continuous on the plane. corgen cuts such a cell into rectangles
+ * ("pieces") in each of which the function is one polynomial. A call finds one piece and evaluates one polynomial. */
 #ifndef COR_RUNTIME_CORE_DISK_LIMIT_H
 #define COR_RUNTIME_CORE_DISK_LIMIT_H
 
 #include "runtime/number/inline.h"
 
-/* Sides of a root, a cell before any division, and of a square in sides of the smallest piece */
+/* Sizes of a root, which is a cell before any division, and of a square, in sides of the smallest piece */
 enum { COR_DISK_LIMIT_SQUARE_BITS = 3, COR_DISK_LIMIT_PER_SQUARE = 8, COR_DISK_LIMIT_PER_ROOT = 16 };
 
-/* In sides of a cell; smaller than half the smallest cell beside any */
+/* Distance beyond a side of a cell, in units of that side; less than half of the smallest neighbour */
 #define COR_DISK_LIMIT_BEYOND 0x1p-10
 
-/* A piece: its first corner, in the coordinates of the plane, and one over its sides; coefficient [4 j + i] is that of
- * s^i t^j, where s and t are 0 to 1 in x and nu; the uncertainty of its cell, and how often a root was divided for it.
- * Coefficients and uncertainty are in units of COR_DISK_LIMIT_UNIT. */
+/* A piece. x, nu: its first corner, in the coordinates of the plane. per_x, per_nu: inverse sides. coefficient[4 j + i]
+ * multiplies s^i t^j, where s and t are 0 to 1 in x and nu. uncertainty: of its cell. depth: how often a root was
+ * divided for it. Coefficients and uncertainty are in units of COR_DISK_LIMIT_UNIT. */
 #define COR_DISK_LIMIT_UNIT 1e-7
 enum { COR_DISK_LIMIT_SIDE = 4, COR_DISK_LIMIT_POINTS = 16 };
 struct cor_disk_limit_piece {
@@ -32,13 +33,13 @@ struct cor_disk_limit_piece {
 struct cor_disk_limit_table {
     int x_roots, nu_roots;
     double x_first, x_step, nu_first, nu_step;
-    /* A square, of which a root has 2 x 2, is cut evenly into 2^a by 2^b places: 16 times its first place, plus 4 b,
-     * plus a. A place holds the number of its piece. In both, x is fastest. */
+    /* A root has 2 x 2 squares. A square is cut evenly into 2^a by 2^b places; its entry is 16 times its first place,
+     * plus 4 b, plus a. The entry of a place is the number of its piece. In both arrays x varies fastest. */
     const uint16_t *square, *place;
     const struct cor_disk_limit_piece *piece;
 };
 
-/* Coordinates in the plane: 0 to x_roots and 0 to nu_roots */
+/* Return coordinates in the plane: 0 to x_roots and 0 to nu_roots. */
 COR_INLINE double cor_disk_limit_x(const struct cor_disk_limit_table *table, double speed)
 {
     return (sqrt(sqrt(sqrt(speed))) - table->x_first) * (1 / table->x_step);
@@ -49,7 +50,7 @@ COR_INLINE double cor_disk_limit_nu(const struct cor_disk_limit_table *table, do
     return (nu - table->nu_first) * (1 / table->nu_step);
 }
 
-/* The piece that contains a point of the plane, or one that rounding has put beside the plane */
+/* Returns the piece that contains a point of the plane. Rounding may have put the point just outside the plane. */
 COR_INLINE const struct cor_disk_limit_piece *cor_disk_limit_find(const struct cor_disk_limit_table *table, double x,
                                                                   double nu)
 {
@@ -65,7 +66,7 @@ COR_INLINE const struct cor_disk_limit_piece *cor_disk_limit_find(const struct c
     return &table->piece[table->place[(square >> 4) + (row << x_bits) + column]];
 }
 
-/* The polynomial of a piece */
+/* Returns the value of a piece's polynomial. */
 COR_INLINE double cor_disk_limit_value(const struct cor_disk_limit_piece *piece, double x, double nu)
 {
     const double s = (x - piece->x) * (double)piece->per_x, t = (nu - piece->nu) * (double)piece->per_nu;
@@ -76,13 +77,14 @@ COR_INLINE double cor_disk_limit_value(const struct cor_disk_limit_piece *piece,
     return COR_DISK_LIMIT_UNIT * ((of_s[0] + s * of_s[1]) + s * s * (of_s[2] + s * of_s[3]));
 }
 
-/* The weight of the first of four values at 0, 1/3, 2/3, 1 in the polynomial through them */
+/* Returns the weight of the first of four values at 0, 1/3, 2/3, 1 in the polynomial through them. */
 COR_INLINE double cor_disk_limit_weight(double t)
 {
     return (1 - t) * (1 - 3 * t) * (1 - 1.5 * t);
 }
 
-/* The uncertainty at a point: that of the cell, which goes over to larger ones of smaller cells beyond its sides */
+/* Returns the uncertainty at a point. It blends from the value of the cell into the larger value of a smaller
+ * neighbour. */
 COR_INLINE double cor_disk_limit_uncertainty(const struct cor_disk_limit_table *table, double x, double nu)
 {
     const struct cor_disk_limit_piece *const own = cor_disk_limit_find(table, x, nu);

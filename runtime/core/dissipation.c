@@ -11,7 +11,7 @@ double cor_dissipation_time_viscous_s(double eta1_pa_s, double eta2_pa_s, double
     if (!(eta1_pa_s == 0 || cor_si_in_range(eta1_pa_s)) || !(eta2_pa_s == 0 || cor_si_in_range(eta2_pa_s)) ||
         !cor_si_in_range(young_modulus_pa) || !(isgreater(nu, -1) && islessequal(nu, 0.5)))
         return NAN;
-    /* powers of two are kept apart, so that only the result can be out of range */
+    /* powers of two are handled separately, so that only the result can be out of range */
     int eta_exponent = 0, young_exponent;
     const double most = eta1_pa_s > eta2_pa_s ? eta1_pa_s : eta2_pa_s, young = frexp(young_modulus_pa, &young_exponent);
     if (most == 0)

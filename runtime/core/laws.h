@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The laws that have a name, the only list of them besides enum cor_law:
+/* The laws that have a name. Besides enum cor_law this is the only list of laws:
  * row(ENUMERATOR, name, a, b and their denominator, label for a reader). */
 #ifndef COR_RUNTIME_CORE_LAWS_H
 #define COR_RUNTIME_CORE_LAWS_H
