@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Saves the caller's floating-point environment and sets the default: rounding to nearest, no traps, no flushing of
- * subnormal numbers. Code between the two calls gives the same bits in every mode of the caller, and changes neither
- * the caller's exceptions nor errno.
+ * subnormal numbers. Code between the two calls gives the same bits in every mode of the caller. It changes neither the
+ * caller's exceptions nor errno.
  *
  *     const struct cor_environment caller = cor_environment_enter();
  *     ... a call that a compiler cannot look into, or operands and results in volatile variables ...
@@ -14,7 +14,7 @@
 #include <errno.h>
 #include <stddef.h>
 
-/* On 32 bits the C library computes in x87, which has a register of its own: fenv.h knows both. */
+/* On 32 bits the C library computes in x87, which has its own control register. fenv.h sets both registers. */
 #if defined(__x86_64__) && defined(__GNUC__)
 #include <xmmintrin.h>
 
@@ -63,7 +63,7 @@ static inline void cor_environment_leave(const struct cor_environment *caller)
 }
 #endif
 
-/* function(x) in the default environment; the pointer is volatile, so that no compiler looks into the function */
+/* Returns function(x) in the default environment. The pointer is volatile, so that no compiler inlines the function. */
 static inline double cor_in_environment(double (*function)(double), double x)
 {
     double (*const volatile in_environment)(double) = function;
@@ -73,7 +73,7 @@ static inline double cor_in_environment(double (*function)(double), double x)
     return value;
 }
 
-/* The same for function(context, x) */
+/* Returns function(context, x) in the default environment. */
 static inline double cor_in_environment_with(double (*function)(const void *context, double x), const void *context,
                                              double x)
 {
@@ -84,7 +84,8 @@ static inline double cor_in_environment_with(double (*function)(const void *cont
     return value;
 }
 
-/* Sets y[i] to formula(x[i]) in the default environment. The pointer is volatile, so that no element is read before. */
+/* Sets y[i] to formula(x[i]) in the default environment. The pointer is volatile, so that no element is read
+ * earlier. */
 static inline void cor_array_in_environment(double (*formula)(double), const double *x, double *y, size_t n)
 {
     const struct cor_environment caller = cor_environment_enter();
@@ -96,7 +97,7 @@ static inline void cor_array_in_environment(double (*formula)(double), const dou
 }
 
 /* Defines the function `name`, which returns formula(arguments) in the default environment. The pointer is volatile, so
- * that no compiler looks into the formula. */
+ * that no compiler inlines the formula. */
 #define COR_IN_ENVIRONMENT(type, name, formula, parameters, arguments)                                                 \
     type name parameters                                                                                               \
     {                                                                                                                  \

@@ -5,7 +5,7 @@
 
 #include "runtime/number/pair.h"
 
-/* Called once for each block of numbers, so that a kernel has it once */
+/* Attribute of functions that are called once for each block of numbers: a kernel contains one copy of each */
 #if defined(__GNUC__) && !defined(__clang__)
 #define SHARED static __attribute__((noinline, noclone))
 #elif defined(__clang__)
@@ -23,7 +23,7 @@ COR_KERNEL mask mask_of(int condition)
     return -(mask)condition;
 }
 
-/* Whether first <= x < end. The bits as integers have the order of nonnegative doubles, and are negative for other
+/* True if first <= x < end. The bits as integers have the order of nonnegative doubles, and are negative for other
  * doubles. */
 COR_KERNEL mask is_between(double x, double first, double end)
 {

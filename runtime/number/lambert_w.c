@@ -5,7 +5,7 @@
  * at most. */
 #define SERIES_END 0.1
 
-/* t - p for p = sqrt(2 q) <= sqrt(0.2): sum of a_n p^n from n = 2, where t dt/dp = p (1 + t) gives
+/* t - p for p = sqrt(2 q) <= sqrt(0.2): the sum of a_n p^n for n >= 2, where t dt/dp = p (1 + t) gives
  *     a_1 = 1,     (n + 1) a_n = a_(n-1) - sum_(i=2)^(n-1) (n + 1 - i) a_i a_(n+1-i).
  * The series converges for p < sqrt(4 pi). The omitted terms are below 2^-57 p. */
 static const double lambert_series[] = {1.0 / 3,
@@ -33,7 +33,7 @@ static double series_rest(double p)
     return p2 * (low + high * (p4 * p4));
 }
 
-/* ln(x) from the bits, with absolute error 0.03 */
+/* Returns ln(x) from the bits, with an absolute error of 0.03. */
 static double rough_log(double x)
 {
     const double two52 = 4503599627370496.0;
@@ -41,7 +41,7 @@ static double rough_log(double x)
     return (top * (1 / 1048576.0) - (1023 - 0.043)) * 0.693147180559945309;
 }
 
-/* 1 + t with a relative error of 0.6 %; p = sqrt(2 q) */
+/* Returns 1 + t with a relative error of 0.6 %; p = sqrt(2 q). */
 static double start_of(double q, double p)
 {
     return q < 3 ? 1 + p * (1 + p * (1.0 / 3 + p * (1.0 / 36 - p * (1.0 / 270)))) : 1 + q + rough_log(3 + q);
@@ -66,7 +66,7 @@ struct cor_inline_pair cor_lambert_t_pair(struct cor_inline_pair q)
     /* y = 1 + t, and the next y is y (1 + e). With r = q - (t - ln(1 + t)), e solves t e + e - ln(1 + e) = r. The
      * fourth-order step of Fritsch, Shafer and Crowley (1973) reduces e from 0.6 % to 5e-12, and a step of Newton's
      * method then reduces it to 2^-78. y - 1 and, in two parts, q - t are exact. The rounding error is half an ulp of
-     * ln(y), which t receives times (1 + t)/t. */
+     * ln(y), which (1 + t)/t amplifies in t. */
     double y = start_of(q.hi, p);
     double u = y - 1;
     double r = (q.hi - u) + log(y);

@@ -10,12 +10,12 @@
 
 #include "runtime/number/pair.h"
 
-/* t of the unevaluated sum q = hi + lo. Domain: 0 <= q <= 2^400; q < 0 and NaN -> NaN. The relative error of t.hi +
- * t.lo is below 1.5 2^-52, that of 1 + t below 2^-53: proved for q <= 2000 by tests/proof/run if log is within 0.55 ulp
- * (docs/theory.md, 18), sampled beyond. */
+/* Returns t of the unevaluated sum q = hi + lo. Domain: 0 <= q <= 2^400; q < 0 and NaN -> NaN. The relative error of
+ * t.hi + t.lo is below 1.5 2^-52, and the relative error of 1 + t is below 2^-53. Both bounds are proved for q <= 2000
+ * by tests/proof/run if log is within 0.55 ulp (docs/theory.md, 18), and sampled beyond. */
 struct cor_inline_pair cor_lambert_t_pair(struct cor_inline_pair q);
 
-/* The same as one double, below 2 ulp: proved and sampled as above */
+/* Returns t as one double, with an error below 2 ulp: proved and sampled as above. */
 double cor_lambert_t(double q);
 
 /* A number and its logarithm, each with relative error 2^-104. */
@@ -23,17 +23,17 @@ struct cor_logarithm {
     struct cor_inline_pair number, log;
 };
 
-/* ln(a/x) from ln(a) for 0 < x. The absolute error is 2^-54 (1 + 2^-20) if log is within 1 ulp (proved). */
+/* Returns ln(a/x) from ln(a) for 0 < x. The absolute error is 2^-54 (1 + 2^-20) if log is within 1 ulp (proved). */
 struct cor_inline_pair cor_log_ratio_far(struct cor_inline_pair log_a, double x);
-/* The same as two numbers, which only their sum makes a pair: |lo| may exceed half an ulp of hi */
+/* Returns the same sum as two numbers that are not normalised: |lo| may exceed half an ulp of hi. */
 struct cor_inline_pair cor_log_ratio_parts(struct cor_inline_pair log_a, double x);
 /* Below this result, cor_log_ratio_near is the more accurate function. */
 #define COR_LOG_RATIO_NEAR 0.5
-/* ln(a/x) from a for x <= a < 2 x, x arbitrarily close to a. The relative error is 1.5 2^-52 if log1p is within 1 ulp
- * (proved); NaN for x > a. */
+/* Returns ln(a/x) from a for x <= a < 2 x, where x may be arbitrarily close to a. The relative error is 1.5 2^-52 if
+ * log1p is within 1 ulp (proved); NaN for x > a. */
 struct cor_inline_pair cor_log_ratio_near(struct cor_inline_pair a, double x);
 
-/* ln(a/x) by the more accurate of the two functions, for 0 < x <= a; NaN for x > a and NaN. */
+/* Returns ln(a/x) by the more accurate of the two functions, for 0 < x <= a; NaN for x > a and NaN. */
 struct cor_inline_pair cor_log_ratio(const struct cor_logarithm *a, double x);
 
 #endif

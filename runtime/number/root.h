@@ -1,21 +1,21 @@
 /* SPDX-License-Identifier: MIT */
-/* The root of a function of one double between two ends, by halving or by the Illinois method */
+/* Finds the root of a function of one double between two ends, by halving or by the Illinois method */
 #ifndef COR_RUNTIME_NUMBER_ROOT_H
 #define COR_RUNTIME_NUMBER_ROOT_H
 
 #include "runtime/number/inline.h"
 
 /* Sets *middle between two ends. Returns 0 if no double is between them. The caller replaces an end by the middle each
- * time. Convergence: the interval halves, which takes at most 1076 + 53 times for ends of one sign, and about 53 times
- * if they are within a factor of two. */
+ * time. Convergence: each call halves the interval. At most 1076 + 53 calls are needed for ends of one sign, and about
+ * 53 calls if the ends are within a factor of two. */
 COR_INLINE int cor_halve(double *middle, double low, double high)
 {
     *middle = low + (high - low) / 2;
     return *middle > low && *middle < high;
 }
 
-/* The Illinois method for a falling function; all 0 at first. Convergence: the ends always enclose the root once their
- * values have two signs. Near a simple root the error is raised to the power 3^(1/3) = 1.44 by each value. */
+/* State of the Illinois method for a decreasing function; all 0 at first. Convergence: the ends always enclose the root
+ * once their values have two signs. Near a simple root each value raises the error to the power 3^(1/3) = 1.44. */
 struct cor_bracket {
     double low, high, above, below, last;
 };
@@ -25,7 +25,7 @@ COR_INLINE int cor_is_bracketed(const struct cor_bracket *b)
     return b->above > 0 && b->below < 0;
 }
 
-/* Stores the value at x. Returns the next place, which is `otherwise` while all values have one sign. */
+/* Stores the value at x. Returns the next place, or `otherwise` while all values have one sign. */
 COR_INLINE double cor_next_place(struct cor_bracket *b, double x, double value, double otherwise)
 {
     if (value > 0) {

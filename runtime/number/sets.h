@@ -11,11 +11,11 @@
 /* By increasing width */
 enum cor_instruction_set { COR_PORTABLE, COR_AVX2, COR_AVX512, COR_INSTRUCTION_SETS };
 
-/* Rows of numbers and sums have this number of parts for every width of a vector, so that every set gives the same
+/* Number of parts of a sum and of a row of numbers. It is the same for every vector width, so every set gives the same
  * bits. */
 enum { COR_LANES = 8 };
 
-/* Whether this build has the set and this processor can run it */
+/* True if this build has the set and this processor can run it. */
 COR_INLINE int cor_processor_has(int set)
 {
 #ifdef COR_X86_SETS
@@ -28,7 +28,7 @@ COR_INLINE int cor_processor_has(int set)
     return set == COR_PORTABLE;
 }
 
-/* The widest set of the processor at hand */
+/* Returns the widest set that this processor can run. */
 COR_INLINE int cor_widest_set(void)
 {
     int set = COR_INSTRUCTION_SETS - 1;

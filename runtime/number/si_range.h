@@ -13,14 +13,14 @@ COR_INLINE int cor_si_in_range(double x)
     return cor_inline_between(x, COR_SI_LEAST, COR_SI_MOST);
 }
 
-/* x == INFINITY. Clang compares with >= instead, which raises FE_INVALID for a NaN. */
+/* True if x == INFINITY. Clang would compare with >= instead, which raises FE_INVALID for a NaN. */
 COR_INLINE int cor_is_infinity(double x)
 {
     return cor_inline_bits(x) == COR_INLINE_INFINITY_BITS;
 }
 
-/* x y, x/y and x 2^k of positive numbers, or NaN where the result is not within 2^-831 to 2^831, about the range of SI
- * numbers */
+/* Return x y, x/y and x 2^k of positive numbers, or NaN if the result is outside 2^-831 to 2^831, about the range of SI
+ * numbers. */
 COR_INLINE double cor_si_product(double x, double y)
 {
     return abs(cor_inline_exponent(x) + cor_inline_exponent(y)) < 831 ? x * y : cor_inline_nan();
@@ -36,8 +36,8 @@ COR_INLINE double cor_si_scaled(double x, int k)
     return abs(cor_inline_exponent(x) + k) < 831 ? cor_inline_scaled(x, k) : cor_inline_nan();
 }
 
-/* Arithmetic of numbers that are not negative, with the results of IEEE 754, except that a result above 2^1022 may be
- * infinite: no exception except underflow and inexact, and no errno */
+/* Compute with nonnegative numbers as IEEE 754 does, except that a result above 2^1022 may be infinite. They raise only
+ * underflow and inexact, and do not set errno. */
 COR_INLINE double cor_quiet_product(double x, double y)
 {
     if (x == 0 || y == 0)
@@ -56,7 +56,7 @@ COR_INLINE double cor_quiet_quotient(double x, double y)
     return overflows ? x + y + cor_inline_infinity() : x / y;
 }
 
-/* pow(x, y), but 0 below 2^-1020, and NaN where y is NaN or x < 0 */
+/* Returns pow(x, y), but 0 below 2^-1020, and NaN where y is NaN or x < 0. */
 COR_INLINE double cor_quiet_power(double x, double y)
 {
     if (cor_inline_is_refused(x) || isnan(y) || y == 0)
