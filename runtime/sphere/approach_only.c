@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The sphere with damping during the approach only: rows for beta below 8 and for eps from 2^-6 on. Beyond them the
- * largest overlap Y is a pair, from which the rest follows (runtime/table/hertz_approach_only.h). */
+/* The sphere with damping during the approach only. Tables have rows for beta below 8 and for eps >= 2^-6. Beyond them
+ * the functions compute the largest overlap Y as a pair, and the rest from Y (runtime/table/hertz_approach_only.h). */
 #include "cor/sphere.h"
 #include "runtime/sphere/eval.h"
 #include "runtime/table/hertz_approach_only.h"
 
-/* Y for finite beta beyond the rows */
+/* Returns Y for finite beta beyond the rows. */
 static inline struct cor_inline_pair sphere_overlap(double beta, int *fourth)
 {
     int exponent;
@@ -27,8 +27,8 @@ static const struct cor_hertz_law sphere_law = {
     cor_sphere_time_of_max_overlap,
 };
 
-/* beta from an eps below the rows by Newton's method: eps beta^(5/6) changes little there. The residual is computed
- * with pairs. */
+/* Returns beta of an eps below the rows, by Newton's method: eps beta^(5/6) varies little there. The residual is
+ * computed with pairs. */
 static double beta_far(double eps)
 {
     /* Y is about (3/2)^(2/3) beta^(-2/3) */
@@ -39,7 +39,7 @@ static double beta_far(double eps)
     for (int k = 0; k < 40; k++) {
         const struct cor_inline_pair at = cor_hertz_eps_approach_only(sphere_overlap(beta, &unused));
         const double off = ((at.hi - eps) + at.lo) / eps;
-        beta += beta * (off * 1.2); /* -d ln(beta)/d ln(eps), wrong by some percent */
+        beta += beta * (off * 1.2); /* about -d ln(beta)/d ln(eps), within some percent */
         if (fabs(off) < 1e-15)
             break;
     }

@@ -8,11 +8,11 @@ struct call {
     const struct cor_contact_function *f;
     const struct cor_sphere_contact *contact;
     const double *speed;
-    mask ordinary; /* whether nothing can overflow */
+    mask ordinary; /* true if nothing can overflow */
     double root[COR_ROW_BLOCK];
 };
 
-/* x = scale speed = beta^5, or -1, which is outside every table, where that product might overflow */
+/* Sets x = scale speed = beta^5. Where this product might overflow, x is -1, which is outside every table. */
 static void eps_before(void *context, const double *in, double *x, size_t m)
 {
     const struct call *const call = context;
@@ -22,7 +22,7 @@ static void eps_before(void *context, const double *in, double *x, size_t m)
         x[j] = scale * choose_double(is_between(in[j], COR_SI_LEAST, limit), in[j], -1);
 }
 
-/* Beyond the rows in x: rows in the fifth root of x, and numbers beyond these one by one */
+/* Computes numbers beyond the rows in x from rows in the fifth root of x, and numbers beyond these rows one by one. */
 static void eps_after(void *context, const struct cor_row_block *block, double *value)
 {
     const struct call *const call = context;
@@ -52,7 +52,7 @@ static mask is_ordinary_speed(const struct call *call, double speed)
     return is_between(speed, COR_SI_LEAST, COR_SI_MOST) & call->ordinary;
 }
 
-/* beta, or -1 */
+/* Sets x = beta, or -1 if the speed is not ordinary. */
 static void beta_before(void *context, const double *in, double *x, size_t m)
 {
     struct call *const call = context;

@@ -10,7 +10,7 @@
 #include "runtime/sphere/contact_parts.h"
 #include "runtime/sphere/eval.h"
 
-/* x^5, rounded once except for errors below 2^-100; NaN if the result is not a normal double. */
+/* Returns x^5, rounded once except for errors below 2^-100; NaN if the result is not a normal double. */
 static double fifth_power(double x)
 {
     if (!(x > 1e-60 && x < 1e60))
@@ -66,14 +66,14 @@ static int pair_status(const struct cor_body *body_1, const struct cor_body *bod
     return COR_OK;
 }
 
-/* x y/(x + y), also where the product would overflow and where x or y is infinite */
+/* Returns x y/(x + y), even if the product would overflow or if x or y is infinite. */
 static double half_harmonic_mean(double x, double y)
 {
     const double small = x < y ? x : y, large = x < y ? y : x;
     return small / (1 + small / large);
 }
 
-/* (1 - nu^2)/Y, with no cancellation near nu = -1 */
+/* Returns (1 - nu^2)/Y without cancellation near nu = -1. */
 static double compliance_of(const struct cor_body *body)
 {
     return (1 - body->poisson_ratio) * (1 + body->poisson_ratio) / body->young_modulus_pa;
@@ -104,7 +104,7 @@ int cor_sphere_contact_init(struct cor_sphere_contact *contact, const struct cor
     /* the weights come first: they are exactly 1/2 for equal materials, and nothing can overflow */
     const double a1 = body_1->dissipation_time_s, a2 = body_2->dissipation_time_s;
     const double a = 0.0 + a1 * (c1 / c) + a2 * (c2 / c); /* adding 0.0 turns two times of -0 into 0 */
-    /* the roots come first: rho/m may overflow, the quotient of the roots cannot */
+    /* the roots come first: rho/m may overflow, but the quotient of the roots cannot */
     const double root = cor_inline_fifth_root(rho) / cor_inline_fifth_root(mass), square = root * root;
     const int dissipates = (a1 > 0 && c1 > 0) || (a2 > 0 && c2 > 0);
     const double beta_per_root = dissipates ? cor_si_product(1.5 * a, square) : 0;
@@ -142,7 +142,7 @@ double cor_contact_g_star_m_s(const struct cor_sphere_contact *contact)
 
 /* ---- eps at a speed ---- */
 
-/* The result at a speed that is not in range: 0, infinite, or wrong */
+/* Returns the result at a speed that is not in range: 0, infinite, or invalid. */
 static double at_end(double speed, double at_zero, double at_infinity)
 {
     return speed == 0 ? at_zero : cor_is_infinity(speed) ? at_infinity : (double)NAN;
@@ -157,8 +157,8 @@ double cor_contact_beta(const struct cor_sphere_contact *contact, double speed_m
     return cor_contact_beta_of_root(contact->beta_per_root, cor_inline_fifth_root_parts(speed_m_s));
 }
 
-/* Whether to use x = beta5_per_speed speed. Its two rounding errors change beta less than the root's own. Where x might
- * leave the range of doubles or is unknown, eps is computed from beta. */
+/* True if x = beta5_per_speed speed should be used. Its two rounding errors change beta less than the rounding error of
+ * the root. If x might leave the range of doubles or is unknown, eps is computed from beta. */
 static int power_is_good(const struct cor_sphere_contact *contact, double speed)
 {
     return cor_si_in_range(speed) && cor_inline_bits(speed) < cor_contact_speed_limit(contact->beta5_per_speed);
@@ -212,7 +212,7 @@ double cor_contact_max_overlap_m(const struct cor_sphere_contact *contact, doubl
     return overflows ? INFINITY : cor_contact_overlap_of(contact->scale, root, overlap);
 }
 
-/* A of the beta that an eps has */
+/* Returns A from the beta of a measured eps. */
 static double dissipation_time(const struct cor_sphere_contact *contact, double speed, double beta)
 {
     if (!cor_contact_is_ordinary(contact, 1) || !cor_si_in_range(speed) || cor_inline_is_refused(beta))
@@ -241,9 +241,9 @@ double cor_dissipation_time_s(double eta1_pa_s, double eta2_pa_s, double young_m
     if (!(eta1_pa_s == 0 || cor_si_in_range(eta1_pa_s)) || !(eta2_pa_s == 0 || cor_si_in_range(eta2_pa_s)) ||
         !cor_si_in_range(young_modulus_pa) || !is_poisson_ratio(nu) || nu == 0)
         return NAN;
-    if (eta1_pa_s == 0 && eta2_pa_s == 0) /* 0/0 has this limit from every direction */
+    if (eta1_pa_s == 0 && eta2_pa_s == 0) /* the limit of 0/0 from every direction */
         return 0;
-    /* powers of two are kept apart, so that only the result can be out of range */
+    /* powers of two are handled separately, so that only the result can be out of range */
     int eta_exponent, young_exponent, nu_exponent;
     frexp(eta1_pa_s > eta2_pa_s ? eta1_pa_s : eta2_pa_s, &eta_exponent);
     const double eta1 = cor_inline_scaled(eta1_pa_s, -eta_exponent), eta2 = cor_inline_scaled(eta2_pa_s, -eta_exponent);
@@ -287,7 +287,7 @@ double cor_sphere_mass_kg(double radius_m, double density_kg_m3)
         return NAN;
     if (isinf(radius_m) || isinf(density_kg_m3))
         return INFINITY;
-    /* powers of two are kept apart: the cube may be out of range where the mass is not */
+    /* powers of two are handled separately: the cube may be out of range where the mass is not */
     int radius_exponent, density_exponent;
     const double radius = frexp(radius_m, &radius_exponent), density = frexp(density_kg_m3, &density_exponent);
     return cor_si_scaled(volume_of_unit_sphere * (radius * radius * radius) * density,

@@ -7,7 +7,7 @@
 #include "cor/contact.h"
 #include "runtime/number/fifth_root.h"
 
-/* True where beta and the duration are doubles at a speed in range. beta_per_root may be 0. */
+/* True if beta and the duration are doubles at every speed in range. beta_per_root may be 0. */
 COR_INLINE int cor_contact_is_ordinary(const struct cor_sphere_contact *contact, int needs_scale)
 {
     const uint64_t factor = cor_inline_bits(contact->beta_per_root);
@@ -15,9 +15,9 @@ COR_INLINE int cor_contact_is_ordinary(const struct cor_sphere_contact *contact,
            (!needs_scale || cor_inline_between(contact->scale, COR_INLINE_2_M500, COR_INLINE_2_500));
 }
 
-/* Speeds whose bits are below this limit are in range or smaller, and their product with `scale` is below 2^902: the
- * bits of two factors add up like their logarithms, within one part in 16. If scale is NaN, no speed is below the
- * limit. */
+/* Returns a limit for the bits of a speed. Speeds whose bits are below it are in range or smaller, and their product
+ * with `scale` is below 2^902: the bits of two factors add up like their logarithms, within one part in 16. If scale is
+ * NaN, no speed is below the limit. */
 COR_INLINE uint64_t cor_contact_speed_limit(double scale)
 {
     const uint64_t bits = cor_inline_bits(scale), most = (uint64_t)(2 * 1023 + 900) << 52;
@@ -25,7 +25,7 @@ COR_INLINE uint64_t cor_contact_speed_limit(double scale)
     return bits >= COR_INLINE_INFINITY_BITS ? 0 : limit < end ? limit : end;
 }
 
-/* factor g^(1/5). The factor is split in halves, so that the first product is exact. */
+/* Returns factor g^(1/5). The factor is split in halves, so that the first product is exact. */
 COR_INLINE double cor_contact_beta_of_root(double factor, struct cor_inline_pair root)
 {
     const double head = cor_inline_head(factor), tail = factor - head;

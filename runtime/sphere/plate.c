@@ -28,13 +28,13 @@ static int plate_status(const struct cor_plate *plate)
                : COR_ERROR_RANGE;
 }
 
-/* E/(1 - nu^2) */
+/* Returns E/(1 - nu^2). */
 static double plane_modulus(double young_modulus, double nu)
 {
     return young_modulus / ((1 - nu) * (1 + nu));
 }
 
-/* Z = 8 sqrt(B rho h) = 4 h^2 sqrt(E/(3 (1 - nu^2))) sqrt(rho), or NaN */
+/* Returns Z = 8 sqrt(B rho h) = 4 h^2 sqrt(E/(3 (1 - nu^2))) sqrt(rho), or NaN. */
 static double plate_impedance(const struct cor_plate *plate)
 {
     const double modulus = plane_modulus(plate->young_modulus_pa, plate->poisson_ratio);
@@ -47,8 +47,8 @@ int cor_plate_contact_init(struct cor_sphere_contact *contact, const struct cor_
 {
     if (contact == NULL)
         return COR_ERROR_NULL;
-    /* A sphere and a wall of the plate's material have the elastic constant of the sphere and the plate. The contact of
-     * two bodies of NaN has NaN in all fields. */
+    /* The elastic constant is the same for a wall of the plate's material as for the plate. Two bodies of NaN give a
+     * contact with NaN in all fields. */
     const struct cor_body none = {NAN, NAN, NAN, NAN, NAN};
     struct cor_body wall = {0, 0, 0, INFINITY, INFINITY}, body = none;
     int status = sphere == NULL || plate == NULL ? COR_ERROR_NULL : COR_OK;
@@ -70,7 +70,7 @@ int cor_plate_contact_init(struct cor_sphere_contact *contact, const struct cor_
         cor_sphere_contact_init(contact, &none, &none); /* fails and sets all fields to NaN */
         return status;
     }
-    /* the wall's contact with this time; only A and the fields that depend on A change */
+    /* fills the contact with the wall again, for this time: only A and the fields that depend on A change */
     struct cor_sphere_contact plain;
     body.dissipation_time_s = time;
     wall.dissipation_time_s = time;
@@ -89,7 +89,7 @@ double cor_plate_lambda(const struct cor_sphere_contact *contact, double speed_m
 
 /* ---- assumptions ---- */
 
-/* NaN if the speed is not positive and finite */
+/* Returns the duration, or NaN if the speed is not positive and finite. */
 static double plate_duration(const struct cor_sphere_contact *contact, double speed)
 {
     return cor_si_in_range(speed) ? cor_contact_duration_s_zero_overlap(contact, speed) : (double)NAN;
@@ -128,7 +128,7 @@ double cor_plate_sphere_crossings(const struct cor_sphere_contact *contact, cons
     return cor_si_product(duration, 0.5 * sqrt(cor_si_product(volume_of_unit_sphere * r, quotient)));
 }
 
-/* 2 sqrt(pi t) (B/(rho h))^(1/4), B/(rho h) = h^2 E/(12 (1 - nu^2) rho) */
+/* Returns 2 sqrt(pi t) (B/(rho h))^(1/4), where B/(rho h) = h^2 E/(12 (1 - nu^2) rho). */
 double cor_plate_least_half_width_m(const struct cor_sphere_contact *contact, const struct cor_plate *plate,
                                     double speed_m_s)
 {

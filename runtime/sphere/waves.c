@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The energy that elastic waves take from a collision with a massive block, to first order. */
+/* The energy that a collision with a massive block loses to elastic waves, to first order. */
 #include <math.h>
 
 #include "cor/contact.h"
@@ -17,7 +17,7 @@ static int is_material(double nu)
     return isgreater(nu, -1) && islessequal(nu, 0.5);
 }
 
-/* Clenshaw's recurrence */
+/* Uses Clenshaw's recurrence. */
 double cor_half_space_wave_factor(double poisson_ratio)
 {
     if (!is_material(poisson_ratio))
@@ -33,7 +33,7 @@ double cor_half_space_wave_factor(double poisson_ratio)
     return c[0] + (x * next - after);
 }
 
-/* (1 + nu)^(3/2) (1 - nu^2)^(-6/5) as (1 + nu)^(3/10) (1 - nu)^(-6/5) */
+/* Computes (1 + nu)^(3/2) (1 - nu^2)^(-6/5) as (1 + nu)^(3/10) (1 - nu)^(-6/5). */
 double cor_half_space_wave_coefficient(double poisson_ratio)
 {
     const double nu = poisson_ratio;
@@ -44,7 +44,7 @@ double cor_half_space_wave_coefficient(double poisson_ratio)
     return WAVES_ONE_MATERIAL * cor_half_space_wave_factor(nu) * (plus * sqrt(plus)) / (cube * cube);
 }
 
-/* The significand of x > 0, from [1/2, 1); adds `power` times the exponent to *sum. */
+/* Returns the significand of x > 0 in [1/2, 1), and adds `power` times the exponent to *sum. */
 static double significand_of(double x, int power, int *sum)
 {
     int exponent;
