@@ -36,7 +36,7 @@ typedef __m256i words;
 #define WORDS_DOWN(w, bits) _mm256_srli_epi32(w, bits)
 #define WORDS_SIGNS(w) _mm256_movemask_ps(_mm256_castsi256_ps(w))
 
-/* The columns of eight rows, from their addresses in bytes behind `rows` */
+/* Loads the columns of eight rows, whose offsets from `rows` in bytes are `at`. */
 COR_KERNEL void floats_columns(floats c[4], const float *rows, const uint32_t at[FLOATS])
 {
 #define ROW_AT(i) _mm_loadu_ps((const float *)(const void *)((const char *)rows + at[i]))
@@ -100,7 +100,7 @@ struct float_table {
     const float *rows;
     float first, end;
     int shift;   /* 23 minus the bits of the rows of an octave */
-    int product; /* whether the function is beta times the row; then it is computed here for 0 and beta >= 2^-100 */
+    int product; /* true if the function is beta times the row; the table then serves 0 and beta >= 2^-100 */
 };
 
 #define FLOAT_TABLE(quantity, NAME, product)                                                                           \
@@ -112,7 +112,7 @@ struct float_table {
 /* 2^-100 and the part of a word that holds the sign, the exponent and the first five bits of the significand */
 enum { FLOAT_PRODUCT_LEAST = (127 - 100) << 23, FLOAT_HEAD = -(1 << 19) };
 
-/* Words whose sign tells whether a number is outside the table */
+/* Returns words whose sign is set if a number is outside the table. */
 COR_KERNEL words float_outside(const struct float_table *table, words x)
 {
     const words last = WORDS_ALL(word_of_float(table->end) - 1), outside = WORDS_OR(x, WORDS_MINUS(last, x));
@@ -122,9 +122,9 @@ COR_KERNEL words float_outside(const struct float_table *table, words x)
     return WORDS_OR(outside, WORDS_AND(tiny, WORDS_ABOVE(x, WORDS_ALL(0))));
 }
 
-/* The function at numbers in the table; other numbers get some row.
- * Errors: those of the row; of the sum c_0' + t (...), whose size is at most a hundredth of c_0; of the final addition,
- * half a unit of the last place. In a product head c_0 is exact, because head has 5 bits and c_0 has 19. */
+/* Returns the function at numbers in the table; for other numbers the value is undefined. The error has three parts:
+ * the error of the row; the rounding of c_0' + t (...), which is at most a hundredth of c_0; and the final addition,
+ * half a unit of the last place. In a product, head c_0 is exact, because head has 5 bits and c_0 has 19. */
 COR_KERNEL floats float_values(const struct float_table *table, floats x)
 {
     const int shift = table->shift;
@@ -158,7 +158,7 @@ COR_KERNEL int float_is_outside(const struct float_table *table, float x)
            (table->product && word != 0 && word < (uint32_t)FLOAT_PRODUCT_LEAST);
 }
 
-/* The function at each number, by blocks; `one` computes numbers outside the table. */
+/* Computes the function at each number, by blocks. `one` computes numbers outside the table. */
 COR_KERNEL void floats_from_beta(const float *in, float *out, size_t n, const struct float_table *table,
                                  double (*one)(double))
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Damping during the approach only, for any law with Hertz's elastic force. The approach is that of the full law and
- * the rebound is elastic, so that eps^2/2 = (2/5) Y^(5/2) with the largest overlap Y of the full law. */
+/* Damping during the approach only, for any law with Hertz's elastic force. The approach follows the full law and the
+ * rebound is elastic, so eps^2/2 = (2/5) Y^(5/2) with the largest overlap Y of the full law. */
 #ifndef COR_RUNTIME_TABLE_HERTZ_APPROACH_ONLY_H
 #define COR_RUNTIME_TABLE_HERTZ_APPROACH_ONLY_H
 
@@ -18,7 +18,7 @@
 #define COR_HERTZ_HALF_DURATION 1.60903272985952150442
 #define COR_HERTZ_HALF_DURATION_TAIL 3.78449505742605387477e-17
 
-/* eps = sqrt(4/5) Y^(5/4) */
+/* Returns eps = sqrt(4/5) Y^(5/4). */
 COR_INLINE struct cor_inline_pair cor_hertz_eps_approach_only(struct cor_inline_pair overlap)
 {
     const struct cor_inline_pair fourth_root = cor_pair_root(cor_pair_root(overlap));
@@ -26,15 +26,15 @@ COR_INLINE struct cor_inline_pair cor_hertz_eps_approach_only(struct cor_inline_
     return cor_inline_pair_times(power, cor_pair(COR_HERTZ_SPEED, COR_HERTZ_SPEED_TAIL));
 }
 
-/* The overlap Y that belongs to eps: (5/4)^(2/5) eps^(4/5), with a few rounding errors */
+/* Returns the overlap Y of an eps, (5/4)^(2/5) eps^(4/5), with a few rounding errors. */
 COR_INLINE double cor_hertz_overlap_of_eps(double eps)
 {
     const struct cor_inline_pair l = cor_kernel_minus_log(cor_pair(eps, 0));
     return 1.09336207394327805637 * cor_kernel_exp_minus_pair(cor_pair(0.8 * l.hi, 0)).hi;
 }
 
-/* Duration: the time of the largest overlap plus that of the elastic rebound. The rebound to the speed eps takes half
- * of the elastic duration times eps^(-1/5) = (4/5)^(-1/10) Y^(-1/4). */
+/* Returns the duration: the time of the largest overlap plus the time of the elastic rebound. The rebound to the speed
+ * eps takes half of the elastic duration times eps^(-1/5) = (4/5)^(-1/10) Y^(-1/4). */
 COR_INLINE double cor_hertz_duration_approach_only(struct cor_inline_pair overlap, double time_of_max_overlap)
 {
     const struct cor_inline_pair fourth_root = cor_pair_root(cor_pair_root(overlap));
@@ -45,8 +45,8 @@ COR_INLINE double cor_hertz_duration_approach_only(struct cor_inline_pair overla
 
 /* ---- functions by rows ----
  *
- * A law with rows of eps, loss, duration and the inverse from 0 on. Functions with it as an argument must be inlined,
- * so that it is a constant of each caller. */
+ * A law whose rows of eps, loss, duration and the inverse start at 0. Functions that take it as an argument must be
+ * inlined, so that it is a constant of each caller. */
 struct cor_hertz_law {
     struct cor_row_table eps, loss, duration, beta;
     struct cor_inline_pair (*overlap)(double beta, int *fourth); /* Y 2^(-4 fourth), beta finite and beyond the rows */
@@ -58,7 +58,7 @@ static inline double cor_hertz_eps_beyond(const void *of, double beta)
     const struct cor_hertz_law *const law = of;
     if (cor_inline_is_refused(beta))
         return NAN;
-    if (beta < 1 || isinf(beta)) /* below 2^-60, where a row rounded upward exceeds 1 */
+    if (beta < 1 || isinf(beta)) /* below 2^-60, where a row that is rounded upward exceeds 1 */
         return beta < 1;
     int fourth;
     const struct cor_inline_pair eps = cor_hertz_eps_approach_only(law->overlap(beta, &fourth));
@@ -102,7 +102,7 @@ static inline double cor_hertz_duration_beyond(const void *of, double beta)
         return NAN;
     if (isinf(beta))
         return INFINITY;
-    int fourth; /* of Y's power of two: the duration of the rebound has Y^(-1/4) */
+    int fourth; /* exponent of 16 in Y: the duration of the rebound has the factor Y^(-1/4) */
     const struct cor_inline_pair overlap = law->overlap(beta, &fourth);
     const double time = law->time_of_max_overlap(beta);
     return fourth ? ldexp(cor_hertz_duration_approach_only(overlap, ldexp(time, fourth)), -fourth)
@@ -116,13 +116,13 @@ COR_KERNEL double cor_hertz_duration(const struct cor_hertz_law *law, double bet
     return cor_in_environment_with(cor_hertz_duration_beyond, law, beta);
 }
 
-/* 0 <= loss <= 1/2 */
+/* Returns beta for 0 <= loss <= 1/2. */
 COR_KERNEL double cor_hertz_beta_near(const struct cor_hertz_law *law, double loss)
 {
     return cor_inline_law_product(cor_row_near(&law->beta, loss), loss);
 }
 
-/* beta_of_eps: the inverse for every eps */
+/* Returns beta of any loss. beta_of_eps: the inverse for every eps. */
 COR_KERNEL double cor_hertz_beta_of_loss(const struct cor_hertz_law *law, double (*beta_of_eps)(double eps),
                                          double loss)
 {

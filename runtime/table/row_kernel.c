@@ -4,12 +4,12 @@
  *
  * Three loops process each block of numbers. The first replaces the numbers that are not in the table. The second finds
  * the row and the variables of every number. The third loads the columns of several rows into vectors and evaluates
- * them. A compiler vectorises the first two. At last the numbers that were replaced are computed one by one. */
+ * them. A compiler vectorises the first two. Finally, the numbers that were replaced are computed one by one. */
 #include "runtime/table/row_loops.h"
 
-/* Vectors have four elements even where AVX-512 offers eight. Measured on a Zen 4, which computes 512 bits in two
- * halves, an eps takes 1.64 ns with four, 1.71 with eight whose rows are inserted, 2.09 with eight whose rows are
- * loaded by masks, and 6.4 with gathers. */
+/* Vectors have four elements even where AVX-512 offers eight. On a Zen 4, which computes 512 bits in two halves, an eps
+ * takes 1.64 ns with four elements. With eight elements it takes 1.71 ns if rows are inserted, 2.09 ns if rows are
+ * loaded by masks, and 6.4 ns with gathers (measured). */
 #if defined(__AVX2__)
 enum { LANES = 4 };
 typedef __m256d lanes;
@@ -19,7 +19,7 @@ typedef __m256d lanes;
 /* x < y ? if_true : if_false */
 #define LANES_CHOOSE_LESS(x, y, if_true, if_false) _mm256_blendv_pd(if_false, if_true, _mm256_cmp_pd(x, y, _CMP_LT_OQ))
 
-/* Columns k to k + 3 of four rows, transposed */
+/* Loads columns k to k + 3 of four rows, transposed. */
 COR_KERNEL void lanes_columns(lanes c[4], const double *const row[], int k)
 {
 #define TWO(i, j, k)                                                                                                   \
@@ -56,7 +56,7 @@ COR_KERNEL lanes lanes_head(lanes x)
 }
 #endif
 
-/* The loops process this many numbers together. The last block of an array is filled up to whole vectors. */
+/* The loops process this many numbers together. The last block of an array is padded to whole vectors. */
 enum { BLOCK = COR_ROW_BLOCK };
 
 COR_KERNEL size_t whole_blocks(size_t m)
@@ -66,14 +66,14 @@ COR_KERNEL size_t whole_blocks(size_t m)
 
 /* ---- first loop: numbers in the table ---- */
 
-/* The table has `also` too. */
+/* True if the table contains x, which may be `also`. */
 COR_KERNEL mask table_has(const struct cor_row_table *table, double x)
 {
     return is_between(x, table->least, table->end) | is_same(x, table->also);
 }
 
-/* Copies m numbers to x; `also` replaces those that are not in the table, and fills x up to whole vectors of every set.
- * Returns how many were replaced. */
+/* Copies m numbers to x. `also` replaces those that are not in the table, and pads x to whole vectors of every set.
+ * Returns the number of replaced numbers. */
 SHARED size_t take(double *restrict x, const struct cor_row_table *table, const double *restrict in, size_t m)
 {
     const struct cor_row_table t = *table;
@@ -90,7 +90,7 @@ SHARED size_t take(double *restrict x, const struct cor_row_table *table, const 
 
 /* ---- second loop: rows and variables ---- */
 
-/* For the third loop, which computes m (c_0 + row(s, t)) */
+/* Input of the third loop, which computes m (c_0 + row(s, t)) */
 struct reduced {
     const double *m; /* x, or `factor` */
     double s[BLOCK], t[BLOCK], factor[BLOCK];
@@ -149,7 +149,7 @@ COR_KERNEL void reduce_inverse(struct reduced *r, const struct cor_row_table *ta
     r->m = r->factor;
 }
 
-/* Returns whether some number has a near row. */
+/* Returns true if some number has a near row. */
 COR_KERNEL int reduce_parts(struct reduced *r, const struct cor_row_table *table, const double *x, size_t count,
                             int has_below)
 {
@@ -170,7 +170,7 @@ COR_KERNEL int reduce_parts(struct reduced *r, const struct cor_row_table *table
         row = choose_bits(is_near, address_of(near_rows, (uint64_t)i), row);
         t = choose_double(is_near, near_x - i * grid.step, t);
         some_near |= is_near;
-        if (has_below) { /* threshold - x exactly, as cor_inline_law_octave_row takes it */
+        if (has_below) { /* threshold - x exactly, as cor_inline_law_octave_row uses it */
             const mask is_below = is_between(x[j], middle_end, threshold.hi);
             const double y = choose_double(is_below, x[j], middle_end);
             const struct cor_inline_pair rest = cor_pair_two_sum(threshold.hi - y, threshold.lo);
@@ -189,8 +189,8 @@ COR_KERNEL int reduce_parts(struct reduced *r, const struct cor_row_table *table
 
 /* ---- third loop ---- */
 
-/* The operations of COR_INLINE_ROW and COR_INLINE_ROW_TIMES_S, with the last columns first. Fewer vectors are alive at
- * a time, and the processor computes with the last columns while it loads the first. */
+/* Performs the operations of COR_INLINE_ROW and COR_INLINE_ROW_TIMES_S, with the last columns first. Fewer vectors are
+ * live at a time, and the processor computes with the last columns while it loads the first. */
 COR_KERNEL lanes evaluate_lanes(const struct reduced *r, size_t j, int has_s, enum cor_row_value kind)
 {
     const double *row[LANES];
@@ -231,7 +231,7 @@ COR_KERNEL void evaluate_rows(double *out, const struct reduced *r, size_t count
         LANES_STORE(out + j, evaluate_lanes(r, j, has_s, kind));
 }
 
-/* The values of `count` numbers in the table, whole vectors */
+/* Computes the values of `count` numbers in the table, which fill whole vectors. */
 SHARED void evaluate_block(double *out, const struct cor_row_table *table, const double *x, size_t count)
 {
     struct reduced r;
@@ -286,7 +286,7 @@ SHARED void evaluate_block(double *out, const struct cor_row_table *table, const
     }
 }
 
-/* Whether the scalar function is faster: for a few numbers, and without vectors for several parts */
+/* True if the scalar function is faster: for a few numbers, and for several parts without vectors. */
 COR_KERNEL int one_by_one(const struct cor_row_table *table, size_t n)
 {
     return n < 8 || (LANES == 1 && table->kind == COR_ROW_PARTS);
@@ -335,7 +335,7 @@ static void one_block(const struct cor_row_table *table, const double *x, double
 
 /* ---- arrays in float arithmetic ---- */
 
-/* For each kind a loop of its own */
+/* Calls a separate loop for each kind of table, so that `product` is a constant of the loop. */
 static void loop_floats(const struct float_table *table, double (*one)(double), const float *in, float *out, size_t n)
 {
     struct float_table t = *table;

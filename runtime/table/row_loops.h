@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Array functions that evaluate a row of a table (row.h) for each number, by instruction set: row_kernel.c. A table is
- * data, so that all quantities and laws share the loops. */
+ * data, so all quantities and laws share the loops. */
 #ifndef COR_RUNTIME_ROW_LOOPS_H
 #define COR_RUNTIME_ROW_LOOPS_H
 
@@ -10,25 +10,25 @@
 #include "runtime/table/float_lanes.h"
 #include "runtime/table/row.h"
 
-/* Where the row of x stands */
+/* Parts of a table, and the place of x's row in each */
 enum cor_row_kind {
     COR_ROW_NONE,         /* no rows: the value is x */
     COR_ROW_GRID,         /* near: on the grid of x */
     COR_ROW_ROOT,         /* near: on the grid of sqrt(x) */
-    COR_ROW_ROOT_S,       /* the same; s = x - node^2 in rows whose node is near_end or beyond */
+    COR_ROW_ROOT_S,       /* as COR_ROW_ROOT, with s = x - node^2 in rows whose node is at least near_end */
     COR_ROW_OCTAVES,      /* middle: by octaves of x */
-    COR_ROW_INVERSE,      /* near: on the grid of 1 - x from x = 1/2 on; middle: by octaves of x below */
+    COR_ROW_INVERSE,      /* near: on the grid of 1 - x for x >= 1/2; middle: by octaves of x < 1/2 */
     COR_ROW_INVERSE_ROOT, /* near: on the grid of sqrt(1 - x); middle: likewise */
     COR_ROW_PARTS         /* near: on the grid of x up to near_end; middle: by octaves of x up to middle_end; below: by
                            * octaves of threshold - x. `near` and `below` may be missing: NULL. */
 };
 
-/* What a row c_0 + row is multiplied by: 1, or m, which is x for grids and the near part, 1 - x for the near rows of
- * an inverse, and 1 in other rows. The near part may have rows of the loss 1 - eps beside rows of eps; then EPS gives
- * eps and LOSS the loss for every x. */
+/* The value of a row. SUM: c_0 + row. PRODUCT: m (c_0 + row), where m is x for grids and the near part, 1 - x for the
+ * near rows of an inverse, and 1 for other rows. EPS and LOSS: the near part has rows of the loss 1 - eps, the other
+ * parts have rows of eps; EPS gives eps and LOSS the loss for every x. */
 enum cor_row_value { COR_ROW_SUM, COR_ROW_PRODUCT, COR_ROW_EPS, COR_ROW_LOSS };
 
-/* The table has least <= x < end, and `also`, which is a float. */
+/* The table contains least <= x < end and the number `also`, which is a float. */
 struct cor_row_table {
     enum cor_row_kind kind;
     enum cor_row_value value;
@@ -67,15 +67,15 @@ struct cor_row_table {
         .near_end = 0.5, .octaves = COR_ROW_OCTAVES_(ROWS)                                                             \
     }
 
-/* One block of m numbers, the first of which is number i of the array: `in` as given, `x` the arguments of the table,
- * `taken` the same, but for the `outside` ones of them that the table does not have, which differ from x. */
+/* One block of m elements that starts at index i. in: the caller's values. x: arguments of the table. taken: x, with
+ * `outside` elements replaced that the table does not contain; at these elements taken differs from x. */
 struct cor_row_block {
     size_t i, m, outside;
     const double *in, *x, *taken;
 };
 
-/* Block by block: `before` makes the arguments of the table from m numbers; `after` completes the values, if some
- * argument is not in the table, or always. Without `after`, `one` computes the numbers that are not in the table. */
+/* For each block, `before` makes the arguments of the table from m numbers. `after` completes the values if an argument
+ * is not in the table, or always. Without `after`, `one` computes the numbers that are not in the table. */
 struct cor_row_call {
     const struct cor_row_table *table;
     double (*one)(double x);
@@ -85,8 +85,9 @@ struct cor_row_call {
     int always_after;
 };
 
-/* The loops of a set: doubles; floats in float arithmetic; and the values of at most COR_ROW_BLOCK numbers x, into
- * arrays of that length. Where the table does not have a number, `taken` differs from x, and the value is undefined. */
+/* The loops of a set. doubles: in double arithmetic. floats: in float arithmetic. block: the values of at most
+ * COR_ROW_BLOCK numbers x, into arrays of that length; where the table does not contain a number, `taken` differs from
+ * x, and the value is undefined. */
 enum { COR_ROW_BLOCK = 256 };
 struct cor_row_loops {
     const char *name;
@@ -97,13 +98,14 @@ struct cor_row_loops {
 COR_TABLES(struct cor_row_loops, cor_row_loops, cor_row_loops)
 
 /* Sets y[i] to the function of x[i] by the rows of a table, in the default environment. `one` computes numbers that the
- * table does not have, and with COR_WITHOUT_LOOPS, for a small module (web/run), every number. */
+ * table does not contain. With COR_WITHOUT_LOOPS, for a small module (web/run), `one` computes every number. */
 void cor_row_array(const struct cor_row_table *table, double (*one)(double x), const double *x, double *y, size_t n);
 
-/* The instruction set of the array functions: the widest of this processor. A test has a function of this name. */
+/* Returns the instruction set of the array functions, which is the widest of this processor. A test defines its own
+ * function of this name. */
 int cor_array_set(void);
 
-/* The place of x in the near and in the middle rows of a table, as the scalar functions need it */
+/* Return the place of x in the near and in the middle rows of a table, for the scalar functions. */
 COR_KERNEL struct cor_inline_place cor_row_near(const struct cor_row_table *table, double x)
 {
     const struct cor_inline_grid grid = {0, table->step, table->per_unit};

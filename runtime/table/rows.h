@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Where the rows of generated/ are: once in the library, which is compiled with COR_ROWS_SHARED and defines them in the
- * sources with COR_ROWS_DEFINE, and otherwise in every unit that includes them.
+/* Placement of the rows of generated/. The library is compiled with COR_ROWS_SHARED and contains them once, in the
+ * sources with COR_ROWS_DEFINE. Without COR_ROWS_SHARED every unit that includes them has a copy.
  *
- * COR_ROWS(type, name, rows, columns) begins the definition, or is all of the declaration, of the rows of name(i). */
+ * COR_ROWS(type, name, rows, columns) begins the definition of the rows of name(i), or is the whole declaration. */
 #ifndef COR_RUNTIME_ROWS_H
 #define COR_RUNTIME_ROWS_H
 
