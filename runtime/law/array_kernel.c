@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* Array functions of the linear dashpot's times, for one instruction set (sets.h): the loops of
- * runtime/table/row_loops.h, without rows, and after them kernels that a compiler vectorises. No set may fuse a
+ * runtime/table/row_loops.h, without rows, followed by kernels that a compiler vectorises. No set may fuse a
  * multiplication with an addition, so all sets and the scalar functions give the same bits. */
 #include "runtime/law/functions.h"
 #include "runtime/law/linear.h"
 #include "runtime/table/row_loops.h"
 
-/* The least multiple of COR_LANES from n on, up to which the numbers of a block are filled. A compiler that sees it,
- * and that it is not 0, leaves out the loop over the rest of a vector. */
+/* The smallest multiple of COR_LANES that is at least n. A block is padded to this length. A compiler that knows that
+ * the length is such a multiple and not 0 omits the loop over the rest of a vector. */
 #define WHOLE(n) (((n) + COR_LANES - 1) / COR_LANES * COR_LANES)
 
 static void duration_zero_overlap(double *restrict y, const double *restrict x, size_t n)

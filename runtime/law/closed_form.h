@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* eps, 1 - eps and the inverse of laws for which eps has a closed form, from generated/closed_form_tables.h: rows of
- * (1 - eps)/x near x = 0, of eps by octaves of x, of x/(1 - eps) up to 1 - eps = 1/2, and of x by octaves of eps, where
- * x is zeta or beta. damping_ratio.h and hunt_crossley.h have the rest. The array functions read the same rows and give
- * the same bits. */
+/* eps, 1 - eps and the inverse of laws for which eps has a closed form. With x for zeta or beta,
+ * generated/closed_form_tables.h has rows of (1 - eps)/x near x = 0, of eps by octaves of x, of x/(1 - eps) up to
+ * 1 - eps = 1/2, and of x by octaves of eps. damping_ratio.h and hunt_crossley.h have the rest. The array functions use
+ * the same rows and give the same bits. */
 #ifndef COR_RUNTIME_LAW_CLOSED_FORM_H
 #define COR_RUNTIME_LAW_CLOSED_FORM_H
 
@@ -13,13 +13,13 @@
 #include "runtime/table/law.h"
 #include "runtime/table/row_loops.h"
 
-/* Each table serves the scalar and the array function. `beyond` computes numbers that the rows do not have. */
+/* Each table serves the scalar and the array function. `..._beyond` computes numbers without a row. */
 struct cor_closed_form {
     struct cor_row_table eps, loss, damping_of_eps, damping_of_loss;
     double (*eps_beyond)(double x), (*loss_beyond)(double x), (*damping_beyond)(double eps);
 };
 
-/* A loss above 1/2 is computed one by one in damping_of_loss. */
+/* damping_of_loss computes losses above 1/2 one by one. */
 #define FORM(law, x, end, LAW, X, END)                                                                                 \
     {                                                                                                                  \
         COR_ROW_TABLE_OF_PARTS(cor_rows_##law##_loss##end, COR_ROWS_##LAW##_LOSS##END, cor_rows_##law##_eps##end,      \
@@ -33,7 +33,7 @@ struct cor_closed_form {
             cor_##law##_eps_beyond##end, cor_##law##_loss_beyond##end, cor_##law##_##x##_beyond##end                   \
     }
 
-/* By the damping ratio, and of Hunt and Crossley's law */
+/* Forms by the damping ratio, and of Hunt and Crossley's law */
 static const struct cor_closed_form ratio_zero_overlap = FORM(ratio, zeta, _zero_overlap, RATIO, ZETA, _ZERO_OVERLAP),
                                     ratio_zero_force = FORM(ratio, zeta, _zero_force, RATIO, ZETA, _ZERO_FORCE),
                                     ratio_limited = FORM(ratio, zeta, _limited, RATIO, ZETA, _LIMITED),
@@ -95,14 +95,14 @@ COR_KERNEL double closed_formula(const struct cor_closed_form *form, enum cor_qu
                                             : closed_damping_of_loss(form, x);
 }
 
-/* One copy in a source, for numbers that are not ordinary */
+/* Attribute of functions for numbers that are not ordinary: one copy in each source */
 #ifdef __GNUC__
 #define CLOSED_COLD static __attribute__((noinline, unused))
 #else
 #define CLOSED_COLD static inline
 #endif
 
-/* In the default environment; volatile operands: see environment.h */
+/* Computes in the default environment. environment.h explains the volatile operands. */
 CLOSED_COLD double closed_anywhere(const struct cor_closed_form *form, enum cor_quantity quantity, double x)
 {
     const struct cor_environment caller = cor_environment_enter();
@@ -116,7 +116,7 @@ COR_KERNEL double closed_value(const struct cor_closed_form *form, enum cor_quan
     return law_is_ordinary(x) ? closed_formula(form, quantity, x) : closed_anywhere(form, quantity, x);
 }
 
-/* The damping of a loss by `inverse`, the damping of an eps, where the loss is above 1/2 */
+/* Returns the damping of a loss. inverse: the damping of an eps, which serves losses above 1/2. */
 COR_KERNEL double closed_value_of_loss(const struct cor_closed_form *form, double (*inverse)(double eps), double loss)
 {
     if (!law_is_ordinary(loss))
@@ -126,7 +126,7 @@ COR_KERNEL double closed_value_of_loss(const struct cor_closed_form *form, doubl
     return loss >= 0.5 && loss <= 1 ? inverse(1 - loss) : (double)NAN;
 }
 
-/* The value of a table on a grid at y = head + tail, as a pair */
+/* Returns the value of a table on a grid at the pair y, as a pair. */
 COR_INLINE struct cor_inline_pair cor_grid_value(struct cor_inline_grid grid, const double *(*rows)(int),
                                                  struct cor_inline_pair y)
 {
@@ -135,7 +135,7 @@ COR_INLINE struct cor_inline_pair cor_grid_value(struct cor_inline_grid grid, co
     return cor_inline_sum(place.row[0], cor_inline_row(place));
 }
 
-/* eps of Hunt and Crossley's law with damping during the approach only as a pair, -1 < beta < inf */
+/* Returns eps of Hunt and Crossley's law with damping during the approach only, as a pair, -1 < beta < inf. */
 COR_INLINE struct cor_inline_pair cor_crossley_eps_approach_pair(double beta)
 {
     if (cor_inline_between(beta, COR_ROWS_CROSSLEY_EPS_APPROACH_ONLY_FIRST, COR_ROWS_CROSSLEY_EPS_APPROACH_ONLY_END)) {

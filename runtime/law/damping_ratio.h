@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* The laws whose restitution is a function of the damping ratio zeta alone: the linear dashpot, Tsuji's damping, and
+/* The laws whose restitution is a function of only the damping ratio zeta: the linear dashpot, Tsuji's damping, and
  * every law (a, b) with b = (a-1)/2 (docs/laws.md). L is -ln(eps) for an end of contact. All functions below use
  *
  *     A(zeta) = acos(zeta)/sqrt(1 - zeta^2), acosh(zeta)/sqrt(zeta^2 - 1) beyond 1, analytic in between, A(1) = 1
  *     L = 2 zeta A(zeta) at zero force, zeta A(zeta) with damping during the approach only, pi zeta/sqrt(1 - zeta^2) at
  *     zero overlap; L of the limited damper is below
  *
- * Here are zero overlap, times, and what the rows of closed_form.h do not have. Kernels, ..._near, hold on an interval
- * and have neither jumps nor calls; the array loops consist of them. The other functions take every double and give the
- * same bits. */
+ * This file has zero overlap, times, and all numbers without a row in closed_form.h. Kernels, named ..._near, are valid
+ * on an interval and have neither jumps nor calls; the array loops consist of them. The other functions accept every
+ * double and give the same bits. */
 #ifndef COR_RUNTIME_LAW_DAMPING_RATIO_H
 #define COR_RUNTIME_LAW_DAMPING_RATIO_H
 
@@ -32,8 +32,8 @@
 
 /* ---- polynomials: see runtime/number/elementary.h ---- */
 
-/* (atan(sqrt(x))/sqrt(x) - 1)/x, atanh(sqrt(-x))/sqrt(-x) where x is negative, |x| <= 0.1717: the error times x is
- * below 2^-57. */
+/* (atan(sqrt(x))/sqrt(x) - 1)/x for |x| <= 0.1717, with atanh(sqrt(-x))/sqrt(-x) in place of atan(...) for negative x:
+ * the error times x is below 2^-57. */
 static const double cor_ratio_phase_polynomial[15] = {
     -0x1.5555555555555p-2, 0x1.99999999999afp-3,  -0x1.24924924924a7p-3, 0x1.c71c71c70f323p-4,  -0x1.745d1745c4f4ap-4,
     0x1.3b13b14dfe309p-4,  -0x1.11111122e99c3p-4, 0x1.e1e1ca19159f1p-5,  -0x1.af285559e06b4p-5, 0x1.86200a4ff267fp-5,
@@ -42,15 +42,15 @@ static const double cor_ratio_phase_polynomial[15] = {
 
 /* ---- A(zeta), up to zeta = 3 ---- */
 
-/* numerator h(u)/(c (1 + c)), which is A(zeta) where numerator = 2, for zeta <= COR_RATIO_FORCE_NEAR: relative error
- * 2^-55.
+/* Returns numerator h(u)/(c (1 + c)), which is A(zeta) for numerator = 2, for zeta <= COR_RATIO_FORCE_NEAR: relative
+ * error 2^-55.
  *
  * c = sqrt((1 + zeta)/2) is the cosine of half the phase at the turning point, u = (1 - c)/(1 + c) = (c - c^2)/(c +
  * c^2) is between -0.172 and 0.172, and h(u) = atan(sqrt(u))/sqrt(u) is analytic at zeta = 1, where u = 0. */
 COR_KERNEL struct cor_inline_pair cor_ratio_phase_near(struct cor_inline_pair zeta, struct cor_inline_pair numerator)
 {
     const double *p = cor_ratio_phase_polynomial;
-    const double sum = 1 + zeta.hi; /* its rounding error, which is a double for every zeta.hi below 2^53 */
+    const double sum = 1 + zeta.hi; /* the rounding error is a double for every zeta.hi below 2^53 */
     const struct cor_inline_pair square = cor_pair(0.5 * sum, 0.5 * ((zeta.hi - (sum - 1)) + zeta.lo));
     const double c = sqrt(square.hi);
     struct cor_inline_pair d = cor_pair_two_sum(c, square.hi); /* c + c^2 */
@@ -65,7 +65,7 @@ COR_KERNEL struct cor_inline_pair cor_ratio_phase_near(struct cor_inline_pair ze
     return cor_inline_sum(q.hi, q.lo + q.hi * rest);
 }
 
-/* L at zero force */
+/* Returns L at zero force. */
 COR_KERNEL struct cor_inline_pair cor_ratio_force_near(double zeta)
 {
     return cor_ratio_phase_near(cor_pair(zeta, 0), cor_pair(4 * zeta, 0));
@@ -73,8 +73,8 @@ COR_KERNEL struct cor_inline_pair cor_ratio_force_near(double zeta)
 
 /* ---- A(zeta) beyond 3 ---- */
 
-/* exp(-theta) = zeta - sqrt(zeta^2 - 1), zeta = cosh(theta), as a pair; theta; and excess = theta (coth(theta) - 1),
- * which is small and rounded. L at zero force is 2 (theta + excess). */
+/* decay = exp(-theta) = zeta - sqrt(zeta^2 - 1) as a pair, where zeta = cosh(theta); theta; and excess = theta
+ * (coth(theta) - 1), which is small and rounded. L at zero force is 2 (theta + excess). */
 struct cor_ratio_far {
     struct cor_inline_pair decay, theta, root; /* root: sqrt(zeta^2 - 1) */
     double excess;
@@ -99,9 +99,9 @@ COR_INLINE struct cor_ratio_far cor_ratio_far(struct cor_inline_pair zeta)
     return far;
 }
 
-/* What rows do not have: the functions ..._beyond take every other double. */
+/* Numbers without a row: the functions ..._beyond accept every other double. */
 
-/* eps at zero force, zeta >= 3. Beyond 2^540 it is below half the smallest double. */
+/* Returns eps at zero force, zeta >= 3. Beyond 2^540 it is below half the smallest double. */
 COR_INLINE double cor_ratio_eps_force_far(double zeta)
 {
     if (zeta > COR_INLINE_2_100) { /* eps is 1/(4 zeta^2) to the last bit, computed in units of 2^-800 */
@@ -134,28 +134,29 @@ COR_INLINE double cor_ratio_eps_beyond_approach_only(double zeta)
 
 /* ---- zero overlap ---- */
 
-/* 1 - zeta^2 as (1 - zeta)(1 + zeta) with both factors exact: relative error 2^-104 arbitrarily near to zeta = 1 */
+/* Returns 1 - zeta^2 as (1 - zeta)(1 + zeta), both factors exact: relative error 2^-104 arbitrarily close to
+ * zeta = 1. */
 COR_KERNEL struct cor_inline_pair cor_ratio_omega_square(double zeta)
 {
     const double minus = 1 - zeta, plus = 1 + zeta;
     return cor_inline_pair_times(cor_pair(minus, (1 - minus) - zeta), cor_pair(plus, zeta - (plus - 1)));
 }
 
-/* numerator/omega from omega^2 */
+/* Returns numerator/omega from omega^2. */
 COR_KERNEL struct cor_inline_pair cor_ratio_over_root(struct cor_inline_pair numerator, struct cor_inline_pair square)
 {
     const double root = sqrt(square.hi), inverse = 1 / root;
     return cor_pair_over_with(numerator, cor_pair_root_with(square, root, inverse), inverse);
 }
 
-/* numerator/sqrt(1 - zeta^2), zeta < 1 */
+/* Returns numerator/sqrt(1 - zeta^2), zeta < 1. */
 COR_KERNEL struct cor_inline_pair cor_ratio_over_omega(double zeta, struct cor_inline_pair numerator)
 {
     return cor_ratio_over_root(numerator, cor_ratio_omega_square(zeta));
 }
 
-/* L, limited to 1400, where eps is 0. Up to this limit 1 - zeta^2 is above 2^-18, so that its error of 2^-104 is
- * negligible. */
+/* Returns L, limited to 1400, where eps is 0. Up to this limit 1 - zeta^2 is above 2^-18, so that its error of
+ * 2^-104 is negligible. */
 COR_KERNEL struct cor_inline_pair cor_ratio_overlap_near(double zeta)
 {
     const struct cor_inline_pair square = cor_inline_product(zeta, zeta);
@@ -176,7 +177,7 @@ COR_INLINE double cor_ratio_eps_beyond_zero_overlap(double zeta)
     return zeta == 0 ? 1 : zeta >= 1 ? 0 : (double)NAN;
 }
 
-/* L/sqrt(pi^2 + L^2) */
+/* Returns L/sqrt(pi^2 + L^2). */
 COR_KERNEL double cor_ratio_of_overlap(struct cor_inline_pair exponent)
 {
     const struct cor_inline_pair pi = cor_pair(COR_RATIO_PI, COR_RATIO_PI_TAIL);
@@ -201,9 +202,9 @@ COR_INLINE double cor_ratio_zeta_beyond_zero_overlap(double eps)
 
 /* ---- the limited damper: the damping force is at most the elastic one ----
  *
- * Until beta v = u, u = x^((a+1)/2), the force is twice the elastic force. Then the law holds unchanged, and its force
- * vanishes at the phase psi later, cos(psi) = (4 zeta^2 - 1)/R, R = sqrt(1 + 8 zeta^2). L = zeta psi/sqrt(1 - zeta^2),
- * and with half the angle
+ * Until beta v = u, u = x^((a+1)/2), the force is twice the elastic force. After that the law holds unchanged, and its
+ * force vanishes later by the phase psi, where cos(psi) = (4 zeta^2 - 1)/R and R = sqrt(1 + 8 zeta^2). Then L = zeta
+ * psi/sqrt(1 - zeta^2), and with half the angle
  *
  *     L = (R + 1)/(R + 3) 2 C A(C),     C = cos(psi/2) = zeta sqrt(2 (R + 3)/(R (R + 1)))
  */
@@ -235,11 +236,12 @@ COR_KERNEL struct cor_ratio_limited cor_ratio_limited_parts(double zeta)
     return parts;
 }
 
-/* eps for zeta > 11 as a pair; past 2^64 it is 1/(2 sqrt(2) zeta). L is 2 C A(C) minus 2 C A(C) (2/(R + 3)). */
+/* Returns eps for zeta > 11 as a pair; above 2^64 it is 1/(2 sqrt(2) zeta). L is 2 C A(C) minus 2 C A(C)
+ * (2/(R + 3)). */
 COR_INLINE struct cor_inline_pair cor_ratio_eps_limited_far(double zeta)
 {
     if (zeta > COR_INLINE_2_40 * 16777216.0) {
-        const int huge = zeta > COR_INLINE_2_900; /* scaling keeps the pair's lower half from underflow */
+        const int huge = zeta > COR_INLINE_2_900; /* scaling prevents underflow of the pair's lower half */
         const double z = huge ? zeta * COR_INLINE_2_M200 : zeta;
         return cor_pair_scaled(
             cor_pair_over(cor_pair(COR_RATIO_FAR_LIMITED, COR_RATIO_FAR_LIMITED_TAIL), cor_pair(z, 0)),
@@ -281,8 +283,9 @@ COR_INLINE double cor_ratio_loss_beyond_limited(double zeta)
 
 /* ---- inverses beyond the rows ---- */
 
-/* zeta with zeta A(zeta) = x > 1.8, also from exp(-x) as a pair: zeta = cosh(theta), theta = x - delta, where delta =
- * 2 x E/(1 + E), E = exp(-2 theta) = exp(-2 x) exp(2 delta), by Newton's method from delta = 2 x exp(-2 x) < 0.1. */
+/* Returns zeta with zeta A(zeta) = x > 1.8. decay: exp(-x) as a pair. zeta = cosh(theta) with theta = x - delta.
+ * Newton's method solves delta = 2 x E/(1 + E), where E = exp(-2 theta) = exp(-2 x) exp(2 delta), starting from
+ * delta = 2 x exp(-2 x) < 0.1. */
 COR_INLINE double cor_ratio_of_phase_far(double x, struct cor_inline_pair decay)
 {
     const double least = decay.hi * decay.hi;
@@ -327,21 +330,21 @@ COR_INLINE double cor_ratio_zeta_beyond_approach_only(double eps)
     return cor_ratio_of_phase_far(cor_kernel_minus_log(e).hi, e);
 }
 
-/* dL/dzeta of the limited damper for known L: with W = 1 - zeta^2 and N = 4 zeta (1 + 2 zeta^2)/(1 + 8 zeta^2),
- * W L' = L/zeta - N */
+/* Returns dL/dzeta of the limited damper for known L:
+ * with W = 1 - zeta^2 and N = 4 zeta (1 + 2 zeta^2)/(1 + 8 zeta^2), W L' = L/zeta - N. */
 COR_INLINE double cor_ratio_limited_slope(double zeta, double exponent)
 {
     const double square = zeta * zeta;
     return (exponent / zeta - 4 * zeta * (1 + 2 * square) / (1 + 8 * square)) / ((1 - zeta) * (1 + zeta));
 }
 
-/* zeta eps 2 sqrt(2) tends to 1, so that Newton's method in ln(zeta) converges quickly. */
+/* Uses Newton's method in ln(zeta), which converges quickly because zeta eps 2 sqrt(2) tends to 1. */
 COR_INLINE double cor_ratio_zeta_beyond_limited(double eps)
 {
     if (!(eps >= 0 && eps <= 1))
         return (double)NAN;
-    if (eps < COR_INLINE_2_M200) { /* 1/(2 sqrt(2) eps) may overflow and is computed in units of 2^200 */
-        if (eps == 0 || eps < 1.96670601748920e-309) /* the bound may count as 0 */
+    if (eps < COR_INLINE_2_M200) { /* 1/(2 sqrt(2) eps) may overflow, so it is computed in units of 2^500 */
+        if (eps == 0 || eps < 1.96670601748920e-309) /* the processor may flush the bound to 0 */
             return (double)INFINITY;
         const struct cor_inline_pair scaled = cor_pair(eps * (COR_INLINE_2_500), 0);
         return cor_pair_over(cor_pair(COR_RATIO_FAR_LIMITED, COR_RATIO_FAR_LIMITED_TAIL), scaled).hi * COR_INLINE_2_500;
@@ -361,7 +364,7 @@ COR_INLINE double cor_ratio_zeta_beyond_limited(double eps)
 
 /* ---- times and the largest overlap ---- */
 
-/* theta for zeta > 3 up to the largest double; from 2^100 on it is ln(2 zeta) */
+/* Returns theta for zeta > 3 up to the largest double; for zeta >= 2^100 it is ln(2 zeta). */
 COR_INLINE struct cor_inline_pair cor_ratio_theta(double zeta)
 {
     if (zeta < COR_INLINE_2_100)
@@ -370,7 +373,7 @@ COR_INLINE struct cor_inline_pair cor_ratio_theta(double zeta)
     return cor_pair_plus(cor_pair(500 * COR_KERNEL_LN2_HEAD, 500 * COR_KERNEL_LN2_TAIL), down);
 }
 
-/* A(zeta) */
+/* Returns A(zeta). */
 COR_INLINE struct cor_inline_pair cor_ratio_phase_time(double zeta)
 {
     if (zeta <= COR_RATIO_FORCE_NEAR)
@@ -381,7 +384,7 @@ COR_INLINE struct cor_inline_pair cor_ratio_phase_time(double zeta)
     return cor_pair_over(cor_ratio_theta(zeta), zeta < COR_INLINE_2_100 ? cor_ratio_far(z).root : z);
 }
 
-/* L at zero force, below 1421, for every finite zeta. Below 2^-900 the relative accuracy is lost. */
+/* Returns L at zero force, which is below 1421, for every finite zeta. Below 2^-900 the relative accuracy is lost. */
 COR_INLINE struct cor_inline_pair cor_ratio_force_exponent(double zeta)
 {
     if (zeta <= COR_RATIO_FORCE_NEAR)
@@ -392,7 +395,7 @@ COR_INLINE struct cor_inline_pair cor_ratio_force_exponent(double zeta)
     return cor_pair_scaled(half, 2);
 }
 
-/* L of the limited damper over zeta, zeta < 2^64, which is the time of its second part for the linear law */
+/* Returns L of the limited damper over zeta, zeta < 2^64. For the linear law this is the time of the second part. */
 COR_INLINE struct cor_inline_pair cor_ratio_limited_time(double zeta)
 {
     const struct cor_ratio_limited parts = cor_ratio_limited_parts(zeta);

@@ -37,7 +37,7 @@ const cor_law_functions cor_viscoelastic_functions = {
 #define OF_LAW(law, array) [COR_LAW_##law] = &(array),
 static const cor_law_functions *const laws[] = {COR_LAWS_WITH_FUNCTIONS(OF_LAW)};
 
-/* An entry of the table, whose value is NULL if the function does not exist; NULL beyond the table */
+/* Returns an entry of the table, or NULL beyond the table. Its value is NULL if the function does not exist. */
 static inline const struct cor_law_function *table_entry(enum cor_law law, enum cor_end end, enum cor_quantity quantity)
 {
     const int exists = ((unsigned)law < sizeof laws / sizeof *laws) & ((unsigned)end <= COR_END_APPROACH_ONLY) &

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the functions of law.h share: each law's part of the table, and how a function is computed at any argument. */
+/* Shared by the functions of law.h: each law's part of the table, and the evaluation of a function at any argument. */
 #ifndef COR_RUNTIME_LAW_FUNCTIONS_H
 #define COR_RUNTIME_LAW_FUNCTIONS_H
 
@@ -17,7 +17,7 @@ typedef struct cor_law_function cor_law_functions[COR_END_APPROACH_ONLY + 1][COR
 #define COR_DECLARE_FUNCTIONS(law, array) extern const cor_law_functions array;
 COR_LAWS_WITH_FUNCTIONS(COR_DECLARE_FUNCTIONS)
 
-/* A row of the table, by the function and its array function; without a float form */
+/* A row of the table, from a function and its array function, without a float form */
 #define COR_LAW_ROW(name, function, least, largest, max_ulp)                                                           \
     {                                                                                                                  \
         name, function, function##_array, NULL, least, largest, max_ulp                                                \
@@ -31,7 +31,7 @@ static inline int law_is_ordinary(double x)
                               COR_INLINE_2_900);
 }
 
-/* formula(x) */
+/* Returns formula(x). */
 static inline double law_value(double (*formula)(double), double x)
 {
     return law_is_ordinary(x) ? formula(x) : cor_in_environment(formula, x);
@@ -56,7 +56,7 @@ static inline double law_value_of_exponent(double (*formula)(double, double), do
                                                               : cor_in_environment_with(law_at_exponent, &law, beta);
 }
 
-/* Sets y[i] to the formula of beta[i]: see cor_array_in_environment. */
+/* Sets y[i] to formula(beta[i], exponent) like cor_array_in_environment. */
 static inline void law_array_of_exponent(double (*formula)(double, double), const double *beta, double exponent,
                                          double *y, size_t n)
 {

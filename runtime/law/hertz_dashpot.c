@@ -3,8 +3,8 @@
 #include <stdint.h>
 #include <string.h>
 
-/* If one function of the evaluator stays a call, the constants of the law are copied, which takes five times as
- * long. */
+/* If a compiler does not inline one function of the evaluator, the constants of the law are copied. A call then takes
+ * five times as long. */
 #ifdef __GNUC__
 #define COR_INLINE static inline __attribute__((always_inline))
 #endif
@@ -19,7 +19,8 @@ COR_INLINE const double *first_row(struct cor_inline_law_table table)
     return table.kind ? table.rows(0) : NULL;
 }
 
-/* The least beta > 0 of a product with beta; rows near 0 in a cube root of beta are left to the scalar function. */
+/* Returns the table for the loops. A product with beta needs a smallest beta > 0. The scalar function evaluates rows
+ * near 0 that are in a cube root of beta. */
 COR_INLINE struct cor_row_table table_of_quantity(struct cor_inline_law_quantity q, enum cor_row_value value)
 {
     const int has_near = q.near.root == 1, has_below = has_near && q.below.kind != 0;
@@ -44,11 +45,11 @@ COR_INLINE struct cor_row_table table_of_quantity(struct cor_inline_law_quantity
 }
 
 static const struct cor_row_table beta_rows_zero_overlap = DASHPOT_INVERSE(beta_zero_overlap, BETA_ZERO_OVERLAP),
-                                  /* from 1/2 on the rows are in a cube root */
+                                  /* for eps >= 1/2 the rows are in a cube root */
     beta_rows_zero_force = COR_ROW_TABLE_OF_OCTAVES(cor_rows_hertz_dashpot_beta_zero_force,
                                                     COR_ROWS_HERTZ_DASHPOT_BETA_ZERO_FORCE, COR_ROW_SUM);
 
-/* Inlined, so that the table is made of constants */
+/* Must be inlined, so that the table consists of constants. */
 COR_INLINE void quantity_array(struct cor_inline_law_quantity quantity, enum cor_row_value value, double (*one)(double),
                                const double *x, double *y, size_t n)
 {

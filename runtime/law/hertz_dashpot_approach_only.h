@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Hertz's contact with a constant dashpot and damping while approaching only: rows for beta below 8 and for eps from
- * 2^-6 on. Beyond them from the largest overlap Y (runtime/table/hertz_approach_only.h). */
+/* Hertz's contact with a constant dashpot and damping during the approach only. Tables have rows for beta below 8 and
+ * for eps >= 2^-6. Beyond them the functions use the largest overlap Y (runtime/table/hertz_approach_only.h). */
 #ifndef COR_RUNTIME_LAW_HERTZ_DASHPOT_APPROACH_ONLY_H
 #define COR_RUNTIME_LAW_HERTZ_DASHPOT_APPROACH_ONLY_H
 
 #include "generated/hertz_dashpot_tables.h"
 #include "runtime/table/hertz_approach_only.h"
 
-/* Y = pair 2^(4 *fourth), beta finite and beyond the rows */
+/* Returns a pair with Y = pair 2^(4 *fourth), for finite beta beyond the rows. */
 static inline struct cor_inline_pair cor_inline_hertz_dashpot_overlap(double beta, int *fourth)
 {
     int exponent;
@@ -39,7 +39,7 @@ static const struct cor_hertz_law dashpot_law = {
     dashpot_time_of_max_overlap,
 };
 
-/* ln(eps(beta)/eps) to first order where it is small */
+/* Returns ln(eps(beta)/eps), from a short series where it is small. */
 static inline double dashpot_excess(double beta, double eps)
 {
     int fourth;
@@ -54,8 +54,8 @@ static const double dashpot_start[] = {
     -1.1209804198765, 0.57319227955735, -0.12671938740928,
 };
 
-/* Newton's method for ln(eps) of ln(beta) with the slope of the polynomial, then of the last two values; the residual
- * is a pair's. Three values suffice. */
+/* Returns beta by Newton's method for ln(eps) as a function of ln(beta). The first slope comes from the polynomial,
+ * later slopes from the last two values. The residual is computed with pairs. Three values suffice. */
 static inline double dashpot_beta_of_eps(double eps)
 {
     const double s = exp2(0.8 * log2(eps));
@@ -69,7 +69,7 @@ static inline double dashpot_beta_of_eps(double eps)
         const double off = dashpot_excess(beta, eps), step = (beta - last_beta) / beta;
         if (k > 0 && step != 0)
             slope = (off - last) / (step * (1 + step / 2));
-        const double error = off * last; /* that of the slope is as large as the last residual */
+        const double error = off * last; /* the slope's relative error is about the last residual */
         last = off;
         last_beta = beta;
         beta -= beta * (off / slope);

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Hunt and Crossley's law F = F_el(x) (1 + d x') and its restitution as a function of beta = d g alone (docs/laws.md):
+/* Hunt and Crossley's law F = F_el(x) (1 + d x') and its restitution as a function of only beta = d g (docs/laws.md):
  *
  *     f(beta) = f(-h),  f(z) = z - ln(1 + z),  h = beta eps
  *     beta = y + c, h = y - c, c = y coth(y) - 1;   eps = h/beta, 1 - eps = 2 c/beta
  *
- * Here is what the rows of closed_form.h do not have: strong and negative damping. The functions ..._beyond take every
- * double that has no row. */
+ * This file has the numbers without a row in closed_form.h: strong and negative damping. The functions ..._beyond
+ * accept every double without a row. */
 #ifndef COR_RUNTIME_LAW_HUNT_CROSSLEY_H
 #define COR_RUNTIME_LAW_HUNT_CROSSLEY_H
 
@@ -65,7 +65,7 @@ struct cor_hc_speeds {
     struct cor_inline_pair rebound, lost;
 };
 
-/* 2/3 beta - 4/9 beta^2 + 44/135 beta^3, |beta| < COR_HC_TINY */
+/* Returns 2/3 beta - 4/9 beta^2 + 44/135 beta^3, |beta| < COR_HC_TINY. */
 COR_INLINE double cor_hc_loss_tiny(double beta)
 {
     const double b = beta * COR_INLINE_2_200;
@@ -74,8 +74,8 @@ COR_INLINE double cor_hc_loss_tiny(double beta)
     return (p.hi + (p.lo + more)) * COR_INLINE_2_M200;
 }
 
-/* A collision with negative damping, beta = -b: y - c = b, and b eps is y + c. The function holds up to b = 0.7, y =
- * 1.1, and applies Newton's method from y = b. */
+/* Computes a collision with negative damping, beta = -b: y - c = b, and b eps is y + c. Newton's method starts from
+ * y = b. The function is valid up to b = 0.7, where y = 1.1. */
 COR_INLINE struct cor_hc_speeds cor_hc_speeds_pumped_near(double b)
 {
     double y = b, step = 0;
@@ -92,14 +92,14 @@ COR_INLINE struct cor_hc_speeds cor_hc_speeds_pumped_near(double b)
     return speeds;
 }
 
-/* z - ln(1 + z) as a pair, for z > -1 away from 0 */
+/* Returns z - ln(1 + z) as a pair, for z > -1 away from 0. */
 COR_INLINE struct cor_inline_pair cor_hc_energy(double z)
 {
     return cor_pair_plus(cor_pair(z, 0), cor_kernel_minus_log(cor_pair_two_sum(1, z)));
 }
 
-/* For larger b, t = b eps has the same energy as -b. Newton's method starts from above, where the function is
- * convex. */
+/* Computes a collision for larger b: t = b eps has the same energy as -b. Newton's method starts above the root of a
+ * convex function. */
 COR_INLINE struct cor_hc_speeds cor_hc_speeds_pumped_far(double b)
 {
     const struct cor_inline_pair wanted = cor_hc_energy(-b);
@@ -158,7 +158,7 @@ COR_INLINE double cor_crossley_beta_beyond(double eps)
  * eps = sqrt(2 f(beta))/beta. With s = beta/(2 + beta), 1 - eps^2 = s (1 + (1 - s)^2 K(s^2)), K(s^2) = (atanh(s)/s -
  * 1)/s^2. */
 
-/* s (1 + (1 - s)^2 K(s^2)), |s.hi| <= 1/2: relative error 2^-54 */
+/* Returns s (1 + (1 - s)^2 K(s^2)), |s.hi| <= 1/2: relative error 2^-54. */
 COR_KERNEL struct cor_inline_pair cor_hc_square_loss(struct cor_inline_pair s)
 {
     const double *p = cor_hc_atanh_polynomial;
@@ -174,7 +174,7 @@ COR_KERNEL struct cor_inline_pair cor_hc_square_loss(struct cor_inline_pair s)
     return cor_inline_pair_times(s, share);
 }
 
-/* 1 - eps^2, -2/3 <= beta < 0 */
+/* Returns 1 - eps^2, -2/3 <= beta < 0. */
 COR_KERNEL struct cor_inline_pair cor_hc_approach_near(double beta)
 {
     return cor_hc_square_loss(cor_pair_over(cor_pair(beta, 0), cor_pair_two_sum(2, beta)));
@@ -187,8 +187,8 @@ COR_KERNEL struct cor_inline_pair cor_hc_eps_of_square_loss(struct cor_inline_pa
     return cor_pair_root(square);
 }
 
-/* eps as a pair, -1 < beta < 0 or 1 < beta < inf: sqrt(2 f)/|beta| away from 0. Beyond 2^500 the logarithm in f is
- * negligible. */
+/* Returns eps as a pair, -1 < beta < 0 or 1 < beta < inf: sqrt(2 f)/|beta| away from 0. Above 2^500 the logarithm in f
+ * is negligible. */
 COR_INLINE struct cor_inline_pair cor_hc_eps_approach_pair(double beta)
 {
     if (fabs(beta) < COR_HC_APPROACH_LEAST)
@@ -225,7 +225,7 @@ COR_INLINE double cor_crossley_loss_beyond_approach_only(double beta)
     return less.hi + (less.lo - eps.lo);
 }
 
-/* Newton's method for eps^2 beta^2/2 = beta - ln(1 + beta), from 2/eps^2, which is above the root of a convex
+/* Solves eps^2 beta^2/2 = beta - ln(1 + beta) by Newton's method, from 2/eps^2, which is above the root of a convex
  * function. */
 COR_INLINE double cor_crossley_beta_beyond_approach_only(double value)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The functions of Hunt and Crossley's law. eps, loss and their inverses: closed_form.h. Durations and the time of the
- * largest overlap: tables for a = 1 and a = 3/2 (generated/hunt_crossley_tables.h), quadrature for every other exponent
- * and for negative damping. */
+/* The functions of Hunt and Crossley's law. closed_form.h computes eps, loss and their inverses. Durations and the time
+ * of the largest overlap have tables for a = 1 and a = 3/2 (generated/hunt_crossley_tables.h). Every other exponent and
+ * negative damping need a quadrature. */
 #include "generated/hunt_crossley_tables.h"
 #include "runtime/law/closed_form.h"
 #include "runtime/number/fifth_root.h"
@@ -40,8 +40,8 @@ static struct crossley_tables crossley_tables_of(double a)
     return t;
 }
 
-/* beta^(2k - 1) ((1 - k)/(1 + beta))^k, given s = ln(1 + beta) and beta past 2^53, where (1 + beta)^k is beta^k (1 +
- * k/beta). The two powers combine to beta^(k - 1) (1 - k)^k. */
+/* Returns beta^(2k - 1) ((1 - k)/(1 + beta))^k from ln(beta), for beta above 2^53, where (1 + beta)^k is beta^k
+ * (1 + k/beta). The powers combine to beta^(k - 1) (1 - k)^k. */
 static struct cor_inline_pair crossley_far_unit(struct cor_inline_pair log_beta, struct cor_inline_pair k)
 {
     const struct cor_inline_pair rest = cor_pair_plus(cor_pair(1, 0), cor_pair(-k.hi, -k.lo));
@@ -50,7 +50,7 @@ static struct cor_inline_pair crossley_far_unit(struct cor_inline_pair log_beta,
     return cor_kernel_exp_minus_pair(cor_pair_plus(power, constant));
 }
 
-/* The time of the largest overlap, 0 <= beta < inf */
+/* Returns the time of the largest overlap, 0 <= beta < inf. */
 static struct cor_inline_pair crossley_max(const struct crossley_tables *tables, double beta)
 {
     const struct cor_inline_pair s = cor_kernel_log_plus_1(beta);
@@ -64,7 +64,7 @@ static struct cor_inline_pair crossley_max(const struct crossley_tables *tables,
     return cor_inline_pair_times(crossley_far_unit(u, tables->exponent), sum);
 }
 
-/* The rebound for s = ln(1 + beta) >= 4.5: with U = 1 + beta - s,
+/* Returns the time of the rebound for s = ln(1 + beta) >= 4.5: with U = 1 + beta - s,
  * beta^(2k - 1) (a + 1)^-k U^(1 - k) ((a + 1) + (c_1/U + ... + c_11/U^11)/U) */
 static struct cor_inline_pair crossley_far_rebound(const struct crossley_tables *tables, double beta,
                                                    struct cor_inline_pair s)
@@ -89,7 +89,7 @@ static struct cor_inline_pair crossley_far_rebound(const struct crossley_tables 
     return cor_inline_pair_times(cor_kernel_exp_minus_pair(exponent), factor);
 }
 
-/* 0 <= beta < inf */
+/* Returns the duration, 0 <= beta < inf. */
 static double crossley_table_duration(const struct crossley_tables *tables, double beta)
 {
     const struct cor_inline_pair s = cor_kernel_log_plus_1(beta);
@@ -98,7 +98,7 @@ static double crossley_table_duration(const struct crossley_tables *tables, doub
     return cor_pair_plus(crossley_far_rebound(tables, beta, s), crossley_max(tables, beta)).hi;
 }
 
-/* x^exponent, x.hi a normal double */
+/* Returns x^exponent; x.hi is a normal double. */
 static struct cor_inline_pair crossley_power(struct cor_inline_pair x, struct cor_inline_pair exponent)
 {
     return cor_kernel_exp_minus_pair(cor_inline_pair_times(exponent, cor_kernel_minus_log(x)));
@@ -106,8 +106,8 @@ static struct cor_inline_pair crossley_power(struct cor_inline_pair x, struct co
 
 /* ---- every exponent: quadrature ----
  *
- * Loading, with tau = ln((1 + beta)/(1 + beta v)), and rebound, with tau = ln((1 + beta v)/(1 - h)) from the end
- * backwards, take the time
+ * Let tau = ln((1 + beta)/(1 + beta v)) during loading. During the rebound, let tau = ln((1 + beta v)/(1 - h)), which
+ * runs backwards from the end. Each takes the time
  *
  *     beta^(2k - 1) int_0^end (tau B(tau)/(1 - k))^-k d tau,   B = (1 + beta) E(-tau) - 1 or 1 - (1 - h) E(tau)
  *
@@ -116,10 +116,10 @@ static struct cor_inline_pair crossley_power(struct cor_inline_pair x, struct co
  *
  *     ((a + 1) end/beta)^(1/(a+1)) r^-k (1 - k) int_0^1 w^-k b(w)^-k dw
  *
- * b is a function without singularities, whose zeros are next to tau = 2 pi i m, m != 0, for the loading, and beyond
- * the end for the rebound: at end + ln(1 + beta), where the collision began, and with imaginary parts of 7 or more. The
- * interval is divided so that polynomials of degree 20 through b^-k at Chebyshev points, which converge like 3.7^-20 at
- * worst, replace it. In the first panel they are integrated with the weight w^-k. */
+ * b has no singularities. For the loading its zeros are next to tau = 2 pi i m, m != 0. For the rebound they are beyond
+ * the end: one at end + ln(1 + beta), where the collision began, and others with imaginary parts of 7 or more. The
+ * interval is divided into panels. In each, a polynomial of degree 20 through b^-k at Chebyshev points replaces b^-k;
+ * the worst convergence is 3.7^-20. In the first panel the polynomial is integrated with the weight w^-k. */
 
 struct crossley_side {
     double end, rest;   /* end; 1 - h of the rebound */
@@ -127,7 +127,7 @@ struct crossley_side {
     int rebound;
 };
 
-/* (exp(x) - 1)/x - 1, |x| < 0.34, with relative accuracy */
+/* Returns (exp(x) - 1)/x - 1, |x| < 0.34, with relative accuracy. */
 static double crossley_mean_exponential(double x)
 {
     static const double c[] = COR_KERNEL_EXP_POLYNOMIAL;
@@ -135,7 +135,8 @@ static double crossley_mean_exponential(double x)
     return x * (COR_POLYNOMIAL_8(c, x, x2, x4) + ((c[8] + c[9] * x) + c[10] * x2) * (x4 * x4));
 }
 
-/* b at w = 1 - below. Near w = 1 the rebound needs end - tau, which follows from `below` without cancellation. */
+/* Returns b at w = 1 - below. Near w = 1 the rebound needs end - tau, which follows from `below` without
+ * cancellation. */
 static double crossley_b(const struct crossley_side *side, double w, double below)
 {
     const double tau = side->end * w;
@@ -151,13 +152,13 @@ static double crossley_b(const struct crossley_side *side, double w, double belo
     return (tau - near + side->rest) / (tau * side->speed);
 }
 
-/* exp(x) */
+/* Returns exp(x). */
 static double crossley_exp(double x)
 {
     return cor_kernel_exp_minus_pair(cor_pair(-x, 0)).hi;
 }
 
-/* -ln(x) */
+/* Returns -ln(x). */
 static double crossley_minus_log(double x)
 {
     return cor_kernel_minus_log(cor_pair(x, 0)).hi;
@@ -184,8 +185,8 @@ struct crossley_rule {
     double weight[DEGREE + 1];
 };
 
-/* The integrals of Chebyshev's polynomials follow from each other as in Piessens and Branders, J. Comput. Appl. Math.
- * 1, 55 (1975). */
+/* Computes the rule. The integrals of Chebyshev's polynomials obey the recurrence of Piessens and Branders, J. Comput.
+ * Appl. Math. 1, 55 (1975). */
 static void crossley_rule_make(struct crossley_rule *rule, double a)
 {
     double moment[DEGREE + 1], cosine[2 * DEGREE];
@@ -215,10 +216,11 @@ static void crossley_rule_make(struct crossley_rule *rule, double a)
     }
 }
 
-/* The beginning of the panel that ends at w: 0, or a place as far from the singularity of w^-k as the panel is long */
+/* Returns the beginning of the panel that ends at w. It is 0, or about as far from the singularity of w^-k as the panel
+ * is long, or farther. */
 static double crossley_panel(const struct crossley_side *side, double w)
 {
-    const double tau = side->end * w, least = 0x1p-52 * side->end; /* shorter panels count for nothing */
+    const double tau = side->end * w, least = 0x1p-52 * side->end; /* shorter panels are negligible */
     const double gap = side->end - tau + cor_kernel_log_plus_1(side->beta).hi;
     const double longest = side->rebound ? cor_kernel_max(2.0 * gap, least) : 5;
     if (tau <= longest)
@@ -226,8 +228,8 @@ static double crossley_panel(const struct crossley_side *side, double w)
     return cor_kernel_max(side->rebound ? w - longest / side->end : 0, w / 2.2);
 }
 
-/* (1 - k) int_0^1 w^-k b^-k dw. In the first panel the integral of w^-k (b^-k - 1), which is small where k is near 1,
- * is added to that of w^-k. */
+/* Returns (1 - k) int_0^1 w^-k b^-k dw. In the first panel it is the integral of w^-k plus the integral of w^-k
+ * (b^-k - 1), which is small where k is near 1. */
 static double crossley_quadrature(const struct crossley_side *side, const struct crossley_rule *rule)
 {
     const double k = rule->k.hi, share = rule->share.hi;
@@ -253,7 +255,7 @@ static double crossley_side_time(const struct crossley_side *side, const struct 
     const struct cor_inline_pair log_speed = cor_kernel_minus_log(cor_pair(side->speed, 0)),
                                  log_beta = cor_kernel_minus_log(cor_pair(side->beta, 0)),
                                  log_end = cor_kernel_minus_log(cor_pair(side->end / side->beta * rule->plus.hi, 0));
-    /* -ln of the factors: a power of beta alone would lose digits where k ln(beta) is large */
+    /* -ln of the factors: a separate power of beta would lose digits where k ln(beta) is large */
     const struct cor_inline_pair slow = cor_pair_plus(log_beta, cor_pair(-log_speed.hi, -log_speed.lo));
     const struct cor_inline_pair factor = cor_kernel_exp_minus_pair(
         cor_pair_plus(cor_inline_pair_times(rule->share, log_end), cor_inline_pair_times(rule->k, slow)));
@@ -266,7 +268,8 @@ static double crossley_loading(double beta, const struct crossley_rule *rule)
     return crossley_side_time(&side, rule);
 }
 
-/* -ln(1 - h) is U = beta + 1 - ln(1 + beta) - (1 - h) or, for small beta, -ln(1 - h) itself */
+/* Returns the time of the rebound. Its end, -ln(1 - h), is computed as beta + 1 - ln(1 + beta) - (1 - h), or directly
+ * for small beta. */
 static double crossley_rebound(double beta, const struct crossley_rule *rule)
 {
     const int weak = beta < 2;
@@ -276,8 +279,8 @@ static double crossley_rebound(double beta, const struct crossley_rule *rule)
     return crossley_side_time(&side, rule);
 }
 
-/* Loading or rebound. A collision with negative damping, in backward time, is the damped collision that starts with the
- * speed eps, with h = -beta. The loading of one is the rebound of the other. */
+/* Returns the time of the loading or of the rebound. In backward time, a collision with negative damping is a damped
+ * collision that starts with the speed eps, with h = -beta. The loading of one is the rebound of the other. */
 static double crossley_half(double beta, const struct crossley_rule *rule, int rebound)
 {
     if (fabs(beta) < 1e-15)
@@ -310,8 +313,8 @@ static double crossley_duration(double beta, double elastic_exponent)
         return NAN;
     if (isinf(beta))
         return a > 0 ? INFINITY
-                     : 1; /* a constant force: the approach takes no time, and the rebound, (1 - h) e^tau = 1, the whole
-                           * time */
+                     : 1; /* a constant force: the approach takes no time, and the rebound, with (1 - h) e^tau = 1,
+                           * takes all of it */
     if (crossley_has_table(beta, a)) {
         const struct crossley_tables tables = crossley_tables_of(a);
         return crossley_table_duration(&tables, beta);
@@ -337,7 +340,7 @@ static double crossley_time_of_max_overlap(double beta, double elastic_exponent)
     return crossley_half(beta, &rule, 0);
 }
 
-/* The elastic rebound to the speed eps takes half of the elastic duration times eps^((1 - a)/(1 + a)). */
+/* Returns eps^((1 - a)/(1 + a)), the time of the elastic rebound to the speed eps over half of the elastic duration. */
 static struct cor_inline_pair crossley_elastic_rebound(double beta, double a)
 {
     const struct cor_inline_pair plus = cor_pair_two_sum(1, a), minus = cor_pair_two_sum(1, -a);
@@ -366,11 +369,11 @@ static double crossley_duration_approach_only(double beta, double elastic_expone
 
 /* ---- the largest overlap ---- */
 
-/* eps beyond this beta is computed in units of 2^-380, so that its fourth power is a normal number. */
+/* For larger beta, eps is computed in units of 2^-380, so that its fourth power is a normal number. */
 #define CROSSLEY_HUGE COR_INLINE_2_500
 
-/* X^(1/(a + 1)), X = (a + 1)/2 eps^2 with eps of damping during the approach only, 0 <= a < inf: the fifth root of X^2
- * for a = 3/2, the square root for a = 1 */
+/* Returns X^(1/(a + 1)), X = (a + 1)/2 eps^2 with eps of damping during the approach only, 0 <= a < inf. It is the
+ * fifth root of X^2 for a = 3/2, and the square root of X for a = 1. */
 static double crossley_max_overlap(double beta, double elastic_exponent)
 {
     const double a = elastic_exponent;
@@ -382,7 +385,7 @@ static double crossley_max_overlap(double beta, double elastic_exponent)
         return 1;
     const int huge = beta > CROSSLEY_HUGE;
     const struct cor_inline_pair eps = cor_pair_scaled(cor_crossley_eps_approach_pair(beta), huge ? 0x1p380 : 1);
-    if (a == 1.5) { /* of 25/16 eps^4, and what its rounding leaves out */
+    if (a == 1.5) { /* the fifth root of 25/16 eps^4, corrected for its rounding */
         const struct cor_inline_pair square = cor_inline_product(eps.hi, eps.hi);
         const struct cor_inline_pair root = cor_inline_fifth_root_parts(square.hi * square.hi * 1.5625);
         const double rest = (0.4 * square.lo + 0.8 * eps.hi * eps.lo) / square.hi;
@@ -444,7 +447,7 @@ void cor_hunt_crossley_time_of_max_overlap_array(const double *beta, double elas
 
 /* ---- the functions of the table: x is beta, eps or 1 - eps ---- */
 
-/* The law by name has the elastic exponent 3/2. Its times are those of damping. */
+/* The law by name has the elastic exponent 3/2. Its times are restricted to beta >= 0. */
 #define ELASTIC 1.5
 
 static double duration_at(double beta)
@@ -509,7 +512,7 @@ static void max_overlap_array(const double *x, double *y, size_t n)
 { cor_array_in_environment(max_overlap_at, x, y, n); }
 /* clang-format on */
 
-/* The least double above -1 */
+/* The smallest double above -1 */
 #define LEAST (-0x1.fffffffffffffp-1)
 
 #define OVERLAP_ROWS                                                                                                   \

@@ -25,7 +25,7 @@ COR_INLINE double cor_linear_inline_duration_zero_force(double zeta)
     return 2 * cor_linear_inline_time_of_max_overlap(zeta);
 }
 
-/* The rebound of an undamped spring takes pi/2 at every speed. */
+/* Returns the duration. The rebound of an undamped spring takes pi/2 at every speed. */
 COR_INLINE double cor_linear_inline_duration_approach_only(double zeta)
 {
     if (!(zeta >= 0))
@@ -46,8 +46,9 @@ COR_INLINE double cor_linear_inline_duration_zero_overlap(double zeta)
     return zeta < 1 ? cor_linear_inline_duration_zero_overlap_near(zeta) : (double)INFINITY;
 }
 
-/* The force is twice the elastic force for the time atan(2 sqrt(2) zeta)/sqrt(2) = (2 zeta/R) A(1/R), R = sqrt(1 + 8
- * zeta^2). Then the law holds for the time L/zeta. From 2^64 on, the sum is pi/(2 sqrt(2)). */
+/* Returns the duration. The force is twice the elastic force for the time atan(2 sqrt(2) zeta)/sqrt(2) = (2 zeta/R)
+ * A(1/R), R = sqrt(1 + 8 zeta^2). Then the law holds for the time L/zeta. For zeta above 2^64 the sum is
+ * pi/(2 sqrt(2)). */
 COR_INLINE double cor_linear_inline_duration_limited(double zeta)
 {
     if (!(zeta >= 0))

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The functions of the linear dashpot and of Tsuji's damping. eps, loss and their inverses are the same for both.
- * Tsuji's durations and the time of his largest overlap are from generated/tsuji_tables.h. */
+ * Tsuji's durations and the time of his largest overlap come from generated/tsuji_tables.h. */
 #include "generated/tsuji_tables.h"
 #include "runtime/law/closed_form.h"
 #include "runtime/law/linear.h"
@@ -21,7 +21,7 @@ static double tsuji_row(struct cor_inline_grid grid, const double *(*rows)(int),
     return cor_grid_value(grid, rows, y).hi;
 }
 
-/* zeta^(-4/5) (c_0 + c_1 u + mu (...)), u = ln(zeta), mu = 1/zeta^2, for TSUJI_FAR <= zeta */
+/* Returns zeta^(-4/5) (c_0 + c_1 u + mu (...)), u = ln(zeta), mu = 1/zeta^2, for zeta >= TSUJI_FAR. */
 static double tsuji_far(double zeta, const double *c)
 {
     const struct cor_inline_pair minus = cor_kernel_minus_log(cor_pair(zeta, 0));
@@ -45,7 +45,7 @@ static double tsuji_at_time_of_max_overlap(double zeta)
     return isinf(zeta) ? 0 : tsuji_far(zeta, cor_rows_tsuji_far_time_of_max_overlap(0));
 }
 
-/* The value from the rows in zeta^(1/5); the first row is also for 0. */
+/* Returns the value from the rows in zeta^(1/5). The first row also serves zeta = 0. */
 static double tsuji_weak(struct cor_inline_grid grid, const double *(*rows)(int), double zeta)
 {
     return tsuji_row(grid, rows, zeta < TSUJI_LEAST ? cor_pair(0, 0) : cor_inline_fifth_root_parts(zeta));
@@ -81,8 +81,9 @@ static double tsuji_at_duration_limited(double zeta)
     return c[0] + (c[1] + mu * ((c[2] + c[4] * u) + mu * (mu * (c[5] + u * (c[6] + u * c[7])))));
 }
 
-/* Beyond the rows, exp(2 pi y) (1 - zeta^2)^(-2/5) V(y), y = zeta/(10 sqrt(1 - zeta^2)). Beyond y = 6.5, (1 -
- * zeta^2)^(-2/5) y^(-4/5) is (zeta/10)^(-4/5). Past y = 112.9 the duration is beyond the largest double. */
+/* Returns the duration, beyond the rows as exp(2 pi y) (1 - zeta^2)^(-2/5) V(y), y = zeta/(10 sqrt(1 - zeta^2)). For y
+ * above 6.5, (1 - zeta^2)^(-2/5) y^(-4/5) is (zeta/10)^(-4/5). For y above 112.9 the duration exceeds the largest
+ * double. */
 static double tsuji_at_duration_zero_overlap(double zeta)
 {
     if (!(zeta >= 0))
@@ -120,7 +121,7 @@ static double tsuji_at_duration_zero_overlap(double zeta)
     return scaled < 7.02223880805592105e+305 ? scaled * 256 : INFINITY; /* 2^1016 */
 }
 
-/* The elastic rebound to the speed eps takes half the elastic duration times eps^(-1/5). */
+/* Returns the duration. The elastic rebound to the speed eps takes half the elastic duration times eps^(-1/5). */
 static double tsuji_at_duration_approach_only(double zeta)
 {
     if (!(zeta >= 0))
@@ -128,7 +129,7 @@ static double tsuji_at_duration_approach_only(double zeta)
     if (isinf(zeta))
         return INFINITY;
     const struct cor_inline_pair fifth = cor_pair(0.2, -1.11022302462515654042e-17);
-    /* ln(eps)/5; L at zero force is twice that of this end */
+    /* L at zero force is twice the L of this end */
     const struct cor_inline_pair part = cor_inline_pair_times(fifth, cor_ratio_force_exponent(zeta));
     const struct cor_inline_pair growth = cor_kernel_exp_minus_pair(cor_pair_scaled(part, -0.5));
     const struct cor_inline_pair rebound =
@@ -136,7 +137,7 @@ static double tsuji_at_duration_approach_only(double zeta)
     return cor_pair_plus(rebound, cor_pair(tsuji_at_time_of_max_overlap(zeta), 0)).hi;
 }
 
-/* (5/4 eps)^(2/5), eps at zero force */
+/* Returns (5/4 eps)^(2/5), eps at zero force. */
 static double tsuji_at_max_overlap(double zeta)
 {
     if (!(zeta >= 0))

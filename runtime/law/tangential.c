@@ -3,21 +3,21 @@
  * E = (a - 1)/(2 (a + 1)).
  *
  * With the whole number n below D, cos(pi D) is -(-1)^n sin(pi d) for d = D - n - 1/2. Near a zero of the cosine all
- * digits of D may cancel, so that d comes from a polynomial of kappa and a with whole coefficients:
+ * digits of D may cancel. Therefore d is computed from a polynomial of kappa and a with integer coefficients:
  *
  *     d = P/((a + 1)^2 (D + n + 1/2)),   P = (a + 1) Q - a,   Q = 2 kappa - n (n + 1) (a + 1)
  *
- * The 25 terms of P are exact as doubles. Five passes and a sum add them with a relative error of 2^-95 of P and a
- * 2^-284 of the terms' absolute values (Ogita, Rump and Oishi, SIAM J. Sci. Comput. 26, 1955 (2005), SumK with K = 6),
- * whose sum is below 2^36. Next to a zero, kappa >= 2^-28 and a >= 2^-20 are multiples of 2^-81 and 2^-73, so that P is
- * 0 or at least 2^-154; elsewhere it is larger. All that follows is computed in pairs, with relative errors below
- * 2^-90, and rounded once. */
+ * The 25 terms of P are exact as doubles. Five passes and a sum add them (Ogita, Rump and Oishi, SIAM J. Sci. Comput.
+ * 26, 1955 (2005), SumK with K = 6). The error is at most 2^-95 of P plus 2^-284 of the sum of the terms' absolute
+ * values, which is below 2^36. Next to a zero, kappa >= 2^-28 and a >= 2^-20 are multiples of 2^-81 and 2^-73, so P is
+ * 0 or at least 2^-154; elsewhere it is larger. The remaining operations use pairs, with relative errors below 2^-90,
+ * and round once. */
 #include "runtime/law/damping_ratio.h"
 #include "runtime/law/functions.h"
 
 enum { PRODUCT_TERMS = 5, Q_TERMS = 4, P_TERMS = Q_TERMS * (PRODUCT_TERMS + 1) + 1, SUM_PASSES = 5, SINE_TERMS = 14 };
 
-/* x y exactly, if nothing underflows: heads have 26 bits, tails 27 */
+/* Sets the terms of x y exactly, if nothing underflows: heads have 26 bits, tails 27. */
 static void tangential_product(double term[PRODUCT_TERMS], double x, double y)
 {
     const double xh = cor_inline_head(x), xl = x - xh, yh = cor_inline_head(y), yl = y - yh;
@@ -29,7 +29,8 @@ static void tangential_product(double term[PRODUCT_TERMS], double x, double y)
     term[4] = xl * (yl - ylh);
 }
 
-/* The sum of the terms: each pass leaves sums above and their rounding errors below, without an error of its own. */
+/* Returns the sum of the terms. Each pass replaces the terms by partial sums and their rounding errors, and is itself
+ * exact. */
 static struct cor_inline_pair tangential_sum(double *term, int count)
 {
     double rest = 0;
@@ -44,7 +45,7 @@ static struct cor_inline_pair tangential_sum(double *term, int count)
     return cor_pair_two_sum(term[count - 1], rest);
 }
 
-/* P for m = n (n + 1), a whole number below 2^21 */
+/* Returns P for m = n (n + 1), an integer below 2^21. */
 static struct cor_inline_pair tangential_polynomial(double kappa, double a, double m)
 {
     const double head = cor_inline_head(a);
@@ -58,7 +59,7 @@ static struct cor_inline_pair tangential_polynomial(double kappa, double a, doub
     return tangential_sum(term, P_TERMS);
 }
 
-/* sin(pi t), |t| <= 1/2, by its series */
+/* Returns sin(pi t), |t| <= 1/2, by its series. */
 static struct cor_inline_pair tangential_sine(struct cor_inline_pair t)
 {
     const struct cor_inline_pair one = cor_pair(1, 0);
@@ -83,7 +84,7 @@ static double tangential_no_slip(double kappa, double elastic_exponent)
     const int n = (int)(sqrt((a - 1) * (a - 1) + 8 * plus.hi * kappa) / (2 * plus.hi));
     const double half = n + 0.5;
     const struct cor_inline_pair share = cor_pair_over(tangential_polynomial(kappa, a, (double)n * (n + 1)), square);
-    /* D is needed to the digits of its square: below 2^-50 the cosine is 1 to 2^-98 */
+    /* D is as accurate as its square requires: for D below 2^-50 the cosine is 1 to 2^-98 */
     const struct cor_inline_pair d2 = cor_pair_plus(cor_pair(half * half, 0), share);
     const struct cor_inline_pair d = d2.hi > COR_INLINE_2_M60 * COR_INLINE_2_M40 ? cor_pair_root(d2) : cor_pair(0, 0);
     const struct cor_inline_pair rest = cor_pair_over(share, cor_pair_plus(cor_pair(half, 0), d));
