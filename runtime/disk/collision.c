@@ -7,7 +7,7 @@
 #include "cor/status.h"
 #include "runtime/disk/collision_parts.h"
 
-/* COR_OK, or the status of the first error in the table and the options */
+/* Returns COR_OK, or the status of the first error in the table and the options. */
 static int collision_check(const struct cor_disk_modes *modes, size_t n_modes,
                            const struct cor_disk_collision_options *options)
 {
@@ -36,7 +36,7 @@ size_t cor_disk_collision_workspace(const struct cor_disk_modes *modes, size_t n
 
 /* ---- what the speed does not change ---- */
 
-/* Sets up *m in the workspace, but for the speed and the angles. */
+/* Sets up *m in the workspace, except for the speed and the angles. */
 static int collision_prepare(struct cor_motion *m, void *workspace, size_t bytes, const struct cor_disk_modes *modes,
                              size_t n_modes, const struct cor_disk_collision_options *options)
 {
@@ -59,7 +59,8 @@ static int collision_prepare(struct cor_motion *m, void *workspace, size_t bytes
 static const struct cor_disk_collision collision_unknown = {NAN, NAN, NAN, NAN, NAN, 0, NAN};
 static const struct cor_disk_collision collision_without_touch = {NAN, NAN, 0, NAN, 0, 0, NAN};
 
-/* Keeps the tables of angles of the speed before if their number is the same. */
+/* Computes a collision at one speed. It reuses the tables of angles of the previous speed if their number is the
+ * same. */
 static int collision_of_speed(struct cor_motion *m, const struct cor_disk_collision_options *options, double speed,
                               struct cor_disk_collision *out, const struct cor_disk_collision_detail *detail)
 {

@@ -7,8 +7,8 @@
 #include "runtime/number/elementary.h"
 #include "runtime/number/kernel_vector.h"
 
-/* Number of vectors in which a sum over terms or angles is accumulated. With it additions do not wait for each other
- * and registers suffice. */
+/* Number of vectors that accumulate a sum over terms or angles: enough for independent additions, few enough for the
+ * registers */
 enum { ACCUMULATORS = VECTOR == 8 ? 4 : 8 };
 
 static void kernel_turn(const struct cor_rim *rim, double *q, double *p, const double *cosine, const double *sine,
@@ -36,7 +36,7 @@ static void kernel_turn(const struct cor_rim *rim, double *q, double *p, const d
     }
 }
 
-/* result[i] = offset + shape[i] + sum_k factor[k] table[k][i], i < COR_PANEL, k < count */
+/* Sets result[i] = offset + shape[i] + sum_k factor[k] table[k][i], i < COR_PANEL, k < count */
 COR_KERNEL void kernel_sum(size_t count, double offset, const double *shape, const double *factor, const double *table,
                            double *result)
 {
@@ -69,7 +69,7 @@ static void kernel_transform(const struct cor_rim *rim, size_t points, const dou
         kernel_sum(points, 0, nothing, pressure, rim->by_term + k * rim->points, e + k);
 }
 
-/* exp(x); 0 below -700, infinite from 700 on */
+/* Returns exp(x); 0 for x <= -700, infinity for x >= 700. */
 COR_KERNEL double kernel_push(double x)
 {
     const double e = cor_kernel_exp(x > -700 ? x < 700 ? x : 700 : -700);

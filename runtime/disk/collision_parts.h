@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Full dynamics of a disk at a soft wall: what the parts of the integrator share.
+/* Full dynamics of a disk at a soft wall: declarations that the parts of the integrator share.
  *     collision_workspace.c      sizes and places of arrays, tables of modes and angles
  *     collision_run.c            a step, and one collision with steps of one size
  *     collision_runs.c           the runs of a call, their extrapolation to h = 0 and their error
@@ -7,8 +7,8 @@
  *     collision_tuning.h         every constant
  *
  * A mode is stored as the canonical pair q = sqrt(m omega) Q and p = sqrt(m omega) dQ/dt / omega. Free motion turns the
- * pair by the angle omega t. The same coefficients c = C/sqrt(m omega) and s = S/sqrt(m omega) lead from modes to the
- * rim and from the wall's force to modes. */
+ * pair by the angle omega t. The coefficients c = C/sqrt(m omega) and s = S/sqrt(m omega) convert modes to the shape of
+ * the rim, and the wall's force to forces on modes. */
 #ifndef COR_RUNTIME_DISK_COLLISION_PARTS_H
 #define COR_RUNTIME_DISK_COLLISION_PARTS_H
 
@@ -23,7 +23,7 @@ enum { COR_PANEL = 4 * COR_LANES };
 struct cor_rim {
     size_t blocks; /* of modes */
     const struct cor_mode_block *block;
-    const double *c, *s;    /* as the modes */
+    const double *c, *s;    /* placed like the modes */
     size_t used_terms;      /* the largest k with a cosine, plus 1 */
     size_t terms, points;   /* cos(k phi_j), k < terms, j < points: multiples of COR_PANEL */
     const double *by_point; /* [(j / COR_PANEL) terms + k][j % COR_PANEL] = cos(k phi_j) */
@@ -33,22 +33,22 @@ struct cor_rim {
 /* Arrays over n have blocks times COR_LANES elements, arrays over terms at least two more, arrays over angles
  * `points`. */
 struct cor_collision_loops {
-    /* Kicks the modes by the forces on c and s of each n, turns them by the angles whose cosine and sine are given, and
+    /* Kicks the modes by the forces on c and s of each n, turns them by the angles with the given cosine and sine, and
      * then sums c q and s q. */
     void (*turn)(const struct cor_rim *rim, double *q, double *p, const double *cosine, const double *sine,
                  const double *force_c, const double *force_s, double *sum_c, double *sum_s);
-    /* sum_n sum_c cos(n phi) cos(phi) - sum_s sin(n phi) sin(phi) = sum_k d_k cos(k phi) */
+    /* Sets d: sum_n sum_c cos(n phi) cos(phi) - sum_s sin(n phi) sin(phi) = sum_k d_k cos(k phi) */
     void (*gather)(const struct cor_rim *rim, const double *sum_c, const double *sum_s, double *d);
-    /* The transpose of gather: force_c and force_s of each n from e_k, times a factor */
+    /* Applies the transpose of gather: sets force_c and force_s of each n from e_k, times a factor */
     void (*split)(const struct cor_rim *rim, double factor, const double *e, double *force_c, double *force_s);
-    /* reach[j] = offset + shape[j] + sum_k d_k cos(k phi_j), j < points */
+    /* Sets reach[j] = offset + shape[j] + sum_k d_k cos(k phi_j), j < points */
     void (*reach)(const struct cor_rim *rim, size_t points, double offset, const double *shape, const double *d,
                   double *reach);
-    /* pressure[j] = weight[j] exp(alpha reach[j]), 0 where alpha reach is below -700; returns their sum */
+    /* Sets pressure[j] = weight[j] exp(alpha reach[j]), or 0 where alpha reach is below -700. Returns their sum. */
     double (*press)(size_t points, double alpha, const double *weight, const double *reach, double *pressure);
-    /* e_k = sum_j pressure[j] cos(k phi_j) */
+    /* Sets e_k = sum_j pressure[j] cos(k phi_j) */
     void (*transform)(const struct cor_rim *rim, size_t points, const double *pressure, double *e);
-    /* pressure[j] -= factor response[j] pressure[j]; returns their sum, and sets the greatest response */
+    /* Subtracts factor response[j] pressure[j] from pressure[j]. Returns their sum, and sets the greatest response. */
     double (*soften)(size_t points, double factor, const double *response, double *pressure, double *greatest);
 };
 
@@ -69,7 +69,7 @@ struct cor_motion {
     const struct cor_collision_loops *loops;
     const struct cor_disk_mode *mode;
     double alpha, tolerance, speed;
-    double work_left, work_per_step; /* the budget; work_per_step 0: count the work of each step */
+    double work_left, work_per_step; /* the budget; work_per_step 0: counts the work of each step */
     size_t phi, phi_limit;           /* angles in use, and their largest number */
     size_t *place;                   /* cell of each mode */
     struct cor_mode_block *block;
@@ -80,24 +80,24 @@ struct cor_motion {
     double *after[COR_COLLISION_LEVELS], *average[COR_COLLISION_LEVELS]; /* of each mode, of each run */
 };
 
-/* Largest number of angles that a call with these options may use */
+/* Returns the largest number of angles that a call with these options may use. */
 size_t cor_motion_phi_limit(const struct cor_disk_collision_options *options, size_t n_max);
-/* Number of angles that the tolerance is expected to need */
+/* Returns the number of angles that the tolerance is expected to need. */
 size_t cor_motion_first_phi(const struct cor_motion *m, const struct cor_disk_collision_options *options);
 
 struct cor_motion_sizes cor_motion_sizes(const struct cor_disk_mode *mode, size_t modes,
                                          const struct cor_disk_collision_options *options);
-/* Sets the pointers of *m, whose size is set, to places in memory from an aligned base on. Returns the number of bytes
- * used. If base is NULL, the function only counts them. */
+/* Sets the pointers of *m, whose size is set, to places in memory that starts at an aligned base. Returns the number of
+ * bytes used. If base is NULL, the function only counts them. */
 size_t cor_motion_arrange(struct cor_motion *m, char *base);
 /* Fills the arrays of modes from m->mode. */
 void cor_motion_set_modes(struct cor_motion *m);
 /* Sets the angles phi_j = (j + shift/2) pi/(2 phi), j < phi, and the tables of cos(k phi_j). shift 0: the trapezoidal
- * rule, whose last angle, pi/2, adds nothing, because the wall does not reach it. shift 1: the midpoint rule, whose
- * error is to first order that of the trapezoidal rule with the other sign. */
+ * rule; the wall does not reach its last angle, pi/2, which therefore adds nothing. shift 1: the midpoint rule, which
+ * to first order has the opposite error. */
 void cor_motion_set_angles(struct cor_motion *m, size_t phi, size_t shift);
-/* Multiplications of a step that computes the reach at `reached` angles and a pressure at `pressed` of them. Fitted to
- * times. */
+/* Returns the multiplications of a step that computes the reach at `reached` angles and a pressure at `pressed` of
+ * them. Fitted to measured times. */
 double cor_motion_work(const struct cor_motion *m, size_t reached, size_t pressed);
 
 /* ---- a step and a run: collision_run.c ---- */
@@ -116,24 +116,24 @@ struct cor_collision_state {
 };
 
 enum cor_collision_outcome {
-    COR_RUN_ENDED,      /* also of a kick: made */
+    COR_RUN_ENDED,      /* for a kick: it was made */
     COR_RUN_TOO_STIFF,  /* the step is too large */
     COR_RUN_TOO_NARROW, /* the window omitted a significant pressure */
     COR_RUN_TOO_LONG    /* more than COR_DISK_COLLISION_MAX_STEPS or the call's budget */
 };
 
-/* The angles that a kick evaluates. COR_WINDOW: those of the window. COR_SCAN: all angles, to find the next window and
- * to check the last one. COR_ALL_ANGLES: all angles, because a window was too narrow in an earlier run. */
+/* The angles that a kick evaluates. COR_WINDOW: the angles in the window. COR_SCAN: all angles, to find the next window
+ * and to check the last one. COR_ALL_ANGLES: all angles, because a window was too narrow in an earlier run. */
 enum cor_collision_angles { COR_WINDOW, COR_SCAN, COR_ALL_ANGLES };
 
 /* Sets the state of the disk and of its modes at the first moment, to first order in the wall's force. */
 void cor_collision_approach(struct cor_motion *m, double h, struct cor_collision_state *now);
-/* Free motion over h: the modes receive their part of the last kick and turn, and the centre drifts. */
+/* Computes free motion over h: the modes receive their part of the last kick and turn, and the centre drifts. */
 void cor_collision_drift(struct cor_motion *m, double h, struct cor_collision_state *now);
-/* The wall's kick over h at the positions of now */
+/* Computes the wall's kick over h at the positions of *now. */
 enum cor_collision_outcome cor_collision_kick(struct cor_motion *m, double h, enum cor_collision_angles angles,
                                               struct cor_collision_state *now);
-/* Energy of a mode halfway through the kick */
+/* Returns the energy of a mode halfway through the kick. */
 double cor_collision_mode_energy(const struct cor_motion *m, size_t i);
 
 struct cor_collision_run {
@@ -141,7 +141,7 @@ struct cor_collision_run {
     int number;     /* 0 for the first run with the same angles */
     int all_angles; /* evaluate all angles at every step */
     size_t steps;
-    double work; /* its share of the call's budget */
+    double work; /* its part of the call's budget */
     double eps, max_compression, contact_time;
     double max_load;
     double ripple;     /* largest change of the load with half the angles */
@@ -169,8 +169,9 @@ double cor_collision_results(const struct cor_motion *m, const struct cor_collis
 /* Sets the mean energies from m->average, or NaN if no run has them. */
 void cor_collision_averages(const struct cor_motion *m, const struct cor_collision_run *run, int levels,
                             double *energy_average);
-/* The movement of the extrapolated result by the last run, and the difference between the last two runs. Each is the
- * larger of the change of eps and half the norm of the changes of the modes' energies, as a fraction of (pi/2) v^2. */
+/* Return how far the last run moved the extrapolated result, and the difference between the last two runs. Each is the
+ * larger of two numbers: the change of eps, and half the norm of the changes of the modes' energies in units of (pi/2)
+ * v^2. */
 double cor_collision_movement(const struct cor_motion *m, const struct cor_collision_run *run, int levels);
 double cor_collision_difference(const struct cor_motion *m, const struct cor_collision_run *run, int levels);
 
@@ -185,28 +186,29 @@ struct cor_collision_error {
 /* Evidence of errors from the runs of a call */
 struct cor_collision_evidence {
     int runs;                            /* with the same angles */
-    double movement[COR_COLLISION_RUNS]; /* of the extrapolated result by each of them but the first */
+    double movement[COR_COLLISION_RUNS]; /* of the extrapolated result by each of them except the first */
     double amplification;                /* of errors: measured, or a bound on it */
     int measured;
     double by_angles; /* movement by shifted angles, if it is measured */
     int angles_measured;
 };
 
-/* Error due to the step, after the last run, whose round-off is known */
+/* Returns the error due to the step after the last run, whose round-off is known. */
 double cor_collision_step_error(const struct cor_motion *m, const struct cor_collision_evidence *evidence,
                                 double round_off);
-/* Error of the quadrature relative to the peak load; 1 where nothing is known of it */
+/* Returns the error of the quadrature relative to the peak load; 1 if it is unknown. */
 double cor_collision_quadrature_error(const struct cor_motion *m, const struct cor_collision_run *run);
-/* Sets all parts except the step for the last run, which leaves the fraction `left` of the energy in the modes. */
+/* Sets all parts except the step for the last run. left: fraction of the energy that it leaves in the modes. */
 void cor_collision_other_errors(const struct cor_motion *m, const struct cor_collision_run *run, double left,
                                 const struct cor_collision_evidence *evidence, struct cor_collision_error *error);
-/* The parts that smaller steps do not reduce */
+/* Returns the sum of the parts that smaller steps do not reduce. */
 double cor_collision_lasting_error(const struct cor_collision_error *error);
-/* The sum of all parts, at most 1 */
+/* Returns the sum of all parts, at most 1. */
 double cor_collision_total_error(const struct cor_collision_error *error);
 
-/* The estimated error determines the steps, the angles and the number of runs. COR_OK, COR_TOLERANCE_NOT_REACHED or
- * COR_CONTACT_NOT_ENDED, as cor/disk.h says. m has its modes and first angles, *out nothing known. */
+/* Makes runs. The estimated error determines the steps, the angles and the number of runs. m has its modes and first
+ * angles; all results in *out are unknown at first. Returns COR_OK, COR_TOLERANCE_NOT_REACHED or COR_CONTACT_NOT_ENDED
+ * as in cor/disk.h. */
 int cor_collision_runs(struct cor_motion *m, struct cor_disk_collision *out,
                        const struct cor_disk_collision_detail *detail);
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The Hamiltonian is that of free motion plus the wall. Free motion is solved exactly: every mode turns and the centre
- * drifts. A step is a kick of the wall between two halves of free motion. In the kick,
+/* The Hamiltonian is the sum of free motion and the wall. Free motion is solved exactly: every mode turns and the
+ * centre drifts. A step is a kick of the wall between two halves of free motion. In the kick,
  *
  *     V - (h^2/24) |grad V|^2/m                                                       (Takahashi and Imada, 1984)
  *
@@ -10,7 +10,7 @@
 
 #include <math.h>
 
-/* The load of the wall that is negligible before and after the contact */
+/* Returns the load of the wall that is negligible before and after the contact. */
 static double negligible_load(const struct cor_motion *m)
 {
     return COR_TUNING_WALL_LEFT * fmin(m->tolerance, COR_TUNING_WALL_TOLERANCE) * 0.5 * COR_DISK_MASS * m->speed *
@@ -30,7 +30,8 @@ static double rim_load(struct cor_motion *m, double depth, size_t points)
     return m->loops->press(points, m->alpha, m->weight, m->reach, m->pressure);
 }
 
-/* Number of angles, in whole panels, up to the last one whose pressure exceeds COR_TUNING_WINDOW_EDGE times the peak */
+/* Returns the number of angles, in whole panels, up to the last one whose pressure exceeds COR_TUNING_WINDOW_EDGE times
+ * the peak. */
 static size_t window_of(const struct cor_motion *m)
 {
     double peak = 0;
@@ -43,7 +44,7 @@ static size_t window_of(const struct cor_motion *m)
     return (last / COR_PANEL + 1) * COR_PANEL;
 }
 
-/* Change of the load with half the angles */
+/* Returns the change of the load with half the angles. */
 static double ripple_of(const struct cor_motion *m)
 {
     double even = 0, odd = 0;
@@ -54,7 +55,7 @@ static double ripple_of(const struct cor_motion *m)
     return fabs(even - odd);
 }
 
-/* Whether, after a scan, a window that ended at `window` has omitted a significant pressure */
+/* True if, after a scan, a window that ended at `window` has omitted a significant pressure. */
 static int window_missed(const struct cor_motion *m, size_t window, double load)
 {
     for (size_t j = window; j < m->rim.points; j++)
@@ -63,8 +64,8 @@ static int window_missed(const struct cor_motion *m, size_t window, double load)
     return 0;
 }
 
-/* Replaces the pressure in the window by that of the modified potential, pressure (1 - (h^2/12) alpha a) with the rim's
- * acceleration a, (15.1), and sets its moments e; returns its force. */
+/* Replaces the pressure in the window by the pressure of the modified potential, pressure (1 - (h^2/12) alpha a) with
+ * the rim's acceleration a, (15.1), and sets its moments e. Returns its force. */
 static double rim_soften(struct cor_motion *m, double h, double load, size_t window, double *stiffness)
 {
     double fastest, *const sum_c = m->force_c, *const sum_s = m->force_s;
@@ -123,14 +124,15 @@ enum cor_collision_outcome cor_collision_kick(struct cor_motion *m, double h, en
 
 /* ---- the first moment ---- */
 
-/* alpha (x_0 + 1) at the first moment, at which the load sqrt(2 pi/alpha) exp(alpha (x_0 + 1)) of a disk that keeps its
- * shape is negligible */
+/* Returns alpha (x_0 + 1) at the first moment, when the load sqrt(2 pi/alpha) exp(alpha (x_0 + 1)) of a disk that keeps
+ * its shape is negligible. */
 static double first_exponent(const struct cor_motion *m)
 {
     return log(negligible_load(m) * sqrt(m->alpha / (2 * COR_PI)));
 }
 
-/* Whether a collision with steps h can end within COR_DISK_COLLISION_MAX_STEPS, judged by the time to reach the wall */
+/* True if a collision with steps h can end within COR_DISK_COLLISION_MAX_STEPS, judged by the time to reach the
+ * wall. */
 static int in_sight(const struct cor_motion *m, double h)
 {
     /* the way to the wall and back takes at least twice as long */
@@ -183,7 +185,7 @@ double cor_collision_mode_energy(const struct cor_motion *m, size_t i)
     return 0.5 * m->mode[i].omega * (q * q + p * p);
 }
 
-/* Largest displacement of any part of the rim out of its round shape in free motion */
+/* Returns the largest displacement of any part of the rim from its round shape in free motion. */
 static double greatest_swing(const struct cor_motion *m)
 {
     double swing = 0;
@@ -196,14 +198,14 @@ static double greatest_swing(const struct cor_motion *m)
 
 enum { MOMENTS = 5 };
 
-/* stands for the logarithm of a zero load */
+/* used as the logarithm of a zero load */
 #define LOG_NO_LOAD (-1e3)
 
 struct course {
     double depth[MOMENTS], log_load[MOMENTS]; /* in order of time */
 };
 
-/* The polynomial through five values at -2 ... 2 */
+/* Computes the polynomial through five values at -2 ... 2. */
 static void course_interpolate(const double f[MOMENTS], double c[MOMENTS])
 {
     c[0] = f[2];
@@ -228,7 +230,7 @@ static void course_bisect(const double c[MOMENTS], double level, int rises, doub
     }
 }
 
-/* The maximum of the polynomial, which is near the middle value */
+/* Returns the maximum of the polynomial, which is near the middle value. */
 static double course_maximum(const double f[MOMENTS])
 {
     double c[MOMENTS], t = -1, high = 1;
@@ -238,7 +240,7 @@ static double course_maximum(const double f[MOMENTS])
     return c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * c[4])));
 }
 
-/* The point between the middle value, 0, and the next one, 1, at which the polynomial passes `level` */
+/* Returns the point between the middle value, 0, and the next one, 1, at which the polynomial passes `level`. */
 static double course_crossing(const double f[MOMENTS], double level)
 {
     double c[MOMENTS], low = 0, high = 1;
@@ -247,10 +249,10 @@ static double course_crossing(const double f[MOMENTS], double level)
     return 0.5 * (low + high);
 }
 
-/* Adds a moment to the course, and updates the run: maxima of depth and load, start and end of the contact.
+/* Adds a moment to *course, and updates the run: maxima of depth and load, start and end of the contact.
  *
  * With the wall's force F, the integrator's x is y - (h^2/12) F(y)/m, where y is the true position to order 4
- * (Numerov's method). The force of the modified potential at x is that of the true potential at y. */
+ * (Numerov's method). The force of the modified potential at x equals the force of the true potential at y. */
 static void course_follow(struct course *course, struct cor_collision_run *run, const struct cor_collision_state *now,
                           double log_threshold)
 {
@@ -277,9 +279,8 @@ static void course_follow(struct course *course, struct cor_collision_run *run, 
 
 /* ---- averages and observers ---- */
 
-/* Weight of a value at `time` in the integral of a piecewise linear function from start to end: the integral, over the
- * part of the interval from `time` to `time` + h between start and end, of a weight that falls from 1 at `time` to 0. h
- * may be negative. */
+/* Returns the weight of the value at `time` in the integral of a piecewise linear function from start to end. It is the
+ * integral of a ramp from 1 at `time` to 0 at `time` + h, restricted to start ... end. h may be negative. */
 static double piece_weight(double time, double h, double start, double end)
 {
     const double a = fmin(fmax((start - time) / h, 0), 1), b = fmin(fmax((end - time) / h, 0), 1);

@@ -7,17 +7,17 @@
 
 /* ---- extrapolation ----
  *
- * The step is of order 2, but a change of variables makes it conjugate to a step of order 4. The change is the identity
- * where the wall exerts no force. Quantities measured long before and long after the contact, such as eps, therefore
- * have an error c_4 h^4 + c_6 h^6 + .... The powers are even because the step is symmetric. */
+ * The step is of order 2, but a change of variables makes it conjugate to a step of order 4. It is the identity where
+ * the wall exerts no force. Quantities measured long before and long after the contact, such as eps, therefore have an
+ * error c_4 h^4 + c_6 h^6 + .... The powers are even because the step is symmetric. */
 
 enum { LEVELS = COR_COLLISION_LEVELS };
 
 /* First powers of h in the errors of quantities measured after the contact and during it */
 enum { AFTER = 4, AMIDST = 2 };
 
-/* Weights of the last `levels` runs in the extrapolation of a series in h^first, h^(first + 2), ... by Neville's
- * scheme; h^2 halves from run to run. */
+/* Computes the weights of the last `levels` runs in the extrapolation of a series in h^first, h^(first + 2), ... by
+ * Neville's scheme. h^2 halves from run to run. */
 static void extrapolation_weights(int levels, int first, double weight[LEVELS])
 {
     double row[LEVELS][LEVELS] = {{0}};
@@ -35,7 +35,7 @@ static void extrapolation_weights(int levels, int first, double weight[LEVELS])
     memcpy(weight, row[levels - 1], LEVELS * sizeof *weight);
 }
 
-/* Weights of the runs in the change of the result by the last run */
+/* Computes the weights of the runs in the change of the result by the last run. */
 static void movement_weights(int levels, double weight[LEVELS])
 {
     double before[LEVELS];
@@ -81,7 +81,7 @@ double cor_collision_results(const struct cor_motion *m, const struct cor_collis
             energy_after[i] = fmax(after, 0);
     }
     out->energy_drift = out->eps * out->eps + out->one_minus_eps2 - 1;
-    /* the first run does not know the load that defines the contact */
+    /* the load that defines the contact is unknown in the first run */
     const int first = run[0].number < 1;
     if (levels == first)
         out->contact_time = NAN;
@@ -107,7 +107,7 @@ void cor_collision_averages(const struct cor_motion *m, const struct cor_collisi
     }
 }
 
-/* The larger of a weighted eps and half the norm of weighted energies */
+/* Returns the larger of a weighted eps and half the norm of weighted energies. */
 static double weighted_norm(const struct cor_motion *m, const struct cor_collision_run *run, int levels,
                             const double weight[LEVELS])
 {
@@ -136,9 +136,9 @@ double cor_collision_difference(const struct cor_motion *m, const struct cor_col
 
 /* ---- error ---- */
 
-/* The next run would move the result by about the last movement times the ratio of the last two. The runs after it
- * would move the result by less and less: the sum is a geometric series. Movements are those of all energies, because
- * that of eps alone may be small by chance. */
+/* Estimates the error from the movements. The next run would move the result by about the last movement times the ratio
+ * of the last two. Later runs would move it less and less, so the error is a geometric series. Movements include all
+ * energies, because the movement of eps may be small by chance. */
 static double series_error(const struct cor_collision_evidence *evidence)
 {
     const int runs = evidence->runs;
@@ -155,9 +155,10 @@ static double series_error(const struct cor_collision_evidence *evidence)
                                              : COR_TUNING_SCATTER * fmax(movement[0], movement[-1]);
 }
 
-/* At a hard wall the rim strikes in many blows, which amplify the error of each run. The errors of eps and of all
- * energies then grow along one direction, so all of them may be small by chance in the same run. The series therefore
- * counts no more than a bound by the last two movements. Round-off moves the result, too, and counts elsewhere. */
+/* Returns a lower bound on the error at a hard wall. There the rim hits the wall many times, which amplifies the error
+ * of each run. The errors of eps and of all energies then grow along one direction, so all of them may be small by
+ * chance in the same run. The last two movements give the bound. Round-off also moves the result; it is part of another
+ * term. */
 static double blows_error(const struct cor_collision_evidence *evidence, double round_off)
 {
     const double *const movement = evidence->movement + evidence->runs - 1;
@@ -175,17 +176,18 @@ double cor_collision_step_error(const struct cor_motion *m, const struct cor_col
     return m->alpha * m->speed < COR_TUNING_HARD ? error : fmax(error, blows_error(evidence, round_off));
 }
 
-/* The pressure's harmonics fall off exponentially. With phi angles the harmonic 4 phi - k aliases k; the worst case is
- * the largest k. With half the angles the harmonic 2 phi aliases the load. The change of the load therefore measures
- * the decay of the harmonics. */
+/* The harmonics of the pressure decrease exponentially. With phi angles the harmonic 4 phi - k aliases k; the worst
+ * case is the largest k. With half the angles the harmonic 2 phi aliases the load. The change of the load therefore
+ * measures their decay. */
 double cor_collision_quadrature_error(const struct cor_motion *m, const struct cor_collision_run *run)
 {
     const double power = 2 - 0.5 * (double)m->size.n_max / (double)m->phi;
     return power > 0 && run->ripple < run->max_load ? pow(run->ripple / run->max_load, power) : 1;
 }
 
-/* The collision amplifies the error of the quadrature as any other. The runs bound the amplification without regard to
- * what calm collisions show, so that this estimate may be far too large; a run with other angles measures the error. */
+/* Returns the error due to the angles. The collision amplifies the error of the quadrature like any other error. The
+ * bound on the amplification from the runs may be far too large in calm collisions. A run with other angles measures
+ * the error. */
 static double angles_error(const struct cor_motion *m, const struct cor_collision_run *run,
                            const struct cor_collision_evidence *evidence)
 {
@@ -219,7 +221,7 @@ double cor_collision_total_error(const struct cor_collision_error *error)
 
 /* ---- a call ---- */
 
-/* The runs kept for the extrapolation. All have the same angles; each step is that of the run before over
+/* The runs stored for the extrapolation. All have the same angles. Each step is the previous one over
  * COR_COLLISION_RATIO. */
 struct runs {
     struct cor_collision_run run[COR_COLLISION_LEVELS + 1]; /* the last place is for the current run */
@@ -234,8 +236,8 @@ struct runs {
 
 /* ---- steps and angles ---- */
 
-/* The largest safe step; for small tolerances a smaller one, so that few runs suffice. The comparison avoids a division
- * by a speed that may be tiny. */
+/* Returns the largest safe step, or a smaller one for small tolerances, so that few runs suffice. The comparison avoids
+ * a division by a speed that may be tiny. */
 static double first_step(const struct cor_motion *m)
 {
     const double sigma = m->alpha * m->speed;
@@ -249,14 +251,15 @@ static int too_few_angles(const struct cor_motion *m, const struct cor_collision
     return cor_collision_quadrature_error(m, run) > COR_TUNING_QUADRATURE_ALLOWED * m->tolerance;
 }
 
-/* Discards all runs, which have other angles or too large a step, and starts again with the step h. */
+/* Discards all runs, which have other angles or a step that is too large, and starts again with the step h. */
 static void runs_restart(struct runs *runs, double h)
 {
     runs->levels = runs->evidence.runs = runs->evidence.angles_measured = 0;
     runs->h = h;
 }
 
-/* Starts again with 1 + growth times as many angles, or the largest number allowed, unless there are that many. */
+/* Starts again with 1 + growth times the angles, or the largest number allowed. Returns 0 if that number is in use
+ * already. */
 static int runs_restart_finer(struct cor_motion *m, struct runs *runs, double growth, double h)
 {
     if (m->phi >= m->phi_limit)
@@ -306,7 +309,7 @@ static enum cor_collision_outcome runs_make(struct cor_motion *m, struct runs *r
     return run_widely(m, run, before, averages && run->number >= 2 ? m->average[runs->levels] : NULL, NULL);
 }
 
-/* Keeps the last run and the energies that it left in the modes. */
+/* Stores the last run and the energies that it left in the modes. */
 static void runs_keep(struct cor_motion *m, struct runs *runs)
 {
     for (size_t i = 0; i < m->size.modes; i++)
@@ -316,7 +319,7 @@ static void runs_keep(struct cor_motion *m, struct runs *runs)
     runs->h /= COR_COLLISION_RATIO;
 }
 
-/* Whether the budget suffices for a run that takes `times` the work of the last one */
+/* True if the budget suffices for a run that takes `times` the work of the last one. */
 static int runs_affordable(const struct cor_motion *m, const struct runs *runs, double times)
 {
     const struct cor_collision_run *const last = &runs->run[runs->levels - 1];
@@ -325,7 +328,7 @@ static int runs_affordable(const struct cor_motion *m, const struct runs *runs, 
 
 /* ---- error ---- */
 
-/* The last two runs differ by the amplified error of the step, which bounds the amplification. */
+/* Bounds the amplification: the last two runs differ by the amplified error of the step. */
 static void bound_amplification(const struct cor_motion *m, struct runs *runs)
 {
     struct cor_collision_evidence *const evidence = &runs->evidence;
@@ -355,8 +358,8 @@ static int runs_repeat(struct cor_motion *m, const struct runs *runs, int level,
     return 1;
 }
 
-/* The amplification is the change of the result over that of v. An early run measures it as well as a later one, and
- * costs less. */
+/* Measures the amplification, which is the change of the result over the change of v. An early run measures it as well
+ * as a later one, and costs less. */
 static void measure_amplification(struct cor_motion *m, struct runs *runs)
 {
     const double speed = m->speed, change = COR_TUNING_PERTURBATION;
@@ -371,8 +374,8 @@ static void measure_amplification(struct cor_motion *m, struct runs *runs)
     m->speed = speed;
 }
 
-/* With shifted angles the quadrature has the opposite error, which the collision amplifies equally. Runs with larger
- * steps than those at hand may not converge yet, and say nothing. */
+/* Measures the error due to the angles. With shifted angles the quadrature has the opposite error, which the collision
+ * amplifies equally. Runs with larger steps would not serve, because they may not converge yet. */
 static void measure_angles(struct cor_motion *m, struct runs *runs)
 {
     double eps, energies;
@@ -396,7 +399,7 @@ static double runs_estimate(const struct cor_motion *m, struct runs *runs)
     return cor_collision_total_error(&runs->error);
 }
 
-/* Sets the results of two or more kept runs, and their error estimate. */
+/* Sets the results of two or more stored runs, and their error estimate. */
 static void runs_conclude(struct cor_motion *m, struct runs *runs, struct cor_disk_collision *out, double *energy_after)
 {
     struct cor_collision_evidence *const evidence = &runs->evidence;
@@ -435,7 +438,7 @@ static enum verdict runs_judge(const struct cor_motion *m, const struct runs *ru
     return converging && evidence->runs < COR_COLLISION_RUNS ? GO_ON : GIVEN_UP;
 }
 
-/* Makes one more run, and keeps it or starts again. Returns 0 if no further run is possible. */
+/* Makes one more run, and stores it or starts again. Returns 0 if no further run is possible. */
 static int runs_advance(struct cor_motion *m, struct runs *runs, int averages)
 {
     if (runs->levels > 0 && !runs_affordable(m, runs, COR_COLLISION_RATIO))
@@ -452,8 +455,9 @@ static int runs_advance(struct cor_motion *m, struct runs *runs, int averages)
     return 1;
 }
 
-/* If a measurement shows that the angles are too few, starts again with enough to leave half of their share of the
- * tolerance, provided that the error decreases as that of the quadrature. The last three steps may do again. */
+/* Starts again with more angles if a measurement shows that they are too few. The new number uses half of the angles'
+ * share of the tolerance, if the error decreases like the error of the quadrature. The new runs repeat the last three
+ * steps. */
 static int runs_improve_angles(struct cor_motion *m, struct runs *runs)
 {
     const struct cor_collision_run *const last = &runs->run[runs->levels - 1];
@@ -480,7 +484,7 @@ static void runs_settle(struct cor_motion *m, struct runs *runs, struct cor_disk
                 verdict = GO_ON;
         }
     }
-    /* a bound on the amplification would make the estimate of the best numbers useless */
+    /* a bound on the amplification would make the error estimate of the best numbers useless */
     if (verdict == GIVEN_UP && runs->levels > 1 && runs->error.angles > runs->error.step) {
         measure_angles(m, runs);
         out->error_estimate = runs_estimate(m, runs);
@@ -490,7 +494,7 @@ static void runs_settle(struct cor_motion *m, struct runs *runs, struct cor_disk
 static void runs_add_details(struct cor_motion *m, struct runs *runs, const struct cor_disk_collision_detail *detail)
 {
     if (detail->energy_average != NULL) {
-        /* a further run, which only averages need */
+        /* a further run, which only the averages need */
         if (runs->evidence.runs == 2 && runs_affordable(m, runs, COR_COLLISION_RATIO) &&
             runs_make(m, runs, 1) == COR_RUN_ENDED)
             runs_keep(m, runs);

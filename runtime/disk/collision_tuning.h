@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* All constants of the collision integrator whose values are not fixed, and the origin of each value:
+/* All adjustable constants of the collision integrator, and the origin of each value:
  *   derived  it follows from a formula;
  *   fitted   it is the cheapest value with which no promise is broken in 10^4 random scenes, as
  *                COR_TEST_LONG=1 COR_TEST_MULTIPLIER=834 build/gcc/tests/test_disk_collision_error
- *            shows, or by the command that stands there;
+ *            shows, or the command given there;
  *   chosen it costs time or memory, never accuracy: the error estimate follows from the actual runs. */
 #ifndef COR_RUNTIME_DISK_COLLISION_TUNING_H
 #define COR_RUNTIME_DISK_COLLISION_TUNING_H
 
 enum {
-    COR_COLLISION_LEVELS = 6, /* runs that one extrapolation uses. Chosen: with more, round-off grows */
+    COR_COLLISION_LEVELS = 6, /* runs that one extrapolation uses. Chosen: more runs increase round-off */
     COR_COLLISION_RUNS = 12, /* runs with the same angles. Chosen: the last one takes 45 times the steps of the first */
 };
 
@@ -17,20 +17,20 @@ enum {
 #define COR_TUNING_MAX_TURN 1.0
 /* Largest alpha v h, by which the pressure's exponent rises in a step at first contact. Chosen. */
 #define COR_TUNING_MAX_RISE 0.8
-/* Largest h^2 alpha a, where a is the rim's acceleration. Beyond it the run is repeated with a smaller step. Derived:
- * above 12 the softened pressure of (15.1) is negative. Chosen: a quarter of that. */
+/* Largest h^2 alpha a, where a is the rim's acceleration. If it is exceeded, the run is repeated with a smaller step.
+ * Derived: above 12 the softened pressure of (15.1) is negative. Chosen: a quarter of that. */
 #define COR_TUNING_MAX_STIFFNESS 3.0
-/* Runs with a larger tolerance start with the largest allowed step, runs with a smaller one with a smaller step, so
- * that four or five runs suffice. Chosen. */
+/* Runs with a larger tolerance start with the largest allowed step. Runs with a smaller tolerance start with a smaller
+ * step, so that four or five runs suffice. Chosen. */
 #define COR_TUNING_EASY_TOLERANCE 1e-8
 /* Largest number of cuts of the first step, 2^6 in all. Chosen. */
 #define COR_TUNING_MAX_CUTS 12
 
-/* Smallest number of angles of the quadrant. Chosen. */
+/* Smallest number of angles in the quadrant. Chosen. */
 #define COR_TUNING_LEAST_PHI 16.0
-/* Angles for each digit of the tolerance, over alpha^(2/3): the pressure falls off over alpha^(-2/3) at the contact's
- * edge. Fitted so that the first choice mostly suffices, as are the offset and the powers of v/0.1 below and above
- * 1. */
+/* Angles for each digit of the tolerance, over alpha^(2/3): the pressure decreases over alpha^(-2/3) at the edge of the
+ * contact. The offset and the powers of v/0.1 below and above 1 follow. All are fitted so that the first choice mostly
+ * suffices. */
 #define COR_TUNING_PHI_PER_DIGIT 0.2
 #define COR_TUNING_PHI_OFFSET 0.05
 #define COR_TUNING_PHI_SLOW 0.25
@@ -38,81 +38,81 @@ enum {
 /* Angles for each wave of a mode. Derived: products of two waves of n_max need n_max/2 angles, and the angles for the
  * pressure count as half of them; see angles_error of collision_runs.c. */
 #define COR_TUNING_PHI_PER_N 0.25
-/* Largest number of angles over the first choice. Chosen. */
+/* Largest ratio of the number of angles to the first choice. Chosen. */
 #define COR_TUNING_PHI_LIMIT 2.5
 
 /* Steps between two scans of all angles. Steps between scans evaluate the window only. Chosen. */
 #define COR_TUNING_SCAN_INTERVAL 8
-/* Between full scans, only angles whose pressure exceeds this times the peak are evaluated. Chosen: between two scans
- * no pressure grows by 10^12 relative to the peak during the contact. */
+/* Between full scans, only angles whose pressure exceeds this times the peak are evaluated. Chosen: during the contact
+ * no pressure grows by 10^12 relative to the peak between two scans. */
 #define COR_TUNING_WINDOW_EDGE 1e-26
-/* If a scan finds more than this part of the load at an angle outside the window, the run is repeated with full scans.
- * Derived: 100 such angles equal the round-off of a load. */
+/* If a scan finds more than this fraction of the load at an angle outside the window, the run is repeated with full
+ * scans. Derived: 100 such angles equal the round-off of a load. */
 #define COR_TUNING_WINDOW_MISSED 1e-14
 
-/* Energy of the wall at the first and the last moment, relative to that of the disk, over the smaller of the tolerance
+/* Energy of the wall at the first and the last moment, relative to the disk's energy, over the smaller of the tolerance
  * and COR_TUNING_WALL_TOLERANCE. Chosen: see COR_TUNING_WALL_IN_EPS. */
 #define COR_TUNING_WALL_LEFT 1e-6
 #define COR_TUNING_WALL_TOLERANCE 1e-4
-/* The wall's force is neglected below this part of the load at those moments. Chosen. */
+/* The wall's force is neglected below this fraction of the load at those moments. Chosen. */
 #define COR_TUNING_NO_LOAD 1e-3
-/* Load that begins and ends a contact, relative to the largest load. Derived: from the definition in cor/disk.h. */
+/* Load at which a contact begins and ends, relative to the largest load. Derived: from the definition in cor/disk.h. */
 #define COR_TUNING_CONTACT_LOAD 1e-3
 
-/* Error over movement after two runs, which give no ratio of movements. Fitted. */
+/* Ratio of error to movement after two runs, which give no ratio of movements. Fitted. */
 #define COR_TUNING_TWO_RUNS 2.0
 /* Lower bounds on the assumed ratio of successive movements, after three runs and later. Fitted. */
 #define COR_TUNING_THIRD_RATIO 0.4
 #define COR_TUNING_LATER_RATIO 0.25
 /* Lower bound on a movement, relative to the one before it. Fitted. */
 #define COR_TUNING_LEAST_MOVEMENT 0.01
-/* Above this ratio the runs do not converge. Derived: the geometric series then doubles its first term. The second
+/* Above the first ratio the runs do not converge. Derived: the geometric series then doubles its first term. The second
  * number is the error of such runs over the larger of the last two movements. Fitted. */
 #define COR_TUNING_NO_CONVERGENCE 0.5
 #define COR_TUNING_SCATTER 4.0
 /* Smallest alpha v of a hard wall, at which runs may agree by chance; docs/theory-disks.md, 15. Fitted. */
 #define COR_TUNING_HARD 24.0
-/* At a hard wall, lower bounds on the error: over the movement after two runs, over the last movement less round-off,
- * and over the movement before. Fitted. */
+/* At a hard wall, lower bounds on the error: relative to the movement after two runs, to the last movement less
+ * round-off, and to the previous movement. Fitted. */
 #define COR_TUNING_HARD_TWO_RUNS 20.0
 #define COR_TUNING_HARD_MOVEMENT 1.5
 #define COR_TUNING_HARD_BEFORE 0.02
 
-/* Allowed error of the quadrature relative to the peak load, in units of the tolerance. Chosen: with larger errors more
- * collisions would have to be repeated with more angles. */
+/* Allowed error of the quadrature relative to the peak load, in units of the tolerance. Chosen: larger errors would
+ * make more collisions repeat with more angles. */
 #define COR_TUNING_QUADRATURE_ALLOWED 1.0
-/* Error of eps over that of the quadrature: at least COR_TUNING_QUADRATURE_IN_EPS, at most the measured amplification
- * or COR_TUNING_BOUND_AMPLIFIES times the bound on it. Fitted: the bound is 10^2 to 10^4 times the amplification in
- * calm collisions, and not much more than it near chaos. */
+/* Error of eps over the error of the quadrature: at least COR_TUNING_QUADRATURE_IN_EPS, at most the measured
+ * amplification or COR_TUNING_BOUND_AMPLIFIES times the bound on it. Fitted: the bound is 10^2 to 10^4 times the
+ * amplification in calm collisions, and not much larger than it near chaos. */
 #define COR_TUNING_QUADRATURE_IN_EPS 0.1
 #define COR_TUNING_BOUND_AMPLIFIES 1e-3
-/* Error of eps over the movement by angles that are shifted by half their distance. Derived: half, to first order.
- * Fitted: 1.7 was met where the movement is too large for first order. */
+/* Error of eps over its movement by angles shifted by half their distance. Derived: half, to first order. Fitted: 1.7
+ * occurred where the movement is too large for first order. */
 #define COR_TUNING_ANGLES_IN_EPS 3.0
-/* If more than this part of the tolerance may be due to the angles, a run with shifted angles measures it. Chosen: 10
- * allows for errors of the estimate. */
+/* If more than this fraction of the tolerance may be due to the angles, a run with shifted angles measures it. Chosen:
+ * 10 allows for errors of the estimate. */
 #define COR_TUNING_ANGLES_SHARE 0.1
-/* If the measured part is larger than this, more angles are taken. Chosen: a third allows for a movement that is small
- * by chance. */
+/* If the measured fraction is larger than this, more angles are used. Chosen: a third allows for a movement that is
+ * small by chance. */
 #define COR_TUNING_ANGLES_WANTED 0.3
-/* Growth of the number of angles if they are too few. Chosen. */
+/* Smallest growth of the number of angles if they are too few. Chosen. */
 #define COR_TUNING_LEAST_GROWTH 0.25
 
 /* Relative change of v that measures the amplification of errors. Derived: the change is 2^13 ulp, so round-off is
- * negligible beside it, and a collision that amplifies by 10^9 still responds linearly. */
+ * negligible, and a collision that amplifies by 10^9 still responds linearly. */
 #define COR_TUNING_PERTURBATION 0x1p-40
-/* Lower bound on the difference of two runs over the amplification and the square of the first run's stiffness. Fitted:
- * 1e-3 in calm collisions, 1e-6 near chaos. */
+/* Lower bound on the difference of two runs, divided by the amplification and by the square of the first run's
+ * stiffness. Fitted: 1e-3 in calm collisions, 1e-6 near chaos. */
 #define COR_TUNING_LEAST_SENSITIVITY 1e-7
-/* Error of eps due to round-off, in 2^-53. COR_TUNING_RANDOM_WALK: over amplification and sqrt(steps).
- * COR_TUNING_STEADY_DRIFT: over amplification, amplitudes and steps, because a rounded rotation repeats the same error
- * in every step. Fitted. */
+/* Error of eps due to round-off, in units of 2^-53. COR_TUNING_RANDOM_WALK: divided by amplification and sqrt(steps).
+ * COR_TUNING_STEADY_DRIFT: divided by amplification, amplitudes and steps, because a rounded rotation repeats the same
+ * error in every step. Fitted. */
 #define COR_TUNING_RANDOM_WALK 3.0
 #define COR_TUNING_STEADY_DRIFT 0.5
-/* Error of eps over the neglected energy of the wall and the amplification. Fitted. */
+/* Error of eps, divided by the neglected energy of the wall and the amplification. Fitted. */
 #define COR_TUNING_WALL_IN_EPS 4.0
 
-/* Give up after COR_TUNING_PATIENCE runs if the last movement exceeds COR_TUNING_HOPELESS times the movement
+/* The call gives up after COR_TUNING_PATIENCE runs if the last movement exceeds COR_TUNING_HOPELESS times the movement
  * COR_TUNING_RUNS_BEFORE runs earlier. Chosen: each run of a converging sequence reduces the movement at least
  * fourfold. */
 #define COR_TUNING_PATIENCE 9

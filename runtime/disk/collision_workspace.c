@@ -66,7 +66,7 @@ size_t cor_motion_arrange(struct cor_motion *m, char *base)
 
 /* ---- tables ---- */
 
-/* Reach of the places beyond the last angle, so low that they never have a pressure. */
+/* Reach of the places beyond the last angle: so low that they never have a pressure */
 #define NOWHERE (-1e6)
 
 void cor_motion_set_modes(struct cor_motion *m)
@@ -92,7 +92,8 @@ void cor_motion_set_angles(struct cor_motion *m, size_t phi, size_t shift)
 {
     const size_t terms = m->size.terms, points = cor_whole(phi, COR_PANEL), half = 2 * phi;
     m->phi = phi;
-    for (size_t i = 0; i < half; i++) { /* half an interval between angles apart; each covers a quarter of a turn */
+    for (size_t i = 0; i < half; i++) { /* at steps of half the distance between angles; each part covers a quarter of a
+                                         * turn */
         m->table[i] = cos((double)i * (COR_PI / (4 * (double)phi)));
         m->table[half + i] = -sin((double)i * (COR_PI / (4 * (double)phi)));
         m->table[2 * half + i] = -m->table[i];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Restitution of a disk of infinitely many modes at a rigid wall: the sequence of levels Omega, its extrapolation to
- * Omega -> infinity and the error estimate. docs/theory-disks.md, 17. */
+/* Restitution of a disk with infinitely many modes at a rigid wall: the sequence of levels Omega, its extrapolation to
+ * Omega -> infinity, and the error estimate. docs/theory-disks.md, 17. */
 #include "runtime/disk/hard_wall_parts.h"
 
 #include <math.h>
@@ -13,35 +13,34 @@
 
 enum { MAX_LEVELS = COR_DISK_HARD_WALL_MAX_LEVELS, LEAST_LEVELS = 2 };
 
-/* Steps and angles are finer by the factor `fineness`, at most FINEST, than those that suffice for COARSE_TOLERANCE.
- * Fitted: at fineness 1 they cause a noise of 5e-7 in L in nine of ten levels, sampled at 200 random scenes. */
+/* Steps and angles are smaller by the factor `fineness`, which is at least FINEST, than those for COARSE_TOLERANCE.
+ * Fitted: at fineness 1 they cause a noise of at most 5e-7 in L in nine of ten levels, sampled at 200 random scenes. */
 #define COARSE_TOLERANCE 4e-6
 #define FINEST 0.4
 #define TURN 0.8         /* Omega h */
 #define WAVE_SPACING 0.4 /* Omega d, unless more than MOST_ANGLES fit in the contact's half-width a */
 #define COARSEST_SPACING                                                                                               \
-    0.8 /* largest Omega d: the rim's waves reach n = 1.75 Omega, and the Nyquist number must be
-                              * larger */
+    0.8 /* largest Omega d: the Nyquist number must exceed 1.75 Omega, the largest n of the rim's waves */
 #define LEAST_ANGLES 60
 #define MOST_ANGLES 120
 #define HALF_WIDTH 1.1 /* a is about HALF_WIDTH sqrt(v); the contact reaches 1.45 sqrt(v) */
 #define RANGE 2.6      /* range of the angles over sqrt(v) */
 
 /* The error estimate is the sum of three parts. The first is the largest of the last changes of the extrapolated value,
- * times these factors, and of a quarter of the change by the extrapolation itself. The second bounds the effect, unseen
- * so far, of waves that return while contact ends or splits. The third is the noise of steps and angles. Fitted: with
- * these factors the estimate is at least the error at each of 200 random scenes and six tolerances, judged by two more
- * levels. */
+ * times these factors, and of a quarter of the change by the extrapolation itself. The second bounds the effect of
+ * waves that no level has shown yet and that return while contact ends or splits. The third is the noise of steps and
+ * angles. Fitted: with these factors the estimate is at least the error, as two more levels show, in each of 200 random
+ * scenes at six tolerances. */
 static const double calm_weight[] = {3, 1, 0.3, 0.1};
 #define EXTRAPOLATED 0.25
 #define UNSEEN 0.07 /* over Omega^2 */
 #define NOISE 8e-7  /* times fineness^NOISE_POWER */
 #define NOISE_POWER 2.5
-/* Number of levels that must agree before an estimate counts */
+/* Number of levels that an accepted estimate needs */
 enum { ENOUGH_LEVELS = 5 };
-/* Where up to WILD_LEVELS levels may agree by chance: at a speed above WILD_SPEED, or above CALM_SPEED where nu is
- * outside LEAST_CALM to LARGEST_CALM. There the factors are larger. Above WILD_SPEED the unseen part is at least
- * UNSEEN_WILD (60/Omega)^4. Fitted. The domain of cor_disk_eps is calm. */
+/* Up to WILD_LEVELS levels may agree by chance at a speed above WILD_SPEED, or above CALM_SPEED if nu is outside
+ * LEAST_CALM to LARGEST_CALM. There the factors are larger. Above WILD_SPEED the unseen part is at least UNSEEN_WILD
+ * (60/Omega)^4. Fitted. The domain of cor_disk_eps is calm. */
 #define WILD_SPEED 0.31
 #define CALM_SPEED 0.05
 #define LEAST_CALM (-0.21)
@@ -49,9 +48,9 @@ enum { ENOUGH_LEVELS = 5 };
 enum { WILD_LEVELS = 8 };
 static const double wild_weight[] = {3, 2, 0.6, 0.2};
 #define UNSEEN_WILD 1.5e-3
-/* In the domain of cor_disk_eps, and a little around it, the estimate is no larger, from Omega = USUAL_FROM on, than
- * what is usual at Omega and a part of the last changes. Fitted there, at USUAL_TOLERANCE: the theory page, 17, has the
- * sample, of no other nu. */
+/* In the domain of cor_disk_eps, and slightly beyond it, a second estimate is an upper limit for Omega above
+ * USUAL_FROM: the usual error at Omega plus a fraction of the last changes. Fitted in this domain, at USUAL_TOLERANCE:
+ * docs/theory-disks.md, 17, has the sample, which contains no other nu. */
 #define USUAL_SPEED 9e-6
 #define USUAL 6.8e-7
 #define USUAL_OMEGA 680
@@ -90,7 +89,7 @@ static struct cor_hard_wall_settings settings_of(size_t level, double speed, dou
     return settings;
 }
 
-/* Number of levels for which the lowest n_modes modes suffice */
+/* Returns the number of levels for which the lowest n_modes modes suffice. */
 static size_t levels_of(const struct cor_disk_modes *modes, size_t n_modes)
 {
     size_t levels = 0;
@@ -104,7 +103,7 @@ static size_t levels_of(const struct cor_disk_modes *modes, size_t n_modes)
 struct level_sequence {
     double nu, speed, tolerance;
     size_t levels;
-    double l[MAX_LEVELS], extrapolated[MAX_LEVELS]; /* extrapolated[k] from levels k - 1 and k */
+    double l[MAX_LEVELS], extrapolated[MAX_LEVELS]; /* extrapolated[k]: from levels k - 1 and k */
     double max_compression[MAX_LEVELS], contact_time, error_estimate;
     double work_left, work_per_step; /* the budget, see struct cor_hard_wall_settings */
     double last_work;                /* of the highest level */
@@ -123,7 +122,7 @@ static struct level_sequence begin_sequence(double nu, double speed, const struc
     return sequence;
 }
 
-/* The limit extrapolated from two levels, of which the second has twice the Omega^2 of the first */
+/* Returns the limit extrapolated from two levels; the second has twice the Omega^2 of the first. */
 static double limit_of(double before, double last)
 {
     return last + (last - before);
@@ -134,7 +133,7 @@ static int is_calm_nu(double nu)
     return nu >= LEAST_CALM && nu <= LARGEST_CALM;
 }
 
-/* Whether few levels hardly agree by chance */
+/* True if a few levels hardly ever agree by chance. */
 static int is_calm(const struct level_sequence *sequence)
 {
     return sequence->speed <= (is_calm_nu(sequence->nu) ? WILD_SPEED : CALM_SPEED);
@@ -146,7 +145,7 @@ static int is_usual(const struct level_sequence *sequence)
            omega_of(sequence->levels - 1) > USUAL_FROM;
 }
 
-/* Bound on the effect of waves that no level up to Omega shows */
+/* Returns a bound on the effect of waves that no level up to Omega shows. */
 static double unseen_part(double speed, double omega)
 {
     const double wild = speed > WILD_SPEED ? UNSEEN_WILD * pow(60 / omega, 4) : 0;
@@ -158,7 +157,7 @@ static double noise_of(double tolerance)
     return NOISE * pow(fineness_of(tolerance), NOISE_POWER);
 }
 
-/* The largest of the last changes of the extrapolated value, times weights */
+/* Returns the largest of the last changes of the extrapolated value, times weights. */
 static double changes_of(const struct level_sequence *sequence, const double *weight)
 {
     const size_t last = sequence->levels - 1, changes = sizeof calm_weight / sizeof *calm_weight;
@@ -178,7 +177,7 @@ static double usual_estimate(const struct level_sequence *sequence)
 static double estimate_of(const struct level_sequence *sequence)
 {
     const size_t last = sequence->levels - 1;
-    /* a single extrapolated value has no other to compare with */
+    /* a single extrapolated value cannot be compared with another */
     const double extrapolation = (last < 2 ? 1 : EXTRAPOLATED) * fabs(sequence->extrapolated[last] - sequence->l[last]);
     const double *const weight = is_calm(sequence) || sequence->levels > WILD_LEVELS ? calm_weight : wild_weight;
     const double estimate = fmax(extrapolation, changes_of(sequence, weight)) +
@@ -203,8 +202,8 @@ static void conclude_sequence(const struct level_sequence *sequence, struct cor_
     out->omega_levels = sequence->levels;
 }
 
-/* Computes one level. Returns COR_TOLERANCE_NOT_REACHED if the range of angles does not suffice, which no scene is
- * known for, or if the budget ends. With detail there is no budget: the level is known to end. */
+/* Computes one level. Returns COR_TOLERANCE_NOT_REACHED if the budget ends, or if the range of angles does not suffice,
+ * which occurs in no known scene. With detail the budget is unlimited, because the level is known to end. */
 static int compute_level(struct level_sequence *sequence, void *workspace, const struct cor_disk_modes *modes,
                          size_t level, struct cor_hard_wall_result *result,
                          const struct cor_disk_hard_wall_detail *detail)
@@ -219,14 +218,14 @@ static int compute_level(struct level_sequence *sequence, void *workspace, const
     return status == COR_ERROR_WORKSPACE ? COR_TOLERANCE_NOT_REACHED : status;
 }
 
-/* Whether the budget suffices for the next level, and for work before it */
+/* True if the budget suffices for the next level, and for work before it. */
 static int is_affordable(const struct level_sequence *sequence, double before)
 {
     const double growth = sequence->work_per_step > 0 ? sqrt(2) : COR_HARD_WALL_GROWTH;
     return before + growth * sequence->last_work <= sequence->work_left;
 }
 
-/* Adds levels to the sequence until the error is small enough, the modes do not suffice, or the budget ends */
+/* Adds levels to the sequence until the error is small enough, the modes do not suffice, or the budget ends. */
 static int sequence_climb(struct level_sequence *sequence, void *workspace, const struct cor_disk_modes *modes,
                           size_t levels)
 {
@@ -264,7 +263,7 @@ static int check_options(const struct cor_disk_hard_wall_options *options)
                : COR_ERROR_TOLERANCE;
 }
 
-/* COR_OK, or the status of the first error in the table and the options */
+/* Returns COR_OK, or the status of the first error in the table and the options. */
 static int hard_wall_check(const struct cor_disk_modes *modes, size_t n_modes,
                            const struct cor_disk_hard_wall_options *options)
 {
@@ -284,7 +283,7 @@ static int check_speed(double speed)
 
 static const struct cor_disk_hard_wall unknown = {NAN, NAN, NAN, NAN, NAN, 0};
 
-/* Bytes for the levels from..to-1 and for the alignment of a workspace */
+/* Returns the bytes for the levels from..to-1 and for the alignment of a workspace. */
 static size_t bytes_of_levels(const struct cor_disk_modes *modes, size_t from, size_t to, double speed,
                               double tolerance)
 {

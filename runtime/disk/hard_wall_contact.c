@@ -3,19 +3,19 @@
  * matrix K is the compliance that acts at once. docs/theory-disks.md, 17.
  *
  * Nearly always the contact is one piece, angles 0 to m - 1. The leading block of the Cholesky factor, K = L L', is the
- * factor of the leading block, so one factor serves every m. z = L^-1 reach determines m: z_j <= 0 means that angle j
- * is out of contact if angles 0 to j - 1 are in contact. The solver then checks that no force pulls and that no other
- * angle reaches into the wall. If a check fails, block principal pivoting (Judice and Pires, 1994) finds the contact,
- * starting from that of the step before. */
+ * factor of the leading block, so one factor serves every m. z = L^-1 reach determines m: If angles 0 to j - 1 are in
+ * contact, z_j <= 0 means that angle j is not. The solver then checks that no force pulls and that no other angle
+ * reaches into the wall. If a check fails, block principal pivoting (Judice and Pires, 1994) finds the contact,
+ * starting from the contact of the previous step. */
 #include <math.h>
 #include <string.h>
 
 #include "runtime/disk/hard_wall_parts.h"
 
 /* Number of rounds of pivoting without progress in which all wrong angles change sides. After these rounds one angle
- * changes at a time, which terminates (Murty). */
+ * changes at a time, which always terminates (Murty). */
 enum { PATIENCE = 10, MAX_ROUNDS = 10000 };
-/* Pulling forces below this part of the largest force are rounding errors. */
+/* Pulling forces below this fraction of the largest force are rounding errors. */
 #define FORCE_ROUNDING 1e-12
 
 static size_t padded_size(size_t n)
@@ -23,7 +23,7 @@ static size_t padded_size(size_t n)
     return cor_whole(n, COR_LANES);
 }
 
-/* First element of row i; row r has padded_size(r) elements. */
+/* Returns the index of the first element of row i. Row r has padded_size(r) elements. */
 static size_t row_start(size_t i)
 {
     const size_t lanes = COR_LANES, above = i > 0 ? i - 1 : 0, whole = above / lanes;
@@ -50,7 +50,7 @@ void cor_hard_wall_contact_arrange(struct cor_hard_wall_contact *contact, struct
     arrange_factor(&contact->part, store, points);
 }
 
-/* table[points + x] = factor values[|x|] */
+/* Sets table[points + x] = factor values[|x|]. */
 static void mirror_table(size_t points, double factor, const double *values, double *table)
 {
     for (size_t i = 0; i < points; i++)
@@ -86,7 +86,7 @@ void cor_hard_wall_contact_begin(struct cor_hard_wall_contact *contact, size_t t
 
 /* ---- the compliance and its factor ---- */
 
-/* Compliances between angle i and angles 0 to n - 1 */
+/* Computes the compliances between angle i and angles 0 to n - 1. */
 static void compliance_row(const struct cor_hard_wall_contact *contact, size_t i, size_t n, double *row)
 {
     const size_t minus = contact->points - i, plus = contact->points + i;
@@ -116,7 +116,7 @@ static void append_row(struct cor_hard_wall_contact *contact, struct cor_hard_wa
     factor->pivot[i] = rest > 0 ? 1 / sqrt(rest) : 0;
 }
 
-/* Element i of L^-1 right; z holds the elements before it */
+/* Returns element i of L^-1 right. z: the elements before it. */
 static double solve_forward(struct cor_hard_wall_contact *contact, const struct cor_hard_wall_factor *factor, size_t i,
                             double right, const double *z)
 {
@@ -124,7 +124,7 @@ static double solve_forward(struct cor_hard_wall_contact *contact, const struct 
     return (right - contact->loops->dot(padded_size(i), factor->below + row_start(i), z)) * factor->pivot[i];
 }
 
-/* z, of n elements, becomes L'^-1 z. */
+/* Replaces the n elements of z by L'^-1 z. */
 static void solve_backward(struct cor_hard_wall_contact *contact, const struct cor_hard_wall_factor *factor, size_t n,
                            double *z)
 {
@@ -137,7 +137,7 @@ static void solve_backward(struct cor_hard_wall_contact *contact, const struct c
 
 /* ---- the angles in contact ---- */
 
-/* Reach of angle j into the wall under the forces y on angles 0 to m - 1 */
+/* Returns the reach of angle j into the wall under the forces y on angles 0 to m - 1. */
 static double reach_under(struct cor_hard_wall_contact *contact, size_t j, double reach, const double *y, size_t m)
 {
     contact->work += 4 * (double)m;
@@ -146,7 +146,7 @@ static double reach_under(struct cor_hard_wall_contact *contact, size_t j, doubl
     return reach - contact->loops->dot(padded_size(m), contact->row, y);
 }
 
-/* Whether no angle from m on reaches into the wall. Most angles are too far away to feel the forces. */
+/* True if no angle >= m reaches into the wall. Most angles are too far away for the forces to matter. */
 static int is_clear_beyond(struct cor_hard_wall_contact *contact, const double *reach, double negligible,
                            const double *y, size_t m)
 {
@@ -160,8 +160,8 @@ static int is_clear_beyond(struct cor_hard_wall_contact *contact, const double *
     return 1;
 }
 
-/* Solves for a contact of one piece from angle 0 on. Returns 0 if the contact is not of this form, otherwise 1, and
- * sets the number m of angles. */
+/* Solves for a contact of one piece that starts at angle 0, and sets the number m of its angles. Returns 0 if the
+ * contact is not of this form, otherwise 1. */
 static int solve_whole(struct cor_hard_wall_contact *contact, const double *reach, double negligible, double *y,
                        size_t *pieces_end)
 {
@@ -216,7 +216,7 @@ static size_t factor_part(struct cor_hard_wall_contact *contact)
     return n;
 }
 
-/* Computes the forces on the angles in contact, of either sign. */
+/* Computes the forces on the angles in contact. Their signs are arbitrary. */
 static void solve_part(struct cor_hard_wall_contact *contact, const double *reach, double *y)
 {
     const size_t n = factor_part(contact);
@@ -230,7 +230,7 @@ static void solve_part(struct cor_hard_wall_contact *contact, const double *reac
         y[contact->wanted[i]] = z[i];
 }
 
-/* Marks the angles whose force pulls or that reach into the wall. Returns their number, and sets the last of them. */
+/* Marks the angles whose force pulls, and those that reach into the wall. Returns their number, and sets *last. */
 static size_t find_faults(struct cor_hard_wall_contact *contact, const double *reach, double negligible,
                           const double *y, size_t *last)
 {

@@ -4,13 +4,13 @@
 #include "runtime/disk/hard_wall_parts.h"
 #include "runtime/number/kernel_vector.h"
 
-/* Number of vectors of angles that are summed at once. With it additions do not wait for each other and registers
- * suffice. */
+/* Number of vectors of angles that are summed at once: enough for independent additions, few enough for the
+ * registers */
 enum { COLUMNS = 4 };
 
-/* One pass over the modes; `steps` is a constant. It starts from q at a kick and at the kick before. With the forces of
- * this kick and of the next steps - 1 kicks, it computes q at the kick after them. It then predicts the sums at `steps`
- * kicks from that one on. */
+/* Makes one pass over the modes; `steps` is a constant. It starts from q at a kick and at the previous kick. With the
+ * forces of this kick and of the next steps - 1 kicks, it computes q at the kick after them. It then predicts the sums
+ * at this kick and at the next steps - 1 kicks. */
 COR_KERNEL void kernel_advance(const struct cor_hard_wall_modes *modes, size_t steps, const double *force_c,
                                const double *force_s, double *sum_c, double *sum_s)
 {
@@ -53,7 +53,8 @@ COR_KERNEL void kernel_advance(const struct cor_hard_wall_modes *modes, size_t s
     }
 }
 
-/* Clenshaw's recurrence b_k = factor_k + 2 cos(phi) b_(k+1) - b_(k+2); the sum is factor_0 + cos(phi) b_1 - b_2. */
+/* Sums by Clenshaw's recurrence b_k = factor_k + 2 cos(phi) b_(k+1) - b_(k+2); the sum is factor_0 + cos(phi)
+ * b_1 - b_2. */
 static void sum_clenshaw(size_t count, const double *factor, size_t points, const double *twice_cosine, double *result)
 {
     for (size_t part = 0; part < points; part += COLUMNS * VECTOR) {
@@ -83,8 +84,8 @@ static void sum_clenshaw(size_t count, const double *factor, size_t points, cons
     }
 }
 
-/* The sums over b, then over a, struct cor_hard_wall_angles. COLUMNS vectors of r at a time, so that their sums stay in
- * the nearest cache. */
+/* Sums over b, then over a, as struct cor_hard_wall_angles describes. It treats COLUMNS vectors of r at a time, so that
+ * their sums stay in the nearest cache. */
 static void kernel_cosines(const struct cor_hard_wall_angles *angles, size_t count, const double *factor, size_t points,
                            double *result)
 {

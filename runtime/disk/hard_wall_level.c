@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* One level of the sequence: the modes below Omega, with a fade, and a rigid wall. docs/theory-disks.md, 17.
+/* One level of the sequence: the modes below Omega, with a smooth cutoff, and a rigid wall. docs/theory-disks.md, 17.
  *
- * Lengths, forces and amplitudes are in units of the speed v, so that nothing underflows for slow disks. In the
- * compliance that acts at once, (h/(2 omega)) cot(omega h/2), the static compliance of a mode under kicks at intervals
- * h, replaces 1/omega^2. For the centre of mass, h^2/12 replaces 0. The error of the kicks is then of order h^4 instead
- * of h^2. */
+ * Lengths, forces and amplitudes are in units of the speed v, so that nothing underflows for slow disks. Under kicks at
+ * intervals h the static compliance of a mode is (h/(2 omega)) cot(omega h/2), which replaces 1/omega^2 in the
+ * compliance that acts at once. For the centre of mass, h^2/12 replaces 0. The kicks then cause an error of order h^4
+ * instead of h^2. */
 #include <math.h>
 #include <string.h>
 
@@ -14,11 +14,12 @@
 
 #define LN_2 0.69314718055994531
 
-/* The first kick follows the first touch after this part of a step, so that the kick represents the step around it. */
+/* The first kick follows the first touch after this fraction of a step, so that the kick represents the step around
+ * it. */
 #define FIRST_KICK 0.5
 /* Smaller reaches, in units of the speed, are rounding errors. */
 #define NEGLIGIBLE_REACH 1e-12
-/* Batches of kicks without contact between two checks whether contact has ended finally */
+/* Number of batches of kicks without contact between two checks that the contact has ended for good */
 enum { BATCHES_A_LOOK = 8 };
 enum { MAX_STEPS = 2000000 };
 
@@ -40,7 +41,7 @@ struct level {
     struct cor_mode_block *block;
     size_t *place;                       /* cell of each mode */
     double *turn, *c, *s;                /* of each cell */
-    double *sine, *unit;                 /* of each mode: sin(omega h), sqrt(g): the amplitude of q = 1 */
+    double *sine, *unit;                 /* of each mode: sin(omega h); sqrt(g), the amplitude of q = 1 */
     double *force_c, *force_s;           /* [batch][lanes] */
     double *sum_c, *sum_s;               /* likewise */
     double *echo_cc, *echo_cs, *echo_ss; /* [1 to batch - 1][lanes]: effect of a force on the sums 1 to batch - 1 kicks
@@ -49,8 +50,8 @@ struct level {
     double *twice_cosine, *shape, *reach, *force, *series;
     double *t, *q; /* T_k and Q_n of the compliance at once, k up to nyquist */
     struct cor_hard_wall_contact contact;
-    double work, work_per_step, most_work; /* the budget; multiplications but for those of the contact */
-    double point_constant;                 /* constant of the contact law, (57), without the moving modes */
+    double work, work_per_step, most_work; /* the budget; multiplications except the contact's */
+    double point_constant;                 /* constant of the contact law, (57), less the moving modes */
 };
 
 /* ---- workspace ---- */
@@ -130,8 +131,8 @@ static void place_modes(struct level *level)
     level->modes = modes;
 }
 
-/* Adds A, B, D of one n, or subtracts those of one mode. (C + S)^2 belongs to cos((n + 1) phi) twice, (C - S)^2 to
- * cos((n - 1) phi) twice, C^2 - S^2 to the product of both. */
+/* Adds the compliances A, B, D of one n, or subtracts the part of one mode. Between angles phi and phi', (C + S)^2
+ * multiplies cos((n + 1) phi) cos((n + 1) phi'), (C - S)^2 the same with n - 1, and C^2 - S^2 the mixed products. */
 static void add_compliance(struct level *level, size_t n, double sum_square, double difference_square, double across)
 {
     if (n + 1 <= level->size.nyquist)
@@ -141,7 +142,7 @@ static void add_compliance(struct level *level, size_t n, double sum_square, dou
         level->q[n] += across;
 }
 
-/* Adds the static compliance of all modes up to the Nyquist number, section 14. */
+/* Adds the static compliance of all modes up to the Nyquist number, docs/theory-disks.md, 14. */
 static void add_static_compliance(struct level *level, double nu)
 {
     COR_CLEAR_DOUBLES(level->size.nyquist + 1, level->t);
@@ -193,7 +194,7 @@ static void set_modes(struct level *level, const struct cor_hard_wall_settings *
     level->point_constant = level->h * level->h / 12 - moving;
 }
 
-/* Cosines and sines of x r, r < n */
+/* Sets the cosines and sines of x r, r < n. */
 static void set_circle(double *cosine, double *sine, size_t stride, size_t n, double x)
 {
     for (size_t r = 0; r < n; r++) {
@@ -239,8 +240,8 @@ struct kick {
     size_t end; /* 1 more than the last angle in contact */
 };
 
-/* The load p of a point contact, whose point would be at `depth` in the wall without the load: depth = (p/pi)(a -
- * ln(p)) */
+/* Returns the load p of a point contact whose point would be at `depth` in the wall without the load:
+ * depth = (p/pi)(a - ln(p)). */
 static double point_load(double depth, double a)
 {
     if (!(depth > 0))
@@ -294,13 +295,13 @@ static struct kick push_on_rim(struct level *level, double depth, const double *
 
 struct motion {
     double time, depth, velocity; /* velocity before the kick, positive towards the wall */
-    double last, last_but_one;    /* depths at the kicks before */
-    double load;                  /* at the kick before */
+    double last, last_but_one;    /* depths at the two previous kicks */
+    double load;                  /* at the previous kick */
     double max_depth, end;        /* end of the last contact */
     size_t steps;
 };
 
-/* Largest displacement of any part of the rim out of its round shape in free motion */
+/* Returns the largest displacement of any part of the rim from its round shape in free motion. */
 static double greatest_swing(const struct level *level)
 {
     double swing = 0;
@@ -313,14 +314,14 @@ static double greatest_swing(const struct level *level)
     return swing;
 }
 
-/* Under kicks at intervals h the depth of the centre of mass exceeds the true depth by (h^2/12) load/m. */
+/* Returns the true depth. Under kicks at intervals h the depth of the centre of mass exceeds it by (h^2/12) load/m. */
 static double true_depth(const struct level *level, const struct motion *motion, double load)
 {
     return motion->depth - level->h * level->h / (12 * COR_DISK_MASS) * load;
 }
 
 /* Updates the largest depth, from a parabola through three depths, and the end of the contact, from a linear
- * extrapolation of the falling load. */
+ * extrapolation of the decreasing load. */
 static void follow_load(struct motion *motion, const struct level *level, double load)
 {
     const double depth = true_depth(level, motion, load), last = motion->last, last_but_one = motion->last_but_one;
@@ -336,14 +337,14 @@ static void follow_load(struct motion *motion, const struct level *level, double
     motion->load = load;
 }
 
-/* Energy of a mode relative to (pi/2) v^2, at a kick between the amplitudes before and next */
+/* Returns the energy of a mode relative to (pi/2) v^2, at a kick between the amplitudes before and next. */
 static double energy_of(const struct level *level, size_t i, double before, double q, double next)
 {
     const double sine = level->sine[i], p = 0.5 * (next - before);
     return level->mode[i].omega * level->h / (COR_PI * sine) * (sine * sine * q * q + p * p);
 }
 
-/* Amplitude at the next kick, the forces of this one included */
+/* Returns the amplitude at the next kick, including the forces of this one. */
 static double next_amplitude(const struct level *level, size_t i)
 {
     const size_t cell = level->place[i], n = (size_t)level->mode[i].n;
@@ -421,7 +422,7 @@ static void drift_modes(const struct level *level, struct motion *motion, double
     motion->steps++;
 }
 
-/* Multiplications of a sum of `count` cosines at `points` angles */
+/* Returns the multiplications of a sum of `count` cosines at `points` angles. */
 static double cosines_work(const struct cor_hard_wall_angles *angles, size_t count, size_t points)
 {
     const double k = (double)count, bins = (double)angles->bins, panel = COR_HARD_WALL_PANEL;
@@ -429,7 +430,8 @@ static double cosines_work(const struct cor_hard_wall_angles *angles, size_t cou
                                                       : k * (double)points;
 }
 
-/* Multiplications of a kick but for those of the contact forces: the modes; the rim's reach, and the forces' series */
+/* Returns the multiplications of a kick for the modes, the reach of the rim and the series of the forces. The contact
+ * forces count separately. */
 static double kick_work(const struct level *level, size_t end)
 {
     const struct sizes *const size = &level->size;
@@ -437,13 +439,13 @@ static double kick_work(const struct level *level, size_t end)
            cosines_work(&level->angles, end, size->terms);
 }
 
-/* What the level has spent */
+/* Returns the work that the level has spent. */
 static double work_of(const struct level *level, const struct motion *motion)
 {
     return level->work_per_step > 0 ? level->work_per_step * (double)motion->steps : level->work + level->contact.work;
 }
 
-/* Makes kicks until no part of the rim can reach the wall any more. */
+/* Makes kicks until no part of the rim can reach the wall again. */
 static int level_collide(struct level *level, struct motion *motion, double contact_time,
                          const struct cor_disk_hard_wall_detail *detail)
 {
@@ -473,7 +475,7 @@ static int level_collide(struct level *level, struct motion *motion, double cont
     return COR_OK;
 }
 
-/* Energy left in the modes, relative to (pi/2) v^2 */
+/* Returns the energy left in the modes, relative to (pi/2) v^2. */
 static double energy_after(const struct level *level, double *of_mode)
 {
     double sum = 0;

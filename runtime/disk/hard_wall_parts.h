@@ -1,27 +1,27 @@
 /* SPDX-License-Identifier: MIT */
-/* An elastic disk at a rigid wall: definitions that the parts of the solver share. docs/theory-disks.md, 17, has the
+/* An elastic disk at a rigid wall: declarations that the parts of the solver share. docs/theory-disks.md, 17, has the
  * formulas.
  *
  * Modes below the frequency Omega of a level move. The rim functions of mode i have the factor sqrt(w_i), where
- * w(omega/Omega) is a fade. The rest of the static compliance of all modes acts at once. The wall is rigid: contact
- * forces y_j >= 0 act at the angles phi_j = j d, y_j on the pair +-phi_j and y_0 at one angle, and no angle reaches
- * into the wall. Kicks of these forces follow each other at intervals h.
+ * w(omega/Omega) is a smooth cutoff ("fade"). The rest of the static compliance of all modes acts at once. The wall is
+ * rigid: contact forces y_j >= 0 act at the angles phi_j = j d, and no angle reaches into the wall. y_j acts on the
+ * pair +-phi_j, and y_0 at one angle. These forces act as kicks at intervals h.
  *
  * Between kicks a mode turns freely, so its amplitude Q at successive kicks obeys
  *
  *     Q_(k+1) = 2 cos(omega h) Q_k - Q_(k-1) + g F_k,     g = h sin(omega h)/(m omega)
  *
- * where F_k is the force on the mode. The code stores q = Q/sqrt(g). The same coefficients c = sqrt(w g) C and s =
- * sqrt(w g) S then lead from modes to the rim and from forces to modes. */
+ * where F_k is the force on the mode. The code stores q = Q/sqrt(g). The coefficients c = sqrt(w g) C and s = sqrt(w g)
+ * S then convert modes to the shape of the rim, and the wall's forces to forces on modes. */
 #ifndef COR_RUNTIME_DISK_HARD_WALL_PARTS_H
 #define COR_RUNTIME_DISK_HARD_WALL_PARTS_H
 
 #include "runtime/disk/rim.h"
 
-/* Number of kicks for one pass over the modes. The pass also predicts the sums over the modes of each n at the next
- * kicks without forces. Sums over products give the additions of the forces. */
+/* Number of kicks in one pass over the modes. The pass also predicts the sums over the modes of each n at the next
+ * kicks without forces. Sums of products add the effect of the forces. */
 enum { COR_HARD_WALL_BATCH = 4 };
-/* Numbers of angles and of terms are multiples of this size. */
+/* The numbers of angles and of terms are multiples of this size. */
 enum { COR_HARD_WALL_PANEL = 64 };
 /* Largest n of a mode, which occurs at Omega = 1100 */
 enum { COR_HARD_WALL_MAX_N = 2047 };
@@ -30,37 +30,38 @@ struct cor_hard_wall_modes {
     size_t blocks;
     const struct cor_mode_block *block;
     const double *turn, *c, *s; /* turn: 2 cos(omega h); c, s: as above */
-    double *q, *before;         /* amplitudes at a kick, and at the kick before */
+    double *q, *before;         /* amplitudes at a kick and at the previous kick */
 };
 
-/* The angles i d, d = pi/N, and tables for sums of cosines over them. With k = a + M b and i = r + Q s, where Q =
- * COR_HARD_WALL_PANEL and M = 2N/Q are whole, exp(i k i d) = exp(2 pi i b r/Q) exp(i a r d) exp(2 pi i a s/M). */
+/* The angles i d, d = pi/N, and tables for sums of cosines over them. With k = a + M b and i = r + Q s, where
+ * Q = COR_HARD_WALL_PANEL and M = 2N/Q are integers, exp(i k i d) = exp(2 pi i b r/Q) exp(i a r d) exp(2 pi i a
+ * s/M). */
 struct cor_hard_wall_angles {
     const double *twice_cosine; /* 2 cos(i d) */
-    size_t bins;                /* M; 0 where the tables do not pay, and the pointers below are not used */
+    size_t bins;                /* M; 0 if the tables are not worthwhile, and the pointers below are then unused */
     double *part;               /* [b][2][Q]: cosines and sines of 2 pi b r/Q, b <= Q/2 */
     double *turn;               /* [a][2][Q]: of a r d */
     double *whole;              /* [M][2]: of 2 pi x/M */
     double *sums;               /* scratch, [M][2][Q] */
 };
-/* Whether `count` cosines are summed in parts, over b and then over a, which pays for many */
+/* True if `count` cosines are summed in parts, over b and then over a, which is faster for many. */
 COR_INLINE int cor_hard_wall_sums_by_parts(const struct cor_hard_wall_angles *angles, size_t count)
 {
     return angles->bins > 0 && count > 2 * angles->bins;
 }
 
-/* Loops that are compiled for every instruction set. All sets give the same bits. Arrays of each n have `lanes`
- * elements, lanes = blocks COR_LANES; [b] of an array is at b lanes. */
+/* Loops that are compiled for every instruction set. All sets give the same bits. Arrays over n have `lanes` elements,
+ * lanes = blocks COR_LANES; [b] of an array is at b lanes. */
 struct cor_hard_wall_loops {
     /* Advances the modes by `steps` kicks with the forces [0..steps-1] of each n. Sets [0..steps-1] of sum_c and sum_s
      * to sum c q and sum s q at the next kicks without forces. steps is BATCH or 1. */
     void (*advance)(const struct cor_hard_wall_modes *modes, size_t steps, const double *force_c, const double *force_s,
                     double *sum_c, double *sum_s);
-    /* result[i] = sum_(k < count) factor[k] cos(k i d), i < points; count is at most N + 1, points a multiple of
-     * COR_HARD_WALL_PANEL */
+    /* Sets result[i] = sum_(k < count) factor[k] cos(k i d), i < points. count is at most N + 1, points a multiple of
+     * COR_HARD_WALL_PANEL. */
     void (*cosines)(const struct cor_hard_wall_angles *angles, size_t count, const double *factor, size_t points,
                     double *result);
-    /* sum x_i y_i and y_i -= factor x_i, i < n: n is a multiple of COR_LANES */
+    /* Return sum x_i y_i, and subtract factor x_i from y_i, i < n. n is a multiple of COR_LANES. */
     double (*dot)(size_t n, const double *x, const double *y);
     void (*subtract)(size_t n, double factor, const double *x, double *y);
 };
@@ -86,8 +87,7 @@ struct cor_hard_wall_contact {
      * between angles i and j is same[i - j] + same[i + j] + across[i + j] cosine[i - j] + across[i - j] cosine[i + j] +
      * constant. */
     double *same, *across, *cosine;
-    double *far;                       /* far[k]: upper bound on |compliance| between angles at a distance of k or
-                                        * more */
+    double *far;                       /* far[k]: upper bound on |compliance| between angles at distance k or more */
     struct cor_hard_wall_factor whole; /* factor of angles 0, 1, 2, ..., as far as needed so far */
     struct cor_hard_wall_factor part;  /* factor of the angles of the last contact in several pieces */
     size_t *wanted;
@@ -105,15 +105,15 @@ void cor_hard_wall_contact_arrange(struct cor_hard_wall_contact *contact, struct
 void cor_hard_wall_contact_begin(struct cor_hard_wall_contact *contact, size_t t_terms, const double *t, size_t q_terms,
                                  const double *q, const struct cor_hard_wall_angles *angles, double constant,
                                  double *scratch);
-/* Sets `points` forces y >= 0 with which no angle reaches into the wall. reach[j] is the reach of angle j without
- * forces; a reach up to `negligible` counts as 0. Returns the last angle with a force plus 1, which is `points` if the
+/* Sets `points` forces y >= 0 under which no angle reaches into the wall. reach[j] is the reach of angle j without
+ * forces; a reach up to `negligible` counts as 0. Returns 1 plus the last angle with a force, which is `points` if the
  * contact does not fit. */
 size_t cor_hard_wall_contact_solve(struct cor_hard_wall_contact *contact, const double *reach, double negligible,
                                    double *y);
 
 /* ---- one level: hard_wall_level.c ---- */
 
-/* Fades w(r), r = omega/Omega, 0 from r = 1 on. The second fade is for tests: both fades have the same limit. */
+/* Smooth cutoffs w(r), r = omega/Omega, which are 0 for r >= 1. The second is for tests: both have the same limit. */
 enum cor_hard_wall_fade {
     COR_HARD_WALL_FADE,       /* (1 - r^2)^2 (1 + r^2) */
     COR_HARD_WALL_PLAIN_FADE, /* (1 - r^2)^2 */
@@ -125,21 +125,22 @@ struct cor_hard_wall_settings {
     double omega; /* Omega, at most the frequency of the last mode */
     double turn;  /* Omega h */
     enum cor_hard_wall_fade fade;
-    int point;      /* a point contact, whose width is neglected beside every wavelength; the next two fields are then
-                     * unused */
+    int point;      /* a point contact, whose width is negligible compared with every wavelength; the next two fields
+                     * are then unused */
     double spacing; /* upper limit of d; d divides pi */
     double range;   /* largest angle, at most pi/2 */
-    /* The budget: the level gives up when its steps, times work_per_step, or their multiplications, if work_per_step is
-     * 0, exceed most_work. 0: without limit */
+    /* The budget. The level gives up when its work exceeds most_work; 0: without limit. The work is work_per_step times
+     * the steps, or the number of multiplications if work_per_step is 0. */
     double most_work, work_per_step;
-    const struct cor_hard_wall_loops *loops; /* NULL: those of the widest set */
+    const struct cor_hard_wall_loops *loops; /* NULL: the loops of the widest set */
 };
 
 /* Multiplications of a call without max_steps. At 0.06 to 0.12 ns each it takes 5 to 10 s, like cor_disk_collision. */
 #define COR_HARD_WALL_WORK 8e10
-/* Those of a level over the level before: 2^(1/2) times the steps, and twice the modes, twice the pairs of angles */
+/* Ratio of the multiplications of a level to the previous level: sqrt(2) for the steps, 2 for the modes or pairs of
+ * angles */
 #define COR_HARD_WALL_GROWTH 2.8284271247461903
-/* Those of cor_disk_modes_compute for each mode */
+/* Multiplications of cor_disk_modes_compute for each mode */
 #define COR_HARD_WALL_MODE_WORK 2e3
 
 /* Results of one level */
@@ -147,10 +148,11 @@ struct cor_hard_wall_result {
     double one_minus_eps2, contact_time, max_compression;
     double energy_drift; /* energy after minus energy before, relative to (pi/2) v^2 */
     size_t steps, pivotings;
-    double work; /* spent, also where the level gave up */
+    double work; /* spent, even if the level gave up */
 };
 
-/* Bytes of workspace for a level of the lowest `modes` modes, a multiple of the alignment of the workspace */
+/* Returns the bytes of workspace for a level of the lowest `modes` modes, a multiple of the alignment of the
+ * workspace */
 size_t cor_hard_wall_level_bytes(const struct cor_disk_mode *mode, size_t modes,
                                  const struct cor_hard_wall_settings *settings);
 /* Computes a level with the modes below settings->omega. Returns COR_OK, COR_ERROR_MODES (no disk has such modes),
@@ -162,7 +164,8 @@ int cor_hard_wall_level(void *workspace, const struct cor_disk_modes *modes, dou
 
 /* ---- the sequence: hard_wall.c ---- */
 
-/* cor_disk_hard_wall_nu with a budget of most_work multiplications, if options->max_steps is 0. Sets what it spent. */
+/* Does the same as cor_disk_hard_wall_nu, with a budget of most_work multiplications if options->max_steps is 0. work:
+ * receives the work spent. */
 int cor_hard_wall_within(double most_work, double nu, const struct cor_disk_hard_wall_options *options, double speed,
                          struct cor_disk_hard_wall *out, double *work);
 

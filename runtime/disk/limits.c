@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The restitution of a disk of infinitely many modes at a rigid wall, from the table of generated/disk_limits.h. */
+/* The restitution of a disk with infinitely many modes at a rigid wall, from the table of generated/disk_limits.h. */
 #include <math.h>
 
 #include "cor/disk.h"
@@ -48,7 +48,7 @@ void cor_disk_eps_array(const double *speed, double nu, double *eps, size_t n)
         eps[i] = cor_disk_eps(speed[i], nu);
 }
 
-/* d eps = d(1 - eps^2)/(2 eps); eps is above 0.7 */
+/* Uses d eps = d(1 - eps^2)/(2 eps). eps is above 0.7. */
 double cor_disk_eps_uncertainty(double speed, double nu)
 {
     return cor_disk_one_minus_eps2_uncertainty(speed, nu) / (2 * cor_disk_eps(speed, nu));

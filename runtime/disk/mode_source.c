@@ -2,12 +2,13 @@
 /* Free modes of an elastic disk in double arithmetic, COR_MODE_LANES frequencies of one n at a time.
  *
  * The equation needs J_m and J_(m+1) at both arguments kappa, up to a common factor, for m = N = n + 1. The recurrence
- * J_(m-1) = (2m/kappa) J_m - J_(m+1) goes down from any m > kappa, and the signs of J_m count the zeros of J_n below
- * kappa, (11.3). One recurrence at each place of a grid of frequencies serves every n; between two places a series of
- * Taylor moves from the nearer one, where kappa is not far below N. Elsewhere a recurrence of a few orders suffices.
+ * J_(m-1) = (2m/kappa) J_m - J_(m+1) runs downwards from any m > kappa, and the signs of J_m count the zeros of J_n
+ * below kappa, (11.3). One recurrence at each place of a grid of frequencies serves every n. Between two places a
+ * Taylor series extends from the nearer one, if kappa is not far below N. Otherwise a recurrence of a few orders
+ * suffices.
  *
- * With h = J_N, k = (kappa/(2N)) J_(N+1) and d = h - k, which is J_n kappa/(2N) (stored is k, because h - d cancels for
- * n > kappa), and with capital letters for kappa', the frequency equation (25) divided by g is, up to a factor,
+ * Let h = J_N, k = (kappa/(2N)) J_(N+1) and d = h - k, which is J_n kappa/(2N). The code stores k, because h - d
+ * cancels for n > kappa. Capital letters are for kappa'. The frequency equation (25) divided by g is, up to a factor,
  *
  *     -n(n-1)/2 T0 + (g/N) ((n-1)(T1 - s T2/2) + T0/2) = 0        n >= 1
  *     e d - s k = 0                                              n = 0
@@ -30,7 +31,7 @@ enum { LANES = COR_MODE_LANES };
 
 /* ---- waves ---- */
 
-/* The error of a_m shrinks by (J_(m+1)/J_m)^2 a step, and -ln J_m grows from m = kappa on like
+/* Each step reduces the error of a_m by (J_(m+1)/J_m)^2, and for m >= kappa, -ln J_m grows like
  * m arcosh(m/kappa) - sqrt(m^2 - kappa^2). */
 long cor_mode_recurrence_start(long n, double kappa, long bits)
 {
@@ -53,16 +54,17 @@ static double first_order(double z, long m)
     return 0.75 * z / (double)(m + 1);
 }
 
-/* Orders above N that a recurrence needs at least, kappa < N: the error shrinks by (J_(N+1)/J_N)^2 or more an order. */
+/* Returns the number of orders above N that a recurrence needs, kappa < N. Each order reduces the error by
+ * (J_(N+1)/J_N)^2 or more. */
 static double orders_above(double N, double kappa)
 {
     return 2 + 0.35 * (DOUBLE_BITS + START_BITS) / acosh(N / kappa);
 }
 
-/* Series and recurrences take over from each other where kappa is NEAR N. */
+/* Series serve kappa >= NEAR N, recurrences serve smaller kappa. */
 #define NEAR 0.8
 
-/* Rung of the recurrence to N = n + 1 for arguments up to kappa */
+/* Returns the order at which the recurrence to N = n + 1 starts for arguments up to kappa. */
 static long first_of_recurrence(long n, double kappa)
 {
     const double N = (double)(n + 1);
@@ -70,7 +72,7 @@ static long first_of_recurrence(long n, double kappa)
                              : cor_mode_recurrence_start(n + 1, kappa, DOUBLE_BITS);
 }
 
-/* A wave of one n from its z, none of which is above kappa^2, by recurrences */
+/* Computes a wave of one n from its z by recurrences. No z is above highest^2. */
 static void wave_climb(struct cor_mode_wave *a, const struct cor_mode_loops *loops, long n, double highest)
 {
     const long m = first_of_recurrence(n, highest);
@@ -97,7 +99,7 @@ static void point_at(struct cor_mode_point *p, const struct cor_mode_material *m
     p->b.z[i] = 2 * p->g[i];
 }
 
-/* C > 0 and S at a root, from the more accurate row of
+/* Sets C > 0 and S at a root, from the more accurate row of
  *
  *     (g + x - n^2) C + n (x - 1) S = 0 = n (y - 1) C + (g + y - n^2) S,      x = n - a_n, y = n - b_n
  *
@@ -114,7 +116,7 @@ static void set_amplitudes(struct cor_disk_mode *mode, const struct cor_mode_poi
     const double a = p->a.z[i] * p->a.h[i] / (2 * (n + 1)), b = g * p->b.h[i] / (n + 1);
     double c = n * ((n - 1) * ad - a), s = stiff * ad - a;
     const double c_other = stiff * bd - b, s_other = n * ((n - 1) * bd - b);
-    /* the sum of a row relative to the largest of its terms */
+    /* the coefficients of a row relative to their largest terms */
     const double known = (fabs(c) + fabs(s)) / (fabs(stiff * ad) + n * (n * fabs(ad) + fabs(a)));
     const double known_other = (fabs(c_other) + fabs(s_other)) / (fabs(stiff * bd) + n * (n * fabs(bd) + fabs(b)));
     if (known_other > known) {
@@ -129,17 +131,17 @@ static void set_amplitudes(struct cor_disk_mode *mode, const struct cor_mode_poi
 
 /* ---- all n at one frequency ---- */
 
-/* With t = g/N^2 < 1/5, a_n <= (s g/(2N))(1 + s t) and b_n <= (g/N)(1 + 2 t), and for n >= 2 the equation times n keeps
- * its sign at omega = 0, because it is at most -(1 + nu)(n(n-1)/2 - 5 omega^2). */
+/* With t = g/N^2 < 1/5, a_n <= (s g/(2N))(1 + s t) and b_n <= (g/N)(1 + 2 t). For n >= 2 the equation times n keeps the
+ * sign that it has at omega = 0, because it is at most -(1 + nu)(n(n-1)/2 - 5 omega^2). */
 long cor_mode_orders(double omega)
 {
-    /* n - 1 is above the rounded product x, and n (n - 1) above x^2 + x: roundings do not matter below 2^49 */
+    /* n - 1 exceeds the rounded product x, and n (n - 1) exceeds x^2 + x: rounding errors do not matter below 2^49 */
     return (long)(omega * sqrt(10.0)) + 2;
 }
 
 static double count_total(const struct cor_mode_material *material, double omega)
 {
-    if (omega < 1) /* below every mode; products of the equation would underflow */
+    if (omega < 1) /* below every mode, where products in the equation would underflow */
         return 0;
     const struct cor_mode_loops *const loops = cor_mode_set(cor_widest_set());
     const long orders = cor_mode_orders(omega);
@@ -195,13 +197,13 @@ double cor_mode_upper_end(const struct cor_mode_material *material, size_t count
 
 /* ---- a grid of frequencies ---- */
 
-/* The step of the grid in kappa', the larger argument, and the least kappa for a series, below which J_N is close to a
- * power of kappa */
+/* The step of the grid in kappa', the larger argument, and the smallest kappa for a series. Below it J_N is close to a
+ * power of kappa. */
 #define GRID_STEP 1.0
 #define LEAST_KAPPA 2.0
 
-/* Recurrences of one wave at all places, at order N, which goes down by one with each n. Places from `active` on run,
- * and those from `ready` on serve series. */
+/* Recurrences of one wave at all places, at order N, which decreases by one with each n. Recurrences run at
+ * places >= `active`, and series start from places >= `ready`. */
 struct recurrences {
     double unit; /* kappa/omega */
     double *kappa, *two_over_kappa, *above, *here, *zeros;
@@ -212,16 +214,16 @@ struct recurrences {
 struct root_search {
     double low, high;
     long below_low, below_high; /* numbers of roots below either end */
-    double guess;               /* result of Halley's method inside the bracket, or NaN */
+    double guess;               /* result of Halley's method, used if inside the bracket */
 };
 
 /* Roots of one n that are computed at once */
 struct group {
     int lanes;
-    long l[LANES], place[LANES]; /* place: for the series, or -1 for none */
+    long l[LANES], place[LANES]; /* place: of the series, or -1 */
     struct root_search bracket[LANES];
     double omega[LANES], highest;
-    int moves[2]; /* series serve the wave */
+    int moves[2]; /* true if series serve the wave */
     struct cor_mode_series series[2];
     struct cor_mode_point point;
 };
@@ -230,8 +232,9 @@ struct search {
     const struct cor_mode_material *material;
     const struct cor_mode_loops *loops;
     struct recurrences wave[2];
-    double *memory, *place, *below, *guess; /* frequencies; roots below; results of Halley's method from there */
-    long places, room, first, n;            /* first: the place from which on roots of n are counted */
+    double *memory, *place, *below, *guess; /* frequencies; numbers of roots below them; results of Halley's method from
+                                             * them */
+    long places, room, first, n;            /* first: the first place at which roots of n are counted */
     struct group *group;
 };
 
@@ -262,13 +265,13 @@ static int search_start(struct search *s, double omega)
     return COR_OK;
 }
 
-/* An order where the recurrence at kappa can begin for every N <= kappa/NEAR */
+/* Returns an order at which the recurrence at kappa can begin for every N <= kappa/NEAR. */
 static double first_frequency(double kappa)
 {
     return kappa / NEAR + orders_above(1, NEAR);
 }
 
-/* From order N + 1 to N */
+/* Lowers all recurrences from order N + 1 to N. */
 static void recurrences_lower(struct recurrences *a, const struct search *s, long N)
 {
     const long from = a->active - a->active % LANES;
@@ -285,13 +288,13 @@ static void recurrences_lower(struct recurrences *a, const struct search *s, lon
         a->ready--;
 }
 
-/* The frequency that Halley's method finds from a point; infinite where it finds none */
+/* Returns the frequency that Halley's method finds from a point, or infinity if it fails. */
 static double guess_at(const struct cor_mode_point *p, int i)
 {
     return islessequal(p->step[i], 1) ? p->omega[i] * sqrt(1 - p->step[i]) : INFINITY;
 }
 
-/* Counts the roots of n below every place from s->first on. Returns the number below the last place. */
+/* Counts the roots of n below every place >= s->first. Returns the number below the last place. */
 static long count_places(struct search *s)
 {
     const long last = s->places - 1, n = s->n;
@@ -325,9 +328,9 @@ static long count_places(struct search *s)
 
 /* ---- the roots of one n ---- */
 
-/* Roots with a smaller relative difference are set equal, because doubles may not separate them. */
+/* Roots that differ by a smaller relative amount become equal, because doubles may not separate them. */
 #define INSEPARABLE 0x1p-46
-/* After a longer relative step, Halley's method makes one more step. */
+/* After a larger relative step, Halley's method makes one more step. */
 #define DONE 0x1p-50
 
 static void tell_bracket(struct root_search *b, long l, double x, long below, double guess)
@@ -406,7 +409,7 @@ static void group_point(struct group *group, const struct search *s)
 static void refine_group(struct cor_disk_mode *mode, struct group *group, const struct search *s, long count)
 {
     const struct cor_mode_point *const p = &group->point;
-    double before[LANES]; /* length of the step to omega, if Halley's method made it */
+    double before[LANES]; /* length of the step to omega, if by Halley's method */
     int done[LANES] = {0}, last[LANES] = {0}, left = group->lanes;
     group_start(group, s);
     for (int i = 0; i < LANES; i++)
@@ -483,7 +486,7 @@ static int find_modes(const struct cor_mode_material *material, const struct cor
                       struct cor_disk_mode **mode, size_t *found)
 {
     const long orders = cor_mode_orders(omega);
-    /* the counts may differ by one for each n */
+    /* the two counts may differ by one for each n */
     const size_t capacity = (size_t)cor_mode_total(material, omega) + 2 * (size_t)orders;
     struct search s = {.material = material, .loops = loops};
     *found = 0;

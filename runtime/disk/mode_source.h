@@ -12,10 +12,10 @@
 #include "cor/disk.h"
 #include "runtime/number/sets.h"
 
-/* Frequencies or n that are evaluated at once, and terms of a series over kappa */
+/* Number of frequencies or n that are evaluated at once, and number of terms of a series in kappa */
 enum { COR_MODE_LANES = 16, COR_MODE_TERMS = 19 };
 
-/* e and s are separate, so that nu close to 1 or -1 loses no digits. */
+/* e and s are separate, so that no digits are lost for nu close to 1 or -1. */
 struct cor_mode_material {
     double e, s;
 };
@@ -26,55 +26,55 @@ struct cor_mode_wave {
     double z[COR_MODE_LANES], h[COR_MODE_LANES], k[COR_MODE_LANES], zeros[COR_MODE_LANES];
 };
 
-/* Both waves at COR_MODE_LANES frequencies or n, and what follows: step, such that omega sqrt(1 - step) is closer to a
- * root, by Halley's method in omega^2, and the number of roots below omega */
+/* Both waves at COR_MODE_LANES frequencies or n. step: a step of Halley's method in omega^2, after which omega
+ * sqrt(1 - step) is closer to a root. below: the number of roots below omega. */
 struct cor_mode_point {
     double omega[COR_MODE_LANES], g[COR_MODE_LANES], n[COR_MODE_LANES];
     struct cor_mode_wave a, b;
     double step[COR_MODE_LANES], below[COR_MODE_LANES];
 };
 
-/* Taylor's series of J_N and J_(N+1) about kappa, J_N = here and J_(N+1) = above there */
+/* Taylor series of J_N and J_(N+1) about kappa, where J_N = here and J_(N+1) = above */
 struct cor_mode_series {
     double kappa[COR_MODE_LANES], here[COR_MODE_LANES], above[COR_MODE_LANES], zeros[COR_MODE_LANES];
     double term[COR_MODE_TERMS][2][COR_MODE_LANES];
 };
 
 struct cor_mode_loops {
-    /* For COR_MODE_LANES arguments kappa: J_(end+1)/J_end, from J_(start+1)/J_start, and how often J_start, ..., J_end
-     * change their sign */
+    /* For COR_MODE_LANES arguments kappa, computes J_(end+1)/J_end from J_(start+1)/J_start, and the number of changes
+     * of sign in J_start, ..., J_end. */
     void (*recurrence)(const double *two_over_kappa, const double *first_quotient, long start, long end,
                        double *quotient, double *zeros);
-    /* One order of `count` recurrences, from J_(m+1), J_m to J_m, J_(m-1); adds changes of sign to zeros */
+    /* Advances `count` recurrences by one order, from J_(m+1), J_m to J_m, J_(m-1). Adds changes of sign to zeros. */
     void (*order_step)(size_t count, double m, const double *two_over_kappa, double *above, double *here,
                        double *zeros);
     void (*series)(struct cor_mode_series *series, double N);
-    /* A wave at kappa + t from its series about kappa */
+    /* Computes a wave at kappa + t from its series about kappa. */
     void (*move)(struct cor_mode_wave *wave, const struct cor_mode_series *series, double N, const double *t);
     void (*equation)(struct cor_mode_point *point, const struct cor_mode_material *material);
 };
 
 COR_TABLES(struct cor_mode_loops, cor_mode, cor_mode_set)
 
-/* An n such that no mode of this or a larger n is below omega: omega_nl^2 >= n (n - 1)/10 for every n >= 2, l and nu,
- * (11.4). */
+/* Returns an n such that no mode of this or a larger n is below omega: omega_nl^2 >= n (n - 1)/10 for every n >= 2, l
+ * and nu, (11.4). */
 long cor_mode_orders(double omega);
 
-/* Number of modes below omega. The number is wrong by one if omega is within rounding errors of a root. The translation
- * n = 1, omega = 0 is not counted. */
+/* Returns the number of modes below omega, without the translation n = 1, omega = 0. The number may be wrong by one if
+ * omega is within rounding errors of a root. */
 double cor_mode_total(const struct cor_mode_material *material, double omega);
 
-/* A frequency with slightly more than `count` modes below it */
+/* Returns a frequency with slightly more than `count` modes below it. */
 double cor_mode_upper_end(const struct cor_mode_material *material, size_t count);
 
-/* Computes every mode below omega, by increasing frequency, into malloc'ed *mode, which the caller frees also after a
- * failure. Two modes that doubles cannot separate may get the same frequency. All loops give the same bits. Returns
- * COR_OK, COR_ERROR_MEMORY, or COR_ERROR_MODES if the modes do not confirm their number. */
+/* Computes every mode below omega, by increasing frequency, into *mode, which it allocates. The caller frees *mode,
+ * even after a failure. Two modes that doubles cannot separate may get the same frequency. All loops give the same
+ * bits. Returns COR_OK, COR_ERROR_MEMORY, or COR_ERROR_MODES if more modes are found than were counted. */
 int cor_mode_find(const struct cor_mode_material *material, const struct cor_mode_loops *loops, double omega,
                   struct cor_disk_mode **mode, size_t *found);
 
-/* An order m > n such that the recurrence from a_m in [z/(2(m+1)), z/(m+1)], right for kappa <= m + 1, gives a_n to
- * `bits` bits. */
+/* Returns an order m > n such that the recurrence gives a_n to `bits` bits from any a_m in [z/(2(m+1)), z/(m+1)]. This
+ * interval contains a_m for kappa <= m + 1. */
 long cor_mode_recurrence_start(long n, double kappa, long bits);
 
 #endif

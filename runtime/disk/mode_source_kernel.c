@@ -24,7 +24,7 @@ typedef struct {
 #endif
 
 /* Computes J_m(kappa) up to a factor by J_(m-1) = (2m/kappa) J_m - J_(m+1), from `start` down to `end`, and counts the
- * changes of sign. Numbers grow by 2^64 at most until they oscillate. */
+ * changes of sign. The numbers grow by at most 2^64 before they oscillate. */
 static void kernel_recurrence(const double *two_over_kappa, const double *first_quotient, long start, long end,
                               double *quotient, double *zeros)
 {
@@ -70,7 +70,7 @@ static void kernel_order_step(size_t count, double m, const double *restrict two
     }
 }
 
-/* J_N' = (N/kappa) J_N - J_(N+1) and J_(N+1)' = J_N - ((N+1)/kappa) J_(N+1), times kappa, term by term */
+/* Applies J_N' = (N/kappa) J_N - J_(N+1) and J_(N+1)' = J_N - ((N+1)/kappa) J_(N+1), times kappa, term by term. */
 static void kernel_series(struct cor_mode_series *restrict series, double N)
 {
     double over[COR_MODE_LANES], low[2][COR_MODE_LANES];
@@ -121,11 +121,11 @@ static void kernel_move(struct cor_mode_wave *restrict wave, const struct cor_mo
     }
 }
 
-/* The frequency equation and its first two derivatives by ln omega^2; with p = z d/dz: p h = -N k, p d = -z h/(4N), if
- * h, d and k have the factor kappa^-N. The number of roots has the negative eigenvalues of the rim's stiffness, free
- * minus clamped, and zeros of both Bessel functions, (11.3). Up to positive factors, the 2 x 2 matrices have
- * det(clamped) = D = x y - n^2, det(free) = F/D, where F is the left side of the equation, and diagonals -y/D and -P/D,
- * where P = y + D/g. */
+/* Computes the frequency equation and its first two derivatives with respect to ln omega^2. With p = z d/dz, p h = -N k
+ * and p d = -z h/(4N), if h, d and k have the factor kappa^-N. The number of roots is the number of negative
+ * eigenvalues of the rim's stiffness, free minus clamped, plus the zeros of both Bessel functions, (11.3). Up to
+ * positive factors, the 2 x 2 matrices have det(clamped) = D = x y - n^2, det(free) = F/D, where F is the left side of
+ * the equation, and diagonals -y/D and -P/D, where P = y + D/g. */
 static void kernel_equation(struct cor_mode_point *restrict point, const struct cor_mode_material *restrict material)
 {
     const double e = material->e, s = material->s;
@@ -149,7 +149,7 @@ static void kernel_equation(struct cor_mode_point *restrict point, const struct 
         const double f = round > 0 ? x : r - half * t0;
         const double f1 = round > 0 ? x1 : r + r1 - half * t0_1;
         const double f2 = round > 0 ? x2 : r + 2 * r1 + r2 - half * t0_2;
-        /* between two roots, where f1 vanishes, Halley's steps would, too; a step of 2 leads nowhere */
+        /* between two roots f1 vanishes, and so would Halley's step; 2 marks the step as invalid */
         const double slope = f1 == 0 ? 1 : f1, newton = f / slope, bend = newton * (f2 - f1) / (2 * slope);
         const double rest = 1 - (bend > -0.5 ? bend : -0.5), divisor = rest == 0 ? 1 : rest;
         point->step[i] = f1 == 0 || rest == 0 ? 2 : newton / divisor;

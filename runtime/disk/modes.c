@@ -41,7 +41,7 @@ static int hex_digit(char c)
     return c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
 }
 
-/* Reads the next line. Returns 0 if its check is wrong. */
+/* Reads the next line. Returns COR_OK, or a status if the line cannot be read or its check is wrong. */
 static int next_line(struct lines *in)
 {
     in->number++;
@@ -80,7 +80,7 @@ static int next_line_of(struct lines *in, const char *word)
     return COR_OK;
 }
 
-/* Reads a number after one space. These functions do not call strtod, whose decimal point depends on the locale. */
+/* Read a number after one space. These functions do not call strtod, whose decimal point depends on the locale. */
 
 static int read_whole(struct lines *in, size_t most, size_t *value)
 {
@@ -139,7 +139,7 @@ static int read_double(struct lines *in, double *value)
     return 1;
 }
 
-/* Whether the numbers obey (26) in closed form, as those of every mode do */
+/* True if the numbers obey (26) in closed form, as the numbers of every mode do. */
 static int is_mode(const struct cor_disk_mode *m)
 {
     const double most = 1e30; /* no mode has such numbers */

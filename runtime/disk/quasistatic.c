@@ -7,8 +7,9 @@
  *     P = sqrt(4 pi V/(1 + t))           q = ln(V_limit/V)
  *     P = sqrt(2) pi v/sqrt(1 + t)       q = 2 ln(v_limit/v),     delta = sqrt(2) v (1 + t/2)/sqrt(1 + t)
  *
- * In these forms nothing cancels. t begins like sqrt(2 q), so that close to the limit q must be known better than to
- * double precision: the limits are pairs. Far from the limit their logarithms, which are linear in nu, suffice. */
+ * In these forms nothing cancels. For small q, t is near sqrt(2 q). Close to the limit q must therefore be more
+ * accurate than a double, and the limits are pairs. Far from the limit their logarithms, which are linear in nu,
+ * suffice. */
 #include "runtime/disk/quasistatic.h"
 
 #include "runtime/number/elementary.h"
@@ -27,7 +28,7 @@ static const pair not_a_number = {NAN, 0};
 
 /* ---- pairs ---- */
 
-/* 0 -> 0 */
+/* Returns sqrt(x); 0 -> 0. */
 static pair pair_sqrt(pair x)
 {
     if (x.hi == 0)
@@ -37,8 +38,8 @@ static pair pair_sqrt(pair x)
     return cor_inline_sum(root, (((x.hi - square.hi) - square.lo) + x.lo) / (2 * root));
 }
 
-/* exp(x), |x| < 2, with relative error 2^-101. s -> 2 s + s^2, applied nine times to the power series of exp(x/2^9) -
- * 1, gives exp(x) - 1. */
+/* Returns exp(x), |x| < 2, with relative error 2^-101. The map s -> 2 s + s^2, applied nine times to the power series
+ * of exp(x/2^9) - 1, gives exp(x) - 1. */
 static pair pair_exp(double x)
 {
     static const pair one_over_factorial[] = {{1, 0},
@@ -58,7 +59,7 @@ static pair pair_exp(double x)
     return cor_pair_plus(cor_pair(1, 0), s);
 }
 
-/* x f, rounded once, also where the product is subnormal; NaN if f is */
+/* Returns x f, rounded once, even if the product is subnormal; NaN if f is NaN. */
 static double times_pair(double x, pair f)
 {
     if (cor_inline_is_refused(f.hi))
@@ -70,7 +71,7 @@ static double times_pair(double x, pair f)
     return (product.hi + (product.lo + x * f.lo)) * unit;
 }
 
-/* x^2 f */
+/* Returns x^2 f. */
 static double square_times(double x, pair f)
 {
     if (cor_inline_is_refused(f.hi))
@@ -94,8 +95,8 @@ struct limit {
     double exponent; /* slope nu */
 };
 
-/* Returns 0 if nu is outside its domain or the datum does not exist. At nu = 0 two cases remain: exp(b - 1) is
- * exp(-5/4)/4 for the centre of mass and exp(-2) for the other data. */
+/* Finds a limit. Returns 0 if nu is outside its domain or the datum does not exist. At nu = 0 two cases remain:
+ * exp(b - 1) is exp(-5/4)/4 for the centre of mass and exp(-2) for the other data. */
 static int find_limit(enum quantity quantity, double nu, enum cor_disk_datum datum, struct limit *limit)
 {
     static const struct cor_logarithm at_zero[4][2] = {
@@ -135,7 +136,7 @@ static pair limit_number(const struct limit *limit)
     return cor_inline_pair_times(limit->at_zero.number, pair_exp(limit->exponent));
 }
 
-/* The largest double that does not exceed a positive number */
+/* Returns the largest double that does not exceed a positive number. */
 static double largest_double(pair x)
 {
     return x.lo >= 0 ? x.hi : cor_inline_from_bits(cor_inline_bits(x.hi) - 1);
@@ -147,8 +148,8 @@ static double law_limit(enum quantity quantity, double nu, enum cor_disk_datum d
     return find_limit(quantity, nu, datum, &limit) ? largest_double(limit_number(&limit)) : NAN;
 }
 
-/* ln(limit/x), 0 < x, far from the limit as the parts of cor_log_ratio_parts; NaN for nu and datum outside their
- * domains */
+/* Returns ln(limit/x), 0 < x far from the limit, as the parts of cor_log_ratio_parts; NaN for nu or datum outside its
+ * domain. */
 static pair far_parts(enum quantity quantity, double x, double nu, enum cor_disk_datum datum)
 {
     struct limit limit;
@@ -157,7 +158,7 @@ static pair far_parts(enum quantity quantity, double x, double nu, enum cor_disk
     return cor_log_ratio_parts(cor_pair_plus(limit.at_zero.log, cor_pair(limit.exponent, 0)), x);
 }
 
-/* ln(limit/x) of every 0 < x; NaN beyond the limit */
+/* Returns ln(limit/x) for every x > 0; NaN beyond the limit. */
 static pair pair_depth(enum quantity quantity, double x, double nu, enum cor_disk_datum datum)
 {
     const pair parts = far_parts(quantity, x, nu, datum), q = cor_inline_sum(parts.hi, parts.lo);
@@ -174,7 +175,8 @@ static int is_positive(double x)
     return !cor_inline_is_refused(x) && x != 0;
 }
 
-/* The result for an argument that is 0, negative or NaN; at_zero for 0 if nu and datum are valid */
+/* Returns the result for an argument that is 0, negative or NaN: at_zero for 0 if nu and datum are valid, otherwise
+ * NaN. */
 static double not_positive(double x, double at_zero, double nu, enum cor_disk_datum datum)
 {
     struct limit limit;
@@ -253,8 +255,8 @@ static double law_max_compression(double speed, double nu, enum cor_disk_datum d
     return times_pair(speed, cor_pair_over(numerator, pair_sqrt(one_plus(t))));
 }
 
-/* exp(u) - 1 - u, 0 <= u < 100, with an error of 3 ulp. For tiny u the relative error is u/3, and the part of such u in
- * the integral below is tiny too. */
+/* Returns exp(u) - 1 - u, 0 <= u < 100, with an error of 3 ulp. For tiny u the relative error is u/3, but such u
+ * contribute little to the integral below. */
 static double exp_less_two_terms(double u)
 {
     if (u >= 1)
@@ -287,8 +289,8 @@ static double exp_less_two_terms(double u)
     return square / 2 * (even + u * odd);
 }
 
-/* tau = sqrt(2) int sqrt(1 + T) dtheta, where T - ln(1 + T) = q - 2 ln(sin(theta)) and T = t at theta = pi/2. The
- * variable u = T - t avoids the inversion,
+/* Returns tau = sqrt(2) int sqrt(1 + T) dtheta, where T - ln(1 + T) = q - 2 ln(sin(theta)) and T = t at theta = pi/2.
+ * The variable u = T - t avoids the inversion,
  *
  *     tau = (1/sqrt(2)) int_0^inf (t + u) du/sqrt((1 + t) (exp(u) - 1 - u) + t u)
  *
@@ -297,13 +299,13 @@ static double exp_less_two_terms(double u)
  *
  *     f(x) = (t + u) sqrt(u (u + c)/((1 + t) (exp(u) - 1 - u) + t u)),
  *
- * which is even and falls like exp(-u/2). Its first singularities, where the root vanishes near u = 2 +- 7 i, are at x
- * = +-i a + ... with 0.99 < a/(1.29/sqrt(1 + c/7.6)) < 1.19. The trapezoidal rule with the step 2 pi 1.29/(38.5 sqrt(1
- * + c/7.6)) has a relative error of exp(-38), and so has the cut at u = 88. The rule takes 27 to 60 points, 115 at t =
- * 1e-8 and at most 200. */
+ * which is even and decreases like exp(-u/2). Its first singularities, where the root vanishes near u = 2 +- 7 i, are
+ * at x = +-i a + ... with 0.99 < a/(1.29/sqrt(1 + c/7.6)) < 1.19. The trapezoidal rule with the step 2 pi 1.29/(38.5
+ * sqrt(1 + c/7.6)) has a relative error of exp(-38), and so has the cutoff at u = 88. The rule needs 27 to 60 points,
+ * 115 at t = 1e-8 and at most 200. */
 static double time_of_t(double t)
 {
-    /* A t below this value causes a kink of size t at x = 0, of which the rule receives step^2/12. */
+    /* A t below this value causes a kink of size t at x = 0, which changes the sum by step^2/12 of its size. */
     const double least = 1e-15, end = 88;
     const double y = 1 + t, between = t + t / y, c = between < least ? least : between;
     /* the head has few bits, so that k step is exact */

@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* Load and contact time of a disk from the rows of generated/disk_law_tables.h in q of
- * runtime/disk/quasistatic.c. Next to the limit (q < 1/4) and for tiny arguments (q >= 128)
- * quasistatic.c computes them. */
+/* Load and contact time of a disk from the rows of generated/disk_law_tables.h, whose variable is q of
+ * runtime/disk/quasistatic.c. Next to the limit (q < 1/4) and for tiny arguments (q >= 128), quasistatic.c computes
+ * them. */
 #define COR_ROWS_DEFINE
 #include "generated/disk_law_tables.h"
 #include "runtime/disk/quasistatic.h"
 #include "runtime/table/row.h"
 
-/* Whether q has a row; both tables have the same cells. */
+/* True if q has a row. Both tables have the same cells. */
 static int has_row(double q)
 {
     return cor_inline_between(q, COR_ROWS_DISK_LOAD_FACTOR_FIRST, COR_ROWS_DISK_LOAD_FACTOR_END);
 }
 
-/* The place of q + rest; q 2^-k is between 1 and 2. */
+/* Returns the place of q + rest; q 2^-k is between 1 and 2. */
 static struct cor_inline_place place_of(double q, double rest, struct cor_inline_octaves grid,
                                         const double *(*rows)(int))
 {

@@ -11,19 +11,19 @@
 #include "runtime/disk/rayleigh_parts.h"
 #include "runtime/number/environment.h"
 
-/* The tail uses this number of modes if the table has them, even if the caller asked for fewer. */
+/* The tail uses this number of modes if the table has them, even if the caller requests fewer. */
 enum { TAIL_MODES = 1800 };
 
 /* ---- statuses ---- */
 
-/* Number of modes in the sums and the tail of n_modes modes */
+/* Returns the number of modes in the sums and the tail for n_modes modes. */
 static size_t modes_taken(const struct cor_disk_modes *modes, size_t n_modes)
 {
     const size_t least = modes->count < TAIL_MODES ? modes->count : TAIL_MODES;
     return n_modes > least ? n_modes : least;
 }
 
-/* *limit: the largest speed of the contact law */
+/* Returns COR_OK, or the status of the first wrong argument. *limit receives the largest speed of the contact law. */
 static int arguments_status(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum,
                             double *limit)
 {
@@ -55,7 +55,7 @@ static int result_status(const struct cor_disk_rayleigh *out, double speed)
     return speed > COR_DISK_RAYLEIGH_MAX_SPEED || out->fraction + out->tail > 1 ? COR_BEYOND_THEORY : COR_OK;
 }
 
-/* v = 0 */
+/* Sets the results at v = 0. */
 static int at_rest(struct cor_disk_rayleigh *out)
 {
     out->fraction = out->tail = out->error_estimate = 0;
@@ -130,7 +130,7 @@ static int rayleigh_of_speed(const struct cor_disk_modes *modes, size_t n_modes,
 
 /* ---- one speed to a tolerance ---- */
 
-/* Sum and tail of the n lowest modes; sum_few is the sum of the `few` lowest. */
+/* Returns the sum and the tail of the n lowest modes. sum_few: the sum of the `few` lowest. */
 static struct cor_disk_rayleigh trial_of(const struct cor_disk_modes *modes, size_t n, size_t few, double sum_few,
                                          const struct cor_spectrum *spectrum, double contact_time)
 {
@@ -175,7 +175,7 @@ static int rayleigh_to_tolerance(const struct cor_disk_modes *modes, enum cor_di
     const double contact_time = cor_disk_contact_time_by_quadrature(speed, modes->nu, datum);
     cor_spectrum_init(cor_rayleigh_set(cor_widest_set()), &spectrum, cor_disk_depth(speed, modes->nu, datum),
                       contact_time, first_omega(), last_omega(modes, modes->count));
-    /* adds a quarter more modes at a time until they suffice, then bisects between the last two numbers */
+    /* increases the number of modes by a quarter until they suffice, then bisects between the last two numbers */
     size_t few = 0, enough = 0, n = 1;
     double sum_few = 0;
     struct cor_disk_rayleigh best = {0, 0, 0, contact_time};
@@ -206,22 +206,22 @@ static int rayleigh_to_tolerance(const struct cor_disk_modes *modes, enum cor_di
 
 /* ---- many speeds ---- */
 
-/* With fewer speeds than this, computing the nodes of a piece of q0 costs more than it saves. */
+/* Smallest number of speeds for which the nodes of a piece of q0 save time */
 enum { WORTH_A_PIECE = COR_PIECE_NODES + 4 };
-/* Pieces begin at q0 = 4^FIRST_PIECE; For smaller q0, near the limit of the contact law, spectra are computed one by
+/* Pieces begin at q0 = 4^FIRST_PIECE. For smaller q0, near the limit of the contact law, spectra are computed one by
  * one. */
 enum { FIRST_PIECE = -5, LAST_PIECE = 5 };
 
 /* Data that all speeds share: the modes with their weights, and the surface modes beyond them */
 struct list {
     struct cor_rayleigh_table table;
-    struct cor_mode_chunk *chunk;      /* chunks of the n_modes modes, then of the other modes of the table, then of the
+    struct cor_mode_chunk *chunk;      /* chunks of the n_modes modes, of the other modes of the table, and of the
                                         * surface modes */
-    size_t asked, taken, with_surface; /* chunks up to there */
+    size_t asked, taken, with_surface; /* ends of the three groups */
     enum cor_disk_datum datum;
     size_t n_modes;
     double *room;                  /* of a piece */
-    struct cor_spectrum *spectrum; /* of a speed; not on the stack, on which a piece has one */
+    struct cor_spectrum *spectrum; /* of a speed; not on the stack, where a piece has another one */
     double *q0;                    /* q0 of every speed; NaN if the speed is finished or invalid */
 };
 
@@ -253,7 +253,7 @@ static int list_init(struct list *list, const struct cor_disk_modes *modes, size
     list->taken = list->asked + chunks_of(all - n_modes);
     list->with_surface = list->taken;
     for (struct cor_mode_chunk chunk; cor_surface_modes_next(&list->table.surface, list->table.set, &chunk);)
-        list->with_surface++; /* the surface modes, which are continued to their end */
+        list->with_surface++; /* continues the surface modes to their end */
     list->chunk = malloc(list->with_surface * sizeof *list->chunk);
     list->room = malloc(cor_spectrum_piece_size(first_omega(), last_omega(modes, all)) * sizeof *list->room);
     list->spectrum = malloc(sizeof *list->spectrum);
@@ -287,7 +287,7 @@ static void list_evaluate(const struct list *list, const struct cor_spectrum *sp
     cor_rayleigh_finish(out, &list->table, spectrum, &sums, beyond.faded);
 }
 
-/* The piece that contains q0, or FIRST_PIECE - 1 */
+/* Returns the piece that contains q0, or FIRST_PIECE - 1. */
 static int piece_of(double q0)
 {
     int exponent;

@@ -10,7 +10,7 @@
 
 enum { LANES = 16 };
 
-/* n, rounded up to whole vectors */
+/* Returns n, rounded up to whole vectors. */
 COR_KERNEL int vectors_of(int n)
 {
     return (n + VECTOR - 1) & -VECTOR;
@@ -22,7 +22,8 @@ SHARED void set_decays(double *restrict rho, const double *restrict u)
         rho[i] = kernel_decay(u[i]);
 }
 
-/* The nodes of Gauss's rule in a panel, padded: d integral, then t and what Halley's method needs, each by its parts */
+/* The nodes of Gauss's rule in a panel, padded: d integral, then t and the input of Halley's method, as real and
+ * imaginary parts */
 struct gauss_nodes {
     double step_re[LANES], step_im[LANES], t_re[LANES], t_im[LANES], power_re[LANES], power_im[LANES], move[LANES];
 };
@@ -64,7 +65,7 @@ SHARED void nodes_solve(struct gauss_nodes *node, double q0, int steps)
         }
 }
 
-/* t at points of a path */
+/* Computes t at points of a path. */
 static void solve_nodes(struct gauss_nodes *node, const struct cor_leg_path *path, const double *rho, double panel)
 {
     nodes_begin(node, path, rho, panel);
@@ -82,7 +83,7 @@ static void set_start(const struct cor_leg_path *path, double nearest, double t[
     t[1] = node.t_im[0];
 }
 
-/* step = sqrt(y/2) dh: dp of a node, but for the rule's weight */
+/* Multiplies step = dh by sqrt(y/2), which gives dp of a node without the weight of the rule. */
 SHARED void nodes_integrate(struct gauss_nodes *node)
 {
     for (int i = 0; i < LANES; i++) {
@@ -93,7 +94,7 @@ SHARED void nodes_integrate(struct gauss_nodes *node)
     }
 }
 
-/* p at LANES points, from the integrals of the rule */
+/* Adds p at LANES points, from the integrals of the rule. */
 SHARED void leg_add_p(struct cor_leg *restrict leg, const double (*row)[LANES], const struct gauss_nodes *node)
 {
     for (int k = 0; k < LANES; k += VECTOR) {
@@ -163,7 +164,7 @@ COR_KERNEL double kernel_total(const double part[COR_LEG_PART])
     return total;
 }
 
-/* exp(-omega p) */
+/* Sets e = exp(-omega p). */
 COR_KERNEL void kernel_exponentials(int n, const double *restrict p_re, const double *restrict p_im, double omega,
                                     double *restrict e_re, double *restrict e_im)
 {
@@ -193,7 +194,7 @@ COR_KERNEL void kernel_sum_and_square(int n, const double *restrict w_re, const 
     *sum_im = kernel_total(im);
 }
 
-/* Doubling the frequency squares the exponential. */
+/* Computes the octaves one after the other. Doubling the frequency squares the exponential. */
 static void kernel_octaves(const struct cor_leg *leg, double first, int octaves, double re[][COR_SPECTRUM_TERMS],
                            double im[][COR_SPECTRUM_TERMS])
 {
@@ -234,7 +235,7 @@ static void kernel_octaves(const struct cor_leg *leg, double first, int octaves,
     }
 }
 
-/* Clenshaw's recurrence */
+/* Uses Clenshaw's recurrence. */
 static void kernel_lines(const struct cor_spectrum *spectrum, int octave, double start, int from, int to,
                          const double *restrict frequency, struct cor_lines *restrict lines)
 {
@@ -276,14 +277,14 @@ static void kernel_lines(const struct cor_spectrum *spectrum, int octave, double
 
 /* ---- sums over modes ---- */
 
-/* r(x), x = (omega/omega_max - 0.15)/0.85; r(0) = 0, r(1) = 1. With r = 1 beyond omega_max, an echo at T = tau + dT
- * contributes to the sum
+/* Returns r(x), x = (omega/omega_max - 0.15)/0.85; r(0) = 0, r(1) = 1. With r = 1 beyond omega_max, an echo at
+ * T = tau + dT contributes to the sum
  *
  *     F(u) = int r z^(-3 - 1/2) exp(i u z) dz,     z = omega/omega_max, u = omega_max dT,
  *
- * times a factor that is the same for all r. max |F| = |F(0)| = 0.290, and |F| < 0.09 from u = 15 on, 0.03 from 30. A
- * fade from 0.65 without a negative part has 0.66 instead of 0.29. No weight has less than about 0.18, the norm of the
- * Hankel operator (1 + x + y)^(-7/2); weights near this bound fall off more slowly. */
+ * times a factor that is the same for all r. max |F| = |F(0)| = 0.290, and |F| < 0.09 for u >= 15, 0.03 for u >= 30. A
+ * cutoff from 0.65 without a negative part has 0.66 instead of 0.29. No weight has less than about 0.18, the norm of
+ * the Hankel operator (1 + x + y)^(-7/2). For weights near this bound |F| decreases more slowly. */
 COR_KERNEL double kernel_echo_weight(double x)
 {
     const double y = x < 0 ? 0 : x, square = y * y;
@@ -319,7 +320,7 @@ static void kernel_weigh(const struct cor_fading *fading, const double *restrict
     }
 }
 
-/* part[l] += sum of x y over every COR_LEG_PART-th number */
+/* Returns sum x y, in COR_LEG_PART partial sums. */
 SHARED double kernel_dot(const double *restrict x, const double *restrict y)
 {
     double part[COR_LEG_PART] = {0};
@@ -342,7 +343,7 @@ static void kernel_sum(const struct cor_lines *restrict lines, const struct cor_
         cosine[i] = c * c - s * s;
         sine[i] = 2 * c * s;
     }
-    for (int i = 0; i < COR_LINES; i++) /* in sequence, as a caller would add them */
+    for (int i = 0; i < COR_LINES; i++) /* in sequence, in the order in which a caller adds them */
         sums->fraction += fraction[i];
     sums->faded += kernel_dot(weights->mean, mean) + kernel_dot(weights->echo, more);
     sums->low[0] += kernel_dot(weights->low, cosine);
@@ -355,7 +356,7 @@ static void kernel_sum(const struct cor_lines *restrict lines, const struct cor_
     sums->high[3] += kernel_dot(weights->high, lines->sine);
 }
 
-/* Newton's interpolation in 1/n */
+/* Evaluates Newton's interpolation in 1/n. */
 COR_KERNEL double kernel_newton(const struct cor_surface_fit *fit, const double *c, double x)
 {
     double value = c[COR_SURFACE_FITTED - 1];

@@ -6,7 +6,7 @@
  *
  * q0 = 2 ln(v_limit/v). y is analytic in 0 < Re(theta) < pi except for branch points at pi/2 +- i Theta, where q = 0
  * and cosh(Theta) = exp(q0/2). On the line between the branch points s is imaginary. The path from 0 to pi/2 may
- * therefore go from 0 downwards, come up to pi/2 - i Theta, and end along that line, which adds nothing to the real
+ * therefore run downwards from 0, come back up to pi/2 - i Theta, and follow that line, which adds nothing to the real
  * part:
  *
  *     I = Re[exp(i omega tau/2) a(omega)] + b(omega) exp(-omega Y),     Y = int_0^Theta sqrt(y(pi/2 - i eta)/2) deta.
@@ -39,8 +39,8 @@ struct cor_leg {
     double p_re[COR_LEG_NODES], p_im[COR_LEG_NODES], w_re[COR_LEG_NODES], w_im[COR_LEG_NODES];
 };
 
-/* Equal steps in u = -ln|theta - base|: their size, and their number in a panel. Where zeros of the sine are about as
- * near as the base, a panel has only COR_LEG_SHORT steps. */
+/* Size of the equal steps in u = -ln|theta - base|, and number of steps in a panel. A panel has only COR_LEG_SHORT
+ * steps where zeros of the sine are about as near as the base. */
 #define COR_LEG_STEP 0.14
 enum { COR_LEG_STEPS = 16, COR_LEG_SHORT = 4, COR_LEG_GAUSS = 14 };
 
@@ -52,7 +52,7 @@ struct cor_leg_rule {
     double to_steps[COR_LEG_GAUSS][COR_LEG_STEPS], to_short[COR_LEG_GAUSS][COR_LEG_STEPS];
 };
 
-/* Number of lines that the loops process together, and of those that they have room for */
+/* Number of lines that the loops process together, and number of lines in their arrays */
 enum { COR_LINES = 64, COR_LINES_ROOM = COR_LINES + COR_LANES };
 
 /* Weights of modes in the sums below: C^2; C^2 times the two weights of the tail (rayleigh_tail.c); C^2 of modes l > 0
@@ -67,12 +67,12 @@ struct cor_mode_sums {
     double fraction, faded, low[4], high[4];
 };
 
-/* First and last frequencies of the fading weights and of the windows */
+/* First and last frequencies of the cutoff weights and of the windows */
 struct cor_fading {
     double mean_from, echo_from, to, low[2], high[2];
 };
 
-/* A smooth step from 0 to 1, whose first three derivatives vanish at both ends */
+/* Returns a smooth step from 0 to 1, whose first three derivatives vanish at both ends. */
 COR_KERNEL double cor_rayleigh_fade(double x)
 {
     const double y = x < 0 ? 0 : x > 1 ? 1 : x, square = y * y;
@@ -92,28 +92,28 @@ struct cor_lines;
 
 struct cor_rayleigh_set {
     const char *name;
-    /* The real and imaginary part of t at rho */
+    /* Sets the real and the imaginary part of t at rho. */
     void (*start)(const struct cor_leg_path *path, double rho, double t[2]);
     /* Computes the leg's next panel, which begins at u = top. */
     void (*panel)(const struct cor_leg_path *path, const struct cor_leg_rule *rule, int steps, double top,
                   struct cor_leg *leg);
-    /* omega^2 sum w exp(-omega p) in octaves from `first` upwards, as Chebyshev coefficients */
+    /* Computes omega^2 sum w exp(-omega p) in octaves from `first` upwards, as Chebyshev coefficients. */
     void (*octaves)(const struct cor_leg *leg, double first, int octaves, double re[][COR_SPECTRUM_TERMS],
                     double im[][COR_SPECTRUM_TERMS]);
     /* Computes the lines from..to-1 of one octave, which begins at `start`, and overwrites less than COR_LANES more. */
     void (*lines)(const struct cor_spectrum *spectrum, int octave, double start, int from, int to, const double *omega,
                   struct cor_lines *lines);
-    /* Computes the other weights from weights->strength. `beyond` is 1 for modes with the echoes' weight, `through` is
-     * 1 for modes with l > 0. Adds the strengths of all modes times the two windows to *low and *high. All arrays have
+    /* Computes the other weights from weights->strength, and adds the strengths of all modes times the two windows to
+     * *low and *high. beyond: 1 for modes with the echoes' weight. through: 1 for modes with l > 0. All arrays have
      * COR_LINES numbers. */
     void (*weigh)(const struct cor_fading *fading, const double *omega, const double *beyond, const double *through,
                   struct cor_mode_weights *weights, double *low, double *high);
-    /* Adds to *sums; fraction[i] = strength (2 I)^2 */
+    /* Adds to *sums, and sets fraction[i] = strength (2 I)^2. */
     void (*sum)(const struct cor_lines *lines, const struct cor_mode_weights *weights, struct cor_mode_sums *sums,
                 double *fraction);
-    /* Frequencies and C^2 of the modes n to n + COR_LINES - 1 */
+    /* Sets the frequencies and C^2 of the modes n to n + COR_LINES - 1. */
     void (*surface)(const struct cor_surface_fit *fit, int n, double *omega, double *strength);
-    /* out[i] = sum weight[k] in[k][i], i < count, a multiple of COR_LEG_PART */
+    /* Sets out[i] = sum weight[k] in[k][i], i < count, a multiple of COR_LEG_PART */
     void (*blend)(int nodes, const double *weight, const double *const *in, int count, double *out);
 };
 
@@ -140,13 +140,13 @@ struct cor_lines {
     double other[COR_LINES_ROOM];                        /* b exp(-omega Y) */
 };
 
-/* n <= COR_LINES frequencies, increasing; the other lines, for loops over all, are 0. */
+/* Computes the lines of n <= COR_LINES increasing frequencies. The other lines are 0, for loops over all lines. */
 void cor_spectrum_lines(const struct cor_spectrum *spectrum, int n, const double *omega, struct cor_lines *lines);
 
 /* ---- many speeds ---- */
 
-/* Spectra as a function of q0, in pieces [4^k, 4^(k+1)): the coefficients of a, and those of b over cosh(Theta), which
- * contains their growth, are interpolated at Chebyshev points in ln(q0). Error of a and b, relative to a: below 1e-13,
+/* Spectra as a function of q0, in pieces [4^k, 4^(k+1)): the coefficients of a and of b/cosh(Theta) are interpolated at
+ * Chebyshev points in ln(q0). cosh(Theta) contains the growth of b. Error of a and b, relative to a: below 1e-13,
  * measured from q0 = 1e-3 to 1500 (tests/unit/test_disk_rayleigh_spectrum.c). */
 enum { COR_PIECE_NODES = 24 };
 
@@ -158,9 +158,9 @@ struct cor_spectrum_piece {
     double *node[COR_PIECE_NODES]; /* octaves of a_re, a_im, and edges of b, COR_SPECTRUM_TERMS each */
 };
 
-/* Number of doubles that the nodes of a piece need */
+/* Returns the number of doubles that the nodes of a piece need. */
 size_t cor_spectrum_piece_size(double first, double high);
-/* `room` is an array of cor_spectrum_piece_size doubles. */
+/* Computes the nodes of a piece. room: an array of cor_spectrum_piece_size doubles. */
 void cor_spectrum_piece_init(struct cor_spectrum_piece *piece, const struct cor_rayleigh_set *set, double low,
                              double first, double high, double *room);
 void cor_spectrum_of_piece(struct cor_spectrum *spectrum, const struct cor_spectrum_piece *piece, double q0,
@@ -173,7 +173,7 @@ void cor_spectrum_of_piece(struct cor_spectrum *spectrum, const struct cor_spect
 /* Surface modes up to this times the highest frequency of the table are summed one by one. */
 #define COR_RAYLEIGH_FAR 8.0
 
-/* Modes that the loops process together, with their weights in the sums */
+/* Modes that the loops process together, and their weights in the sums */
 struct cor_mode_chunk {
     int count;
     double omega[COR_LINES];
@@ -182,7 +182,7 @@ struct cor_mode_chunk {
 
 /* The modes l = 0 beyond the table, which are continued in chunks */
 struct cor_surface_modes {
-    int known; /* the largest n of the table; 0 if the modes cannot be continued */
+    int known; /* the largest n of the table; 0 if the modes have no continuation */
     double highest;
     struct cor_surface_fit fit;
     int n;              /* up to which they have been continued */
@@ -203,11 +203,11 @@ struct cor_rayleigh_table {
 void cor_rayleigh_table_init(struct cor_rayleigh_table *table, const struct cor_rayleigh_set *set,
                              const struct cor_disk_modes *modes, size_t n_modes);
 
-/* Computes the weights of a chunk of modes, from number i to at most number `to`, and adds to the table's sums of
- * C^2. */
+/* Computes the weights of a chunk of modes from number i, which ends before number `to`, and adds to the table's sums
+ * of C^2. */
 void cor_rayleigh_weigh_modes(struct cor_rayleigh_table *table, size_t i, size_t to, struct cor_mode_chunk *chunk);
 
-/* Adds a chunk to the sums at a speed; mode_fraction is NULL or gets the fractions of the chunk's modes. */
+/* Adds a chunk to the sums at a speed. mode_fraction: NULL, or receives the fractions of the chunk's modes. */
 void cor_rayleigh_add(const struct cor_spectrum *spectrum, const struct cor_mode_chunk *chunk,
                       struct cor_mode_sums *sums, double *mode_fraction);
 
@@ -215,8 +215,8 @@ void cor_rayleigh_add(const struct cor_spectrum *spectrum, const struct cor_mode
 int cor_surface_modes_next(struct cor_surface_modes *surface, const struct cor_rayleigh_set *set,
                            struct cor_mode_chunk *chunk);
 
-/* Sets the tail beyond out->fraction, and the error estimate. `sums` are those of all modes of the table. surface_sum
- * is the sum `faded` of the chunks of all surface modes. */
+/* Sets the tail beyond out->fraction, and the error estimate. sums: over all modes of the table. surface_sum: the sum
+ * `faded` over the chunks of all surface modes. */
 void cor_rayleigh_finish(struct cor_disk_rayleigh *out, const struct cor_rayleigh_table *table,
                          const struct cor_spectrum *spectrum, const struct cor_mode_sums *sums, double surface_sum);
 

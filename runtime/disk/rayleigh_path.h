@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A point of the path of integration (rayleigh_parts.h), and t there, without a call, for loops that the compiler
- * vectorises. */
+/* Points of the path of integration (rayleigh_parts.h) and t at these points, without calls, for loops that the
+ * compiler vectorises. */
 #ifndef COR_RUNTIME_DISK_RAYLEIGH_PATH_H
 #define COR_RUNTIME_DISK_RAYLEIGH_PATH_H
 
@@ -11,7 +11,7 @@
 #include "runtime/number/elementary.h"
 
 struct cor_leg_path {
-    int from_zero;            /* whether the base is 0 or pi/2 - i Theta */
+    int from_zero;            /* 1 if the base is 0, 0 if it is pi/2 - i Theta */
     double tilt, q0, pi;      /* q0 and pi are 0 at the second base */
     double tanh_theta, scale; /* scale: cosh(Theta) at the second base, 1 at the first */
 };
@@ -20,8 +20,8 @@ struct sine_cosine {
     double sine, cosine;
 };
 
-/* sin(x) and cos(x) for |x| < 2^20. pi/2 has three parts of 33 bits, so that k times the first two is exact. Taylor's
- * series has terms down to 2^-55 at pi/4. The absolute error is below 2^-52 + 2^-53 |x|. */
+/* Computes sin(x) and cos(x) for |x| < 2^20. pi/2 has three parts of 33 bits, so that k times the first two is exact.
+ * Taylor's series has terms down to 2^-55 at pi/4. The absolute error is below 2^-52 + 2^-53 |x|. */
 COR_KERNEL struct sine_cosine kernel_sincos(double x)
 {
     const double k = (x * 0.63661977236758134 + COR_KERNEL_INTEGER) - COR_KERNEL_INTEGER;
@@ -49,7 +49,7 @@ COR_KERNEL struct sine_cosine kernel_sincos(double x)
     return result;
 }
 
-/* exp(-x), x > -700; 0 beyond 700 */
+/* Returns exp(-x), x > -700; 0 for x >= 700. */
 COR_KERNEL double kernel_decay(double x)
 {
     const double e = cor_kernel_exp(x < 700 ? -x : -700);
@@ -98,7 +98,7 @@ COR_KERNEL struct cx cx_over(struct cx x, struct cx y)
     return cx_scaled(1 / cx_norm(y), cx_times(x, cx_of(y.re, -y.im)));
 }
 
-/* The square root of x != 0 that has Re >= 0 */
+/* Returns the square root of x != 0 that has Re >= 0. */
 COR_KERNEL struct cx cx_root(struct cx x)
 {
     const double half = sqrt(0.5 * (sqrt(cx_norm(x)) + fabs(x.re))), other = 0.5 * x.im / half;
@@ -106,8 +106,8 @@ COR_KERNEL struct cx cx_root(struct cx x)
     return cx_of(re, im);
 }
 
-/* ln(x) for a normal x, and arg(x), with an absolute error of 1e-5, as start values: the series of atanh; Abramowitz
- * and Stegun 4.4.49 */
+/* Return ln(x) for a normal x, and arg(x), with an absolute error of 1e-5, as start values. They use the series of
+ * atanh, and Abramowitz and Stegun 4.4.49. */
 COR_KERNEL double rough_log(double x)
 {
     uint64_t bits, exponent;
@@ -157,8 +157,8 @@ COR_KERNEL struct cx_sine_cosine kernel_complex_sincos(struct cx x)
 }
 
 /* h(rho) = -i rho exp(-i tilt rho/(1 + rho)): the path starts straight down and then turns to the left, where
- * exp(-omega p) decays without oscillation. The struct holds Re(h), the derivative of h, sin(theta), divided by
- * cosh(Theta) at the base pi/2 - i Theta, and a number with the argument of exp(-i theta)/i. */
+ * exp(-omega p) decays without oscillation. slope: the derivative of h. sine: sin(theta), divided by cosh(Theta) at the
+ * base pi/2 - i Theta. back: a number with the argument of exp(-i theta)/i. */
 struct path_point {
     double h_re;
     struct cx slope, sine, back;
@@ -190,7 +190,8 @@ COR_KERNEL struct path_point kernel_path(const struct cor_leg_path *path, int fr
     return point;
 }
 
-/* A step of Halley's method on (1 + t) exp(q - t) = 1, exp(q - q0) = power; no step if move is 0 instead of 1. */
+/* Makes a step of Halley's method for (1 + t) exp(q - t) = 1, exp(q - q0) = power, if move is 1; makes no step if it is
+ * 0. */
 COR_KERNEL struct cx kernel_halley(double q0, struct cx power, double move, struct cx t)
 {
     const struct cx one = cx_of(1, 0), six = cx_of(6, 0), y = cx_plus(one, t);
@@ -204,17 +205,17 @@ COR_KERNEL struct cx kernel_halley(double q0, struct cx power, double move, stru
     return cx_plus(t, cx_scaled(move, step));
 }
 
-/* q = q0 - 2 ln(sin(theta)), Im(q) >= 0, with an absolute error of 1e-5, as a start value */
+/* Returns q = q0 - 2 ln(sin(theta)), Im(q) >= 0, with an absolute error of 1e-5, as a start value. */
 COR_KERNEL struct cx rough_q(const struct cor_leg_path *path, const struct path_point *point)
 {
-    /* sin(theta) = exp(i theta)/(2 i) (1 - exp(-2 i theta)), Im(theta) < 0: this form gives its argument without a jump
-     * at any distance */
+    /* sin(theta) = exp(i theta)/(2 i) (1 - exp(-2 i theta)), Im(theta) < 0: in this form the argument has no jump at
+     * any distance */
     const double turned = rough_argument(cx_times(point->sine, point->back));
     const double q_im = path->pi - 2 * (point->h_re + turned);
     return cx_of(path->q0 - rough_log(cx_norm(point->sine)), q_im > 0 ? q_im : 0);
 }
 
-/* q = -2 ln(1 + m) for theta near the branch point, where m = sin(theta) - 1 is small */
+/* Returns q = -2 ln(1 + m) for theta near the branch point, where m = sin(theta) - 1 is small. */
 COR_KERNEL struct cx near_q(struct cx m)
 {
     struct cx series = cx_plus(cx_scaled(-1.0 / 6, m), cx_of(1.0 / 5, 0));
@@ -225,8 +226,8 @@ COR_KERNEL struct cx near_q(struct cx m)
     return cx_scaled(-2, cx_times(series, m));
 }
 
-/* t of s = sqrt(2 q): the series at the branch point, with the coefficients of DLMF 5.11.3; below |s| = 0.1 its next
- * term is 2^-60 */
+/* Returns t of s = sqrt(2 q) by the series at the branch point, with the coefficients of DLMF 5.11.3. For |s| < 0.1 the
+ * next term is below 2^-60. */
 COR_KERNEL struct cx near_t(struct cx s)
 {
     const struct cx up = cx_of(s.im < 0 ? -s.re : s.re, fabs(s.im));
@@ -239,15 +240,15 @@ COR_KERNEL struct cx near_t(struct cx s)
     return cx_times(cx_plus(cx_times(series, up), cx_of(1, 0)), up);
 }
 
-/* t of q far from the branch point */
+/* Returns t of q far from the branch point. */
 COR_KERNEL struct cx far_t(struct cx q)
 {
     const struct cx one = cx_of(1, 0);
     return cx_plus(q, cx_rough_log(cx_plus(cx_plus(one, q), cx_rough_log(cx_plus(one, q)))));
 }
 
-/* The solution t of t - ln(1 + t) = q on the sheet where Im(t) > 0 for Im(q) > 0. Returns a start value for Halley's
- * method, or t itself with *move = 0. */
+/* Finds the solution t of t - ln(1 + t) = q on the sheet where Im(t) > 0 for Im(q) > 0. Returns a start value for
+ * Halley's method with *move = 1, or t itself with *move = 0. */
 COR_KERNEL struct cx kernel_guess(const struct cor_leg_path *path, const struct path_point *point, double *move)
 {
     const int near = cx_norm(point->beyond_one) < 6e-6;
@@ -259,8 +260,8 @@ COR_KERNEL struct cx kernel_guess(const struct cor_leg_path *path, const struct 
     return cx_of(is_outside ? outside.re : inside.re, is_outside ? outside.im : inside.im);
 }
 
-/* Number of steps from a start value to y with relative error 2^-48, sampled at q0 = 0 to 1400, for the second base to
- * 30 */
+/* Number of steps from a start value to y with relative error 2^-48, sampled at q0 = 0 to 1400, or to 30 for the second
+ * base */
 enum { STEPS_FROM_ZERO = 2, STEPS_FROM_OTHER = 3 };
 
 #endif

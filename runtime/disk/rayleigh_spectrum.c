@@ -10,8 +10,8 @@
 #define PI 3.14159265358979323846
 #define LN2 0.69314718055994531
 
-/* Exponents x beyond which exp(-x) is negligible. Derived: exp(-40) is 2^-57, and b is neglected. exp(300)^2 is a
- * double, and for q0 above 600 the remainder of Theta is below 2^-53. */
+/* Exponents x beyond which exp(-x) is negligible. Derived: exp(-40) is 2^-57, below which b is neglected. exp(300)^2 is
+ * a double, and for q0 above 600 the remainder of Theta is below 2^-53. */
 #define LEFT_OUT 40.0
 #define LARGEST_HALF_DEPTH 300.0
 
@@ -37,9 +37,9 @@ static void set_legendre(double p[COR_LEG_GAUSS + 2], double x)
         p[k] = ((2 * k - 1) * x * p[k - 1] - (k - 1) * p[k - 2]) * (1.0 / k);
 }
 
-/* Integrals from x to 1: the polynomial's Legendre coefficients are (2 k + 1)/2 sum_j w_j P_k(x_j) f_j, and that of P_k
- * is (P_(k-1)(x) - P_(k+1)(x))/(2 k + 1). The integral from -x is the whole integral minus that of the mirror image
- * from x. */
+/* Sets the integrals from x to 1. The polynomial's Legendre coefficients are (2 k + 1)/2 sum_j w_j P_k(x_j) f_j, and
+ * the integral of P_k is (P_(k-1)(x) - P_(k+1)(x))/(2 k + 1). The integral from -x is the whole integral minus the
+ * integral of the mirror image from x. */
 static void set_integrals(double row[][COR_LEG_STEPS], int steps, double p[][COR_LEG_GAUSS + 2], const double *w)
 {
     for (int k = 0; k <= steps / 2; k++) {
@@ -85,12 +85,12 @@ static void rule_init(struct cor_leg_rule *rule)
 
 /* ---- one leg: from its base along a straight ray ---- */
 
-/* Panels that end farther than this from the base are short. */
+/* Panels that end farther than this from the base are short */
 #define SHORT_FROM 0.4
 
 /* Computes the leg from rho = nearest outwards, until rho = LEG_FARTHEST or Re(p) > enough. The trapezoidal rule in u
- * suits the integrand, which falls off like a power on one side, and faster than exponentially on the other because of
- * exp(-omega p). */
+ * suits the integrand. It decreases like a power on one side and, because of exp(-omega p), faster than exponentially
+ * on the other. */
 static void leg_init(struct cor_leg *leg, const struct cor_rayleigh_set *set, const struct cor_leg_rule *rule,
                      const struct cor_leg_path *path, double nearest, double enough)
 {
@@ -98,8 +98,8 @@ static void leg_init(struct cor_leg *leg, const struct cor_rayleigh_set *set, co
     double parts[2];
     set->start(path, nearest, parts);
     const struct cx t = cx_of(parts[0], parts[1]), y = cx_plus(cx_of(1, 0), t);
-    /* int_0^rho sqrt(y/2) drho by parts, y' = 2 y/(y - 1) in u; at the other base y is 1; the ray starts straight
-     * down */
+    /* int_0^rho sqrt(y/2) drho by parts, with y' = 2 y/(y - 1) in u. At the other base y is 1. The ray starts straight
+     * down. */
     struct cx p = cx_scaled(nearest, cx_root(cx_scaled(0.5, y)));
     if (path->from_zero) {
         const struct cx inverse = cx_over(cx_of(1, 0), t), square = cx_times(inverse, inverse);
@@ -129,8 +129,8 @@ static void leg_init(struct cor_leg *leg, const struct cor_rayleigh_set *set, co
 
 /* ---- the spectrum ---- */
 
-/* q = -2 ln(cosh(Theta - rho)/cosh(Theta)); the quotient is 1 + 2 sinh(rho/2)^2 - tanh(Theta) sinh(rho), which cancels
- * where rho is large. */
+/* Returns q = -2 ln(cosh(Theta - rho)/cosh(Theta)). The quotient is 1 + 2 sinh(rho/2)^2 - tanh(Theta) sinh(rho), which
+ * cancels for large rho. */
 static double depth_beyond(double theta, double tanh_theta, double rho)
 {
     if (rho > 0.5)
@@ -139,7 +139,7 @@ static double depth_beyond(double theta, double tanh_theta, double rho)
     return -2 * log1p(2 * half * half - tanh_theta * sinh(rho));
 }
 
-/* Y, with eta = Theta - rho. y is a power series in the square root of rho. */
+/* Returns Y, with eta = Theta - rho. y is a power series in the square root of rho. */
 static double decay_of(const struct cor_leg_rule *rule, double theta, double tanh_theta)
 {
     double sum = 0;
@@ -175,7 +175,7 @@ static int octaves_between(double first, double high)
     return (int)fmin(ceil(log2(high / first) + 1e-9) + 1, COR_SPECTRUM_OCTAVES);
 }
 
-/* Number of octaves of b, which is neglected where exp(-omega Y) is below exp(-LEFT_OUT). */
+/* Returns the number of octaves of b, which is neglected where exp(-omega Y) is below exp(-LEFT_OUT). */
 static int count_edges(double decay, double first, int octaves)
 {
     int edges = 0;
@@ -184,14 +184,14 @@ static int count_edges(double decay, double first, int octaves)
     return edges;
 }
 
-/* Y > (2/3) (Theta - 1)^(3/2): whether `first` Y may be below LEFT_OUT */
+/* True if `first` Y may be below LEFT_OUT: Y > (2/3) (Theta - 1)^(3/2). */
 static int may_have_edges(const struct branch_point *point, double first)
 {
     return point->theta < 1 || first * pow(point->theta - 1, 1.5) < 1.5 * LEFT_OUT;
 }
 
-/* Computes b where it is not negligible, or in `edges` octaves if edges >= 0. The function overwrites the caller's leg,
- * because two legs would take 34 kB of stack. */
+/* Computes b where it is not negligible, or in `edges` octaves if edges >= 0. It overwrites the caller's leg, because
+ * two legs would need 34 kB of stack. */
 static void init_edges(struct cor_spectrum *spectrum, struct cor_leg *leg, const struct cor_leg_rule *rule,
                        struct cor_leg_path path, const struct branch_point *point, double nearest, double enough,
                        int edges)
@@ -250,7 +250,7 @@ size_t cor_spectrum_piece_size(double first, double high)
     return (size_t)COR_PIECE_NODES * 3 * (size_t)octaves_between(first, high) * COR_SPECTRUM_TERMS;
 }
 
-/* Node k of a piece in ln(q0), -1 to 1 */
+/* Returns the place of node k of a piece in ln(q0), from -1 to 1. */
 static double piece_place(int k)
 {
     return -cos(PI * (k + 0.5) / (double)COR_PIECE_NODES);
@@ -271,7 +271,7 @@ void cor_spectrum_piece_init(struct cor_spectrum_piece *piece, const struct cor_
     piece->low = low;
     piece->first = first;
     piece->octaves = octaves_between(first, high);
-    /* Y rises with q0, so the smallest q0 has the most octaves of b. */
+    /* Y increases with q0, so the smallest q0 has the most octaves of b. */
     const struct branch_point point = branch_point_of(low);
     piece->edges = 0;
     if (may_have_edges(&point, first))
@@ -344,7 +344,7 @@ void cor_spectrum_lines(const struct cor_spectrum *spectrum, int n, const double
     double *const arrays[] = {lines->re, lines->im, lines->cosine, lines->sine, lines->other};
     for (size_t k = 0; k < sizeof arrays / sizeof *arrays; k++)
         memset(arrays[k] + n, 0, (size_t)(COR_LINES - n) * sizeof(double));
-    /* arguments too large for the short reduction */
+    /* arguments that are too large for the short reduction */
     for (int i = n; i-- > 0 && omega[i] * spectrum->half_time > 1e6;) {
         lines->cosine[i] = cos(omega[i] * spectrum->half_time);
         lines->sine[i] = sin(omega[i] * spectrum->half_time);

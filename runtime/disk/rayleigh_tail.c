@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: MIT */
 /* The tail of Rayleigh's energy.
  *
- * The strengths C^2 of the modes have a mean density 2 omega + a + O(1/omega), where a comes from the rim's curvature.
- * Waves that leave the point of contact return to it as echoes after times T. An echo of relative strength e adds e
- * cos(omega T + ...) to the density.
+ * The strengths C^2 of the modes have a mean density 2 omega + a + O(1/omega), where a comes from the curvature of the
+ * rim. Waves that leave the point of contact return to it as echoes after times T. An echo of relative strength e adds
+ * e cos(omega T + ...) to the density.
  *
- *   - For the average of (2 I)^2 over its phase, the density replaces the modes gradually, under a weight that fades
- *   over the upper third of the summed frequencies. This smooth cutoff removes all echoes.
+ *   - For the average of (2 I)^2 over its phase, the density replaces the modes gradually: a weight decreases to 0 over
+ *   the upper third of the summed frequencies. This smooth cutoff removes all echoes.
  *   - The oscillating part of (2 I)^2, like cos(omega tau + ...)/omega^4, is in phase with an echo if T is about tau.
- *   The strongest echo, with half of the whole strength, is the surface wave round the rim. It consists of the modes l
- *   = 0, whose omega and C^2 continue smoothly as power series in 1/n. The modes l = 0 are summed one by one, far
+ *   The strongest echo, with half of the whole strength, is the surface wave along the rim. It consists of the modes
+ *   l = 0, whose omega and C^2 continue smoothly as power series in 1/n. The modes l = 0 are summed one by one, far
  *   beyond the table.
- *   - The echoes of waves through the disk are many and weak: e is some percent and falls about like omega^(-1/2). The
- *   modes of the table contain these echoes. Their oscillation, under a weight that is negative before it rises to 1
- *   (kernel_echo_weight), predicts part of the oscillation beyond the table. The rest is estimated from the echo
+ *   - The echoes of waves through the disk are many and weak: e is some percent and decreases about like omega^(-1/2).
+ *   The modes of the table contain these echoes. Their oscillation, under a weight that is negative before it increases
+ *   to 1 (kernel_echo_weight), predicts part of the oscillation beyond the table. The rest is estimated from the echo
  *   strength at T = tau, measured on the modes of the table. */
 #include "runtime/disk/rayleigh_parts.h"
 #include "runtime/number/root.h"
@@ -21,8 +21,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Frequencies in units of the highest frequency of the table. Chosen: the begin of the fading weight, the begin of the
- * echoes' weight (docs/theory-disks.md, 13), and the two windows that measure the strength of echoes. */
+/* Frequencies in units of the highest frequency of the table: start of the cutoff weight, start of the echoes' weight
+ * (docs/theory-disks.md, 13), and the two windows that measure the strength of echoes. Chosen. */
 #define FADE_FROM 0.65
 #define ECHO_FROM 0.15
 static const double low_window[2] = {0.35, 0.75}, high_window[2] = {0.6, 1};
@@ -30,12 +30,13 @@ static const double low_window[2] = {0.35, 0.75}, high_window[2] = {0.6, 1};
 /* Factors of the error estimate. Fitted: the smallest, rounded up, that bound the error against sums over 20,000 modes
  * (tests/unit/test_disk_rayleigh.c). */
 static const struct {
-    double echo_low, half_echo_low; /* the strength under the low window beside the one under the high window */
-    double of_echo, of_half_echo;   /* of echoes in phase with the response, as strong as under the windows */
+    double echo_low, half_echo_low; /* weight of the strength under the low window relative to the high window */
+    double of_echo, of_half_echo;   /* of echoes in phase with the response, as strong as in the windows */
     double of_density, of_fifth;    /* of the density beyond 2 omega + a: omega_max^-2 and omega_max^-5 */
-    /* of the density itself, an echo of T = 0: the kink of the echoes' weight at 1 leaves (omega_max tau)^-2 */
+    /* of the density itself, an echo with T = 0: the kink of the echoes' weight at 1 leaves an error of order
+     * (omega_max tau)^-2 */
     double of_turn;
-    /* chosen: without modes l = 0 the tail cannot be estimated, and its error is as large as the tail */
+    /* chosen: without modes l = 0 the error of the tail is as large as the tail */
     double unknown;
 } factors = {.echo_low = 0.7,
              .half_echo_low = 0.4,
@@ -48,11 +49,11 @@ static const struct {
 
 /* Relative error of the sums themselves */
 #define ROUNDING 1e-11
-/* The power series in 1/n are fitted to modes l = 0. These are bounds on the largest n of the fit; a table with a
- * larger n would have 10^12 modes. */
+/* Bounds on the largest n of the modes l = 0 to which the power series in 1/n are fitted. A table with a larger n would
+ * have 10^12 modes. */
 enum { FIT_FROM = 12, FIT_TO = 1000000 };
 
-/* The mean of (2 I)^2 at line i over its phase */
+/* Returns the mean of (2 I)^2 at line i over its phase. */
 static double mean_response(const struct cor_lines *line, int i)
 {
     return 2 * (line->re[i] * line->re[i] + line->im[i] * line->im[i]) + 4 * line->other[i] * line->other[i];
@@ -104,8 +105,8 @@ void cor_rayleigh_add(const struct cor_spectrum *spectrum, const struct cor_mode
 
 /* ---- the modes l = 0 beyond the table ---- */
 
-/* Speed of surface waves: xi = (c/c_S)^2, xi^3 - 8 xi^2 + (24 - 16 k) xi - 16 (1 - k) = 0, k = (c_S/c_P)^2, rises in
- * (0, 1) through its one root there. */
+/* Returns the speed of surface waves: xi = (c/c_S)^2, xi^3 - 8 xi^2 + (24 - 16 k) xi - 16 (1 - k) = 0, k = (c_S/c_P)^2.
+ * The polynomial increases in (0, 1) and has one root there. */
 static double surface_speed(double nu)
 {
     const double k = 0.5 * (1 - nu);
@@ -115,7 +116,7 @@ static double surface_speed(double nu)
     return sqrt(0.5 * (low + high) / (2 * (1 + nu)));
 }
 
-/* Newton's divided differences in place */
+/* Replaces values by Newton's divided differences. */
 static void divide_differences(const double *node, double *value)
 {
     for (int order = 1; order < COR_SURFACE_FITTED; order++)
@@ -123,7 +124,7 @@ static void divide_differences(const double *node, double *value)
             value[k] = (value[k] - value[k - 1]) / (node[k] - node[k - order]);
 }
 
-/* omega - speed n and C^2/omega in powers of 1/n */
+/* Fits omega - speed n and C^2/omega in powers of 1/n. */
 static void surface_init(struct cor_surface_modes *surface, const struct cor_rayleigh_set *set,
                          const struct cor_disk_modes *modes, size_t n_modes)
 {
@@ -152,8 +153,7 @@ static void surface_init(struct cor_surface_modes *surface, const struct cor_ray
         return;
     divide_differences(fit->node, fit->omega);
     divide_differences(fit->node, fit->strength);
-    /* In a complete table the next mode l = 0 follows closely, is not in the table, and travels at about the surface
-     * speed. */
+    /* After a complete table the next mode l = 0 follows closely, and travels at about the surface speed. */
     double omega[COR_LINES], strength[COR_LINES];
     set->surface(fit, last + 1, omega, strength);
     if (omega[0] > surface->highest && omega[0] < surface->highest + 2 && omega[0] < 1.5 * fit->speed * last)
@@ -185,7 +185,7 @@ int cor_surface_modes_next(struct cor_surface_modes *surface, const struct cor_r
     double omega[COR_LINES], strength[COR_LINES];
     if (surface->known == 0)
         return 0;
-    /* the frequency of the previous mode shows whether the last chunk has reached the end */
+    /* the frequency of the previous mode shows if the last chunk has reached the end */
     set->surface(&surface->fit, surface->n, omega, strength);
     if (surface->n > surface->known && !(omega[0] < end))
         return 0;
@@ -203,9 +203,9 @@ int cor_surface_modes_next(struct cor_surface_modes *surface, const struct cor_r
     return 1;
 }
 
-/* The surface modes beyond mode n, to which they were continued. Mode k has the term (n/k)^3, and the phase advances
- * by the same angle from mode to mode. The sum is about n/(2 - i n z) - 1/2, where z is 2 tan of half the angle. The
- * formula is right for small and for large n z, and within some percent between. */
+/* Returns the sum over the surface modes beyond mode n, the last that was computed. Mode k has the term (n/k)^3, and
+ * the phase advances by the same angle from mode to mode. The sum is about n/(2 - i n z) - 1/2, where z is 2 tan of
+ * half the angle. The formula is right for small and for large n z, and within some percent between. */
 static double surface_rest(const struct cor_spectrum *spectrum, const struct cor_surface_modes *surface)
 {
     struct cor_lines lines;
@@ -257,8 +257,8 @@ static struct integrals tail_integrate(const struct cor_spectrum *spectrum, doub
     add_panel(&sum, spectrum, from, to, from, to);
     for (double omega = to; omega < 0.99 * COR_RAYLEIGH_FAR * to; omega *= 2)
         add_panel(&sum, spectrum, omega, 2 * omega, from, to);
-    /* beyond: mean response = g/omega^4, where 1/sqrt(g) varies like ln(omega); with r = dln(g)/dln(omega)/2 int 2 g
-     * omega^-3 = g (1 + r + 3/2 r^2 + ...)/omega^2 */
+    /* beyond: mean response = g/omega^4, where 1/sqrt(g) varies like ln(omega). With r = dln(g)/dln(omega)/2,
+     * int 2 g omega^-3 = g (1 + r + 3/2 r^2 + ...)/omega^2 */
     const double ends[2] = {0.5 * COR_RAYLEIGH_FAR * to, COR_RAYLEIGH_FAR * to}, end = ends[1];
     struct cor_lines lines;
     cor_spectrum_lines(spectrum, 2, ends, &lines);
@@ -267,7 +267,7 @@ static struct integrals tail_integrate(const struct cor_spectrum *spectrum, doub
     return sum;
 }
 
-/* The integral of the bump is 4^4 4! 4!/9! times its width. */
+/* Returns the integral of the bump, 4^4 4! 4!/9! times its width. */
 static double bump_integral(const double window[2])
 {
     return (window[1] - window[0]) * (256 * 576 / 362880.0);
@@ -278,7 +278,7 @@ static double bump_density(const double window[2])
     return bump_integral(window) * (window[1] + window[0]);
 }
 
-/* Strength of an echo, from its two components under a window */
+/* Returns the strength of an echo, from its two components in a window. */
 static double echo_of(const double sums[2], const double window[2])
 {
     return sqrt(sums[0] * sums[0] + sums[1] * sums[1]) / bump_density(window);

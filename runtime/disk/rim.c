@@ -24,7 +24,7 @@ int cor_disk_table_check(const struct cor_disk_modes *modes, size_t n_modes)
     return COR_OK;
 }
 
-/* The largest number of modes with the same n in a block */
+/* Returns the largest number of modes with the same n in a block. */
 static size_t rows_of_block(const struct cor_disk_mode *mode, size_t modes, size_t block)
 {
     size_t count[COR_LANES] = {0}, most = 0;

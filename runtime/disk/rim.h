@@ -2,11 +2,11 @@
 /* Shared by the disk at a soft wall (collision_parts.h) and at a rigid wall (hard_wall_parts.h): the table, its modes
  * in blocks, the rim's cosine series, and workspaces.
  *
- * A block has COR_LANES lanes, one for each n, and one row for each mode of that n, so that sums over the modes of each
- * n need no sum across lanes. Empty places have c = s = 0.
+ * A block has COR_LANES lanes, one for each n, and one row for each mode of that n, so sums over the modes of each n
+ * need no sum across lanes. Empty places have c = s = 0.
  *
- * On the rim, cos(n phi) cos(phi) and sin(n phi) sin(phi) are halves of sums of cos((n +- 1) phi), so that one cosine
- * series represents them all. */
+ * On the rim, cos(n phi) cos(phi) and sin(n phi) sin(phi) are half sums or differences of cos((n +- 1) phi), so one
+ * cosine series represents them all. */
 #ifndef COR_RUNTIME_DISK_RIM_H
 #define COR_RUNTIME_DISK_RIM_H
 
@@ -19,10 +19,10 @@
 #define COR_PI 3.14159265358979323846
 #define COR_DISK_MASS COR_PI
 
-/* COR_OK, or the status of the first error in the lowest n_modes modes of a table */
+/* Returns COR_OK, or the status of the first error in the lowest n_modes modes of a table. */
 int cor_disk_table_check(const struct cor_disk_modes *modes, size_t n_modes);
 
-/* n, rounded up to a multiple */
+/* Returns n, rounded up to a multiple of `of`. */
 COR_INLINE size_t cor_whole(size_t n, size_t of)
 {
     return (n + of - 1) / of * of;
@@ -36,13 +36,13 @@ struct cor_mode_block {
 
 /* Sets the blocks, unless block is NULL, and returns the number of their places. */
 size_t cor_mode_blocks(const struct cor_disk_mode *mode, size_t modes, size_t blocks, struct cor_mode_block *block);
-/* Sets the place of each mode in the blocks; filled: scratch of a number for each n */
+/* Sets the place of each mode in the blocks. filled: scratch, one number for each n. */
 void cor_mode_places(const struct cor_disk_mode *mode, size_t modes, size_t blocks, const struct cor_mode_block *block,
                      double *filled, size_t *place);
 
 /* ---- workspaces ---- */
 
-/* Of arrays: the bytes of the widest vector */
+/* Alignment of arrays: the bytes of the widest vector */
 enum { COR_ALIGNMENT = 64 };
 
 /* Takes arrays from an aligned workspace, or only counts their bytes if base is NULL. */
@@ -51,10 +51,10 @@ struct cor_store {
     size_t used;
 };
 void *cor_store_take(struct cor_store *store, size_t n, size_t bytes);
-/* The first aligned address; a workspace needs COR_ALIGNMENT more bytes than its arrays. */
+/* Returns the first aligned address. A workspace needs COR_ALIGNMENT more bytes than its arrays. */
 void *cor_store_aligned(void *workspace);
 
-/* Takes, or clears, arrays of n doubles each. */
+/* Take, or clear, arrays of n doubles each. */
 #define COR_STORE_TAKE_DOUBLES(store, n, ...)                                                                          \
     do {                                                                                                               \
         double **const taken_[] = {__VA_ARGS__};                                                                       \
