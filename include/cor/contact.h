@@ -53,8 +53,8 @@ struct cor_body {
     double mass_kg;            /* > 0; INFINITY is fixed */
 };
 
-/* Mass of a homogeneous sphere, (4/3) pi R^3 times density, kg. Domain: radius and density in range or infinite; all
- * other arguments -> NaN. Accuracy: 4 units of the last place. */
+/* Returns the mass of a homogeneous sphere, (4/3) pi R^3 times density, kg. Domain: radius and density in range or
+ * infinite; all other arguments -> NaN. Accuracy: 4 units of the last place. */
 COR_API double cor_sphere_mass_kg(double radius_m, double density_kg_m3);
 
 /* A pair of bodies, filled by one of the init functions. Callers may read every field, but a changed field does not
@@ -93,8 +93,8 @@ COR_API int cor_sphere_contact_init(struct cor_sphere_contact *contact, const st
  * contact without dissipation.
  * Accuracy of beta_per_root: COR_CONTACT_MAX_ULP.
  *
- * Returns COR_OK, COR_ERROR_NULL, or COR_ERROR_G_STAR for a g* that is zero, negative, NaN or out of range. After an
- * error all fields are NaN. */
+ * Returns COR_OK, COR_ERROR_NULL, or COR_ERROR_G_STAR if g* is zero, negative, NaN or out of range. On error all fields
+ * are NaN. */
 COR_API int cor_sphere_contact_init_g_star(struct cor_sphere_contact *contact, double g_star_m_s);
 
 /* Returns g* of (29)-(31), m/s, defined by eps = 1 - (g/g*)^(1/5) + ...:
@@ -153,8 +153,7 @@ COR_API double cor_contact_dissipation_time_s_zero_force(const struct cor_sphere
 /* ---- arrays ---- */
 
 /* Set y[i] to the bits of cor_contact_...(contact, speed_m_s[i]), or of the function of speed_m_s[i] and eps[i], for
- * i < n. If n is 0, the array pointers may be NULL. y may be one of the argument arrays, but arrays must not overlap
- * otherwise. */
+ * i < n. If n is 0, the array pointers may be NULL. y may be an argument array, but no other overlap is allowed. */
 COR_API void cor_contact_beta_array(const struct cor_sphere_contact *contact, const double *speed_m_s, double *y,
                                     size_t n);
 COR_API void cor_contact_eps_zero_overlap_array(const struct cor_sphere_contact *contact, const double *speed_m_s,
@@ -251,13 +250,12 @@ struct cor_plate {
  * dissipation time of the sphere's material, weighted by its compliance as in cor_sphere_contact_init, is added to m/Z;
  * the sum is right to first order.
  * Accuracy of beta_per_root and scale: COR_CONTACT_MAX_ULP, sampled in tests/unit/test_plate.c.
- * Returns COR_OK, the status of the first wrong input, or COR_ERROR_RANGE as cor_sphere_contact_init does. After an
- * error all fields are NaN. */
+ * Returns COR_OK, the status of the first wrong input, or COR_ERROR_RANGE like cor_sphere_contact_init. On error all
+ * fields are NaN. */
 COR_API int cor_plate_contact_init(struct cor_sphere_contact *contact, const struct cor_body *sphere,
                                    const struct cor_plate *plate);
 
-/* Returns Zener's lambda = (2/3) beta of a filled contact at impact speed g, m/s. Special values: as for
- * cor_contact_beta. */
+/* Returns Zener's lambda = (2/3) beta of a contact at impact speed g, m/s. Special values: as for cor_contact_beta. */
 COR_API double cor_plate_lambda(const struct cor_sphere_contact *contact, double speed_m_s);
 
 /* Return four numbers that show whether the plate theory holds for a filled contact at impact speed g > 0, m/s. They

@@ -119,8 +119,8 @@ COR_API int cor_disk_modes_read(const char *path, struct cor_disk_mode *mode, si
 COR_API int cor_disk_modes_compute(double nu, size_t count, struct cor_disk_mode *mode, struct cor_disk_modes *modes);
 
 /* Returns the number of modes below omega, which is about ((1 - nu^2) + 2 (1 + nu)) omega^2/8. Domain: -1 < nu < 1,
- * 0 < omega <= COR_DISK_MODES_MAX_OMEGA; 0 outside. The number may be wrong by one if omega equals the frequency of a
- * mode up to rounding. */
+ * 0 < omega <= COR_DISK_MODES_MAX_OMEGA; 0 outside. The number may be off by one if omega is nearly a mode's
+ * frequency. */
 #define COR_DISK_MODES_MAX_OMEGA 2000.0
 COR_API size_t cor_disk_modes_below(double nu, double omega);
 
@@ -244,8 +244,8 @@ COR_API int cor_disk_rayleigh_tolerance(const struct cor_disk_modes *modes, enum
 /* A head-on collision of a disk of n_modes modes with a wall of potential exp(alpha x)/alpha, (41) to (45). No mode is
  * excited before. x(phi) = x_0 + cos(phi) + sum Q (C cos(n phi) cos(phi) - S sin(n phi) sin(phi)) is the depth of the
  * rim in the wall at the angle phi, (40), and x_0 is the position of the centre of mass. The wall pushes with the force
- * exp(alpha x) per unit length of the rim. At time 0 the rim of a disk that kept its shape and speed would be at
- * x = 0. */
+ * exp(alpha x) per unit length of the rim. The rim of a disk that kept its shape and speed would be at x = 0 at time
+ * 0. */
 
 /* Above this speed the disk is far outside linear elasticity. */
 #define COR_DISK_COLLISION_MAX_SPEED 0.5
@@ -262,7 +262,7 @@ COR_API int cor_disk_rayleigh_tolerance(const struct cor_disk_modes *modes, enum
 struct cor_disk_collision_options {
     double alpha;      /* hardness of the wall, in 1/R, COR_DISK_COLLISION_MIN_ALPHA to _MAX_ALPHA */
     double tolerance;  /* absolute error allowed in eps, from COR_DISK_COLLISION_MIN_TOLERANCE to below 1 */
-    size_t phi_points; /* angles between 0 and pi/2 for the wall's force; 0: as many as the tolerance needs */
+    size_t phi_points; /* angles between 0 and pi/2 for the wall's force; 0: the number that the tolerance needs */
     /* of all runs together; 0: a fixed number of operations, which a processor of 2.6 GHz does in 5 to 10 s */
     size_t max_steps;
 };
@@ -287,7 +287,7 @@ struct cor_disk_collision {
  * Accuracy, sampled in 8640 random scenes of 1 to 60 modes of nu = 0.33 and 0.9 (alpha 200 to 8000, v 0.003 to 0.3,
  * tolerances 1e-3 to 1e-11) and in 8640 of 10 to 1800 modes (alpha 100 to 8000, v 0.003 to 0.45, tolerances 1e-2 to
  * 1e-6): where the status is COR_OK the error is at most 0.86 of the tolerance. In 6 scenes it exceeds error_estimate,
- * by at most 3.7 times: docs/theory-disks.md, 15. Near chaos, round-off alone may exceed a small tolerance; below
+ * by at most 3.7 times: docs/theory-disks.md, 15. Near chaos, round-off by itself may exceed a small tolerance; below
  * 1e-12 it mostly does. one_minus_eps2 is as accurate as eps. contact_time and max_compression, which are measured
  * during the contact, are less accurate. energy_drift is eps^2 + one_minus_eps2 - 1. The same arguments give the same
  * bits on every instruction set.
@@ -457,8 +457,8 @@ COR_API int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct co
  * The functions are continuous: where v differs by 2e-13 v, or nu by 2e-13, 1 - eps^2 and eps differ by at most
  * COR_DISK_EPS_MAX_JUMP (sampled at 24 10^6 places on borders). The uncertainty may jump.
  * Domain: the speeds and Poisson's ratios below, ends included. Outside the domain, and for NaN, the result is NaN.
- * Beyond nu = COR_DISK_EPS_MAX_NU, 1 - eps^2 has so many kinks that no table of this size is accurate. For other speeds
- * and nu, and for smaller errors, call cor_disk_hard_wall_nu; for softer walls call cor_disk_collision. */
+ * Beyond nu = COR_DISK_EPS_MAX_NU, 1 - eps^2 has too many kinks for a table of this size. For other speeds and nu, and
+ * for smaller errors, call cor_disk_hard_wall_nu; for softer walls call cor_disk_collision. */
 #define COR_DISK_EPS_MIN_SPEED 1e-5
 #define COR_DISK_EPS_MAX_SPEED 0.3
 #define COR_DISK_EPS_CALM_SPEED 0.15

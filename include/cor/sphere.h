@@ -12,7 +12,7 @@
  *     zero overlap     x = 0 again; the force is attractive just before
  *     zero force       x'' = 0, that is x = -beta x'; no attraction
  *
- * Each name below stands for two functions, NAME and NAME_array:
+ * Each name below denotes two functions, NAME and NAME_array:
  *
  *     cor_sphere_eps_zero_overlap         cor_sphere_eps_zero_force          cor_sphere_eps_approach_only
  *     cor_sphere_loss_zero_overlap        cor_sphere_loss_zero_force         cor_sphere_loss_approach_only
@@ -59,7 +59,7 @@ extern "C" {
 /* Bytes of stack; 17.8 kB are measured in an optimised build, libm included. */
 #define COR_SPHERE_MAX_STACK 24576
 
-/* C_1 of eps = 1 + C_1 beta + C_2 beta^2 + ..., (65) with its sign (minus that of (6)):
+/* C_1 of eps = 1 + C_1 beta + C_2 beta^2 + ..., (65) with its sign, which is opposite to (6):
  *
  *     C_1 = -sqrt(pi) Gamma(3/5) / (2^(1/5) 5^(2/5) Gamma(21/10)),     (g/g*)^(1/5) = |C_1| beta
  *

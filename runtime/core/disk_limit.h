@@ -83,8 +83,7 @@ COR_INLINE double cor_disk_limit_weight(double t)
     return (1 - t) * (1 - 3 * t) * (1 - 1.5 * t);
 }
 
-/* Returns the uncertainty at a point. It blends from the value of the cell into the larger value of a smaller
- * neighbour. */
+/* Returns the uncertainty at a point. It blends from the cell's value into the larger value of a finer neighbour. */
 COR_INLINE double cor_disk_limit_uncertainty(const struct cor_disk_limit_table *table, double x, double nu)
 {
     const struct cor_disk_limit_piece *const own = cor_disk_limit_find(table, x, nu);

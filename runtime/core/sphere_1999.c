@@ -20,8 +20,7 @@ double cor_sphere_eps_simple(double beta)
         const double y2 = y * y, y3 = y2 * y;
         y -= (y3 * (y2 + c) - 1) / (5 * y2 * y2 + 3 * c * y2);
     }
-    /* As long as the difference loses no digits, it is more accurate than the power, which has five times the error of
-     * y. */
+    /* If the difference loses no digits, it is more accurate than the power, which has five times the error of y. */
     const double y2 = y * y, gone = c * (y2 * y);
     return gone < 0.5 ? 1 - gone : y2 * y2 * y;
 }
@@ -30,8 +29,8 @@ double cor_sphere_eps_simple_fraction(double beta, int depth)
 {
     if (cor_inline_is_refused(beta) || depth < 0)
         return cor_inline_nan();
-    /* For large beta, 1 is negligible beside c = |C_1| beta, and t would overflow where 1/t is still a double. t is
-     * therefore in units of 2^500 = (2^100)^5. */
+    /* For large beta, 1 is negligible compared with c = |C_1| beta, and t would overflow where 1/t is still a double. t
+     * is therefore in units of 2^500 = (2^100)^5. */
     const int far = beta > COR_INLINE_2_500;
     const double one = far ? 0 : 1, factor = -COR_SPHERE_C1 * (far ? beta * COR_INLINE_2_M300 : beta);
     double t = far ? COR_INLINE_2_M500 : 1;

@@ -7,8 +7,7 @@
 #include "runtime/number/elementary.h"
 #include "runtime/number/kernel_vector.h"
 
-/* Number of vectors that accumulate a sum over terms or angles: enough for independent additions, few enough for the
- * registers */
+/* Number of vectors that accumulate a sum: enough for independent additions, few enough for the registers */
 enum { ACCUMULATORS = VECTOR == 8 ? 4 : 8 };
 
 static void kernel_turn(const struct cor_rim *rim, double *q, double *p, const double *cosine, const double *sine,

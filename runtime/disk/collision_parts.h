@@ -158,7 +158,7 @@ enum cor_collision_outcome cor_collision_run(struct cor_motion *m, struct cor_co
 
 /* ---- the runs of a call: collision_runs.c ---- */
 
-/* Ratio of the step of a run to that of the next one */
+/* Ratio of the step of a run to the step of the next run */
 #define COR_COLLISION_RATIO 1.4142135623730951
 
 /* Extrapolates runs with steps h, h/sqrt(2), h/2, ... to h = 0. Sets all fields of *out except error_estimate, and
@@ -170,8 +170,7 @@ double cor_collision_results(const struct cor_motion *m, const struct cor_collis
 void cor_collision_averages(const struct cor_motion *m, const struct cor_collision_run *run, int levels,
                             double *energy_average);
 /* Return how far the last run moved the extrapolated result, and the difference between the last two runs. Each is the
- * larger of two numbers: the change of eps, and half the norm of the changes of the modes' energies in units of (pi/2)
- * v^2. */
+ * larger of two numbers: the change of eps, and half the norm of the energy changes in units of (pi/2) v^2. */
 double cor_collision_movement(const struct cor_motion *m, const struct cor_collision_run *run, int levels);
 double cor_collision_difference(const struct cor_motion *m, const struct cor_collision_run *run, int levels);
 
@@ -207,8 +206,8 @@ double cor_collision_lasting_error(const struct cor_collision_error *error);
 double cor_collision_total_error(const struct cor_collision_error *error);
 
 /* Makes runs. The estimated error determines the steps, the angles and the number of runs. m has its modes and first
- * angles; all results in *out are unknown at first. Returns COR_OK, COR_TOLERANCE_NOT_REACHED or COR_CONTACT_NOT_ENDED
- * as in cor/disk.h. */
+ * angles; all results in *out are unknown at first. Returns a status as in cor/disk.h: COR_OK,
+ * COR_TOLERANCE_NOT_REACHED or COR_CONTACT_NOT_ENDED. */
 int cor_collision_runs(struct cor_motion *m, struct cor_disk_collision *out,
                        const struct cor_disk_collision_detail *detail);
 

@@ -30,8 +30,8 @@ static double rim_load(struct cor_motion *m, double depth, size_t points)
     return m->loops->press(points, m->alpha, m->weight, m->reach, m->pressure);
 }
 
-/* Returns the number of angles, in whole panels, up to the last one whose pressure exceeds COR_TUNING_WINDOW_EDGE times
- * the peak. */
+/* Returns the number of angles, in whole panels, up to the last pressure above COR_TUNING_WINDOW_EDGE times the
+ * peak. */
 static size_t window_of(const struct cor_motion *m)
 {
     double peak = 0;
@@ -124,15 +124,14 @@ enum cor_collision_outcome cor_collision_kick(struct cor_motion *m, double h, en
 
 /* ---- the first moment ---- */
 
-/* Returns alpha (x_0 + 1) at the first moment, when the load sqrt(2 pi/alpha) exp(alpha (x_0 + 1)) of a disk that keeps
- * its shape is negligible. */
+/* Returns alpha (x_0 + 1) at the first moment. The load of a disk that keeps its shape, sqrt(2 pi/alpha)
+ * exp(alpha (x_0 + 1)), is then negligible. */
 static double first_exponent(const struct cor_motion *m)
 {
     return log(negligible_load(m) * sqrt(m->alpha / (2 * COR_PI)));
 }
 
-/* True if a collision with steps h can end within COR_DISK_COLLISION_MAX_STEPS, judged by the time to reach the
- * wall. */
+/* True if steps h can end a collision within COR_DISK_COLLISION_MAX_STEPS, judged by the time to the wall. */
 static int in_sight(const struct cor_motion *m, double h)
 {
     /* the way to the wall and back takes at least twice as long */
@@ -152,8 +151,9 @@ static void modes_at_rest(struct cor_motion *m, double h)
     }
 }
 
-/* The wall's force grows like exp(sigma t), sigma = alpha v: Q'' + omega^2 Q = F/m gives Q = F/(m (omega^2 + sigma^2)),
- * and the centre has lost the wall's energy. The first half of the kick at this moment precedes it. */
+/* Sets the first moment. The wall's force grows like exp(sigma t), sigma = alpha v: Q'' + omega^2 Q = F/m gives
+ * Q = F/(m (omega^2 + sigma^2)), and the centre has lost the wall's energy. The first half of the kick at this moment
+ * precedes it. */
 void cor_collision_approach(struct cor_motion *m, double h, struct cor_collision_state *now)
 {
     const double sigma = m->alpha * m->speed, energy = 0.5 * COR_DISK_MASS * m->speed * m->speed;

@@ -157,8 +157,7 @@ static double series_error(const struct cor_collision_evidence *evidence)
 
 /* Returns a lower bound on the error at a hard wall. There the rim hits the wall many times, which amplifies the error
  * of each run. The errors of eps and of all energies then grow along one direction, so all of them may be small by
- * chance in the same run. The last two movements give the bound. Round-off also moves the result; it is part of another
- * term. */
+ * chance in the same run. The last two movements give the bound. Round-off is part of another term. */
 static double blows_error(const struct cor_collision_evidence *evidence, double round_off)
 {
     const double *const movement = evidence->movement + evidence->runs - 1;
@@ -177,8 +176,8 @@ double cor_collision_step_error(const struct cor_motion *m, const struct cor_col
 }
 
 /* The harmonics of the pressure decrease exponentially. With phi angles the harmonic 4 phi - k aliases k; the worst
- * case is the largest k. With half the angles the harmonic 2 phi aliases the load. The change of the load therefore
- * measures their decay. */
+ * case is the largest k. With half the angles the harmonic 2 phi aliases the load. The change of the load measures the
+ * decay. */
 double cor_collision_quadrature_error(const struct cor_motion *m, const struct cor_collision_run *run)
 {
     const double power = 2 - 0.5 * (double)m->size.n_max / (double)m->phi;
@@ -186,8 +185,7 @@ double cor_collision_quadrature_error(const struct cor_motion *m, const struct c
 }
 
 /* Returns the error due to the angles. The collision amplifies the error of the quadrature like any other error. The
- * bound on the amplification from the runs may be far too large in calm collisions. A run with other angles measures
- * the error. */
+ * bound on the amplification may be far too large in calm collisions. A run with other angles measures the error. */
 static double angles_error(const struct cor_motion *m, const struct cor_collision_run *run,
                            const struct cor_collision_evidence *evidence)
 {
@@ -221,8 +219,7 @@ double cor_collision_total_error(const struct cor_collision_error *error)
 
 /* ---- a call ---- */
 
-/* The runs stored for the extrapolation. All have the same angles. Each step is the previous one over
- * COR_COLLISION_RATIO. */
+/* The runs stored for the extrapolation. All have the same angles. Their steps decrease by COR_COLLISION_RATIO. */
 struct runs {
     struct cor_collision_run run[COR_COLLISION_LEVELS + 1]; /* the last place is for the current run */
     int levels;
@@ -258,8 +255,7 @@ static void runs_restart(struct runs *runs, double h)
     runs->h = h;
 }
 
-/* Starts again with 1 + growth times the angles, or the largest number allowed. Returns 0 if that number is in use
- * already. */
+/* Starts again with 1 + growth times the angles, or the largest number. Returns 0 if that number is in use already. */
 static int runs_restart_finer(struct cor_motion *m, struct runs *runs, double growth, double h)
 {
     if (m->phi >= m->phi_limit)
@@ -340,8 +336,8 @@ static void bound_amplification(const struct cor_motion *m, struct runs *runs)
     evidence->amplification = fmax(evidence->amplification, bound);
 }
 
-/* Repeats a run after a change of speed or angles. Sets the changes of eps and, as a norm, of the energies. Returns 0
- * if the run failed. */
+/* Repeats a run after a change of speed or angles. Sets the changes of eps and, as a norm, of the energies. Returns
+ * 0 if the run failed. */
 static int runs_repeat(struct cor_motion *m, const struct runs *runs, int level, double *eps, double *energies)
 {
     const struct cor_collision_run *const run = &runs->run[level];
@@ -455,9 +451,8 @@ static int runs_advance(struct cor_motion *m, struct runs *runs, int averages)
     return 1;
 }
 
-/* Starts again with more angles if a measurement shows that they are too few. The new number uses half of the angles'
- * share of the tolerance, if the error decreases like the error of the quadrature. The new runs repeat the last three
- * steps. */
+/* Starts again with more angles if a measurement shows that they are too few. The new number uses half of their share
+ * of the tolerance, if the error decreases like the quadrature's. The last three steps are repeated. */
 static int runs_improve_angles(struct cor_motion *m, struct runs *runs)
 {
     const struct cor_collision_run *const last = &runs->run[runs->levels - 1];

@@ -29,8 +29,7 @@ enum {
 /* Smallest number of angles in the quadrant. Chosen. */
 #define COR_TUNING_LEAST_PHI 16.0
 /* Angles for each digit of the tolerance, over alpha^(2/3): the pressure decreases over alpha^(-2/3) at the edge of the
- * contact. The offset and the powers of v/0.1 below and above 1 follow. All are fitted so that the first choice mostly
- * suffices. */
+ * contact. The offset and the powers of v/0.1 below and above 1 follow. Fitted: the first choice mostly suffices. */
 #define COR_TUNING_PHI_PER_DIGIT 0.2
 #define COR_TUNING_PHI_OFFSET 0.05
 #define COR_TUNING_PHI_SLOW 0.25
@@ -92,7 +91,7 @@ enum {
 /* If more than this fraction of the tolerance may be due to the angles, a run with shifted angles measures it. Chosen:
  * 10 allows for errors of the estimate. */
 #define COR_TUNING_ANGLES_SHARE 0.1
-/* If the measured fraction is larger than this, more angles are used. Chosen: a third allows for a movement that is
+/* If the measured fraction is larger than this, more angles are used. Chosen: a third allows for movements that are
  * small by chance. */
 #define COR_TUNING_ANGLES_WANTED 0.3
 /* Smallest growth of the number of angles if they are too few. Chosen. */
@@ -113,8 +112,7 @@ enum {
 #define COR_TUNING_WALL_IN_EPS 4.0
 
 /* The call gives up after COR_TUNING_PATIENCE runs if the last movement exceeds COR_TUNING_HOPELESS times the movement
- * COR_TUNING_RUNS_BEFORE runs earlier. Chosen: each run of a converging sequence reduces the movement at least
- * fourfold. */
+ * COR_TUNING_RUNS_BEFORE runs earlier. Chosen: a run that converges reduces the movement at least fourfold. */
 #define COR_TUNING_PATIENCE 9
 #define COR_TUNING_RUNS_BEFORE 4
 #define COR_TUNING_HOPELESS 0.25

@@ -29,8 +29,8 @@ enum { MAX_LEVELS = COR_DISK_HARD_WALL_MAX_LEVELS, LEAST_LEVELS = 2 };
 /* The error estimate is the sum of three parts. The first is the largest of the last changes of the extrapolated value,
  * times these factors, and of a quarter of the change by the extrapolation itself. The second bounds the effect of
  * waves that no level has shown yet and that return while contact ends or splits. The third is the noise of steps and
- * angles. Fitted: with these factors the estimate is at least the error, as two more levels show, in each of 200 random
- * scenes at six tolerances. */
+ * angles. Fitted: with these factors the estimate is at least the error, as two more levels show, in 200 random scenes
+ * at six tolerances. */
 static const double calm_weight[] = {3, 1, 0.3, 0.1};
 #define EXTRAPOLATED 0.25
 #define UNSEEN 0.07 /* over Omega^2 */

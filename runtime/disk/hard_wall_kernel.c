@@ -4,8 +4,7 @@
 #include "runtime/disk/hard_wall_parts.h"
 #include "runtime/number/kernel_vector.h"
 
-/* Number of vectors of angles that are summed at once: enough for independent additions, few enough for the
- * registers */
+/* Number of vectors that are summed at once: enough for independent additions, few enough for the registers */
 enum { COLUMNS = 4 };
 
 /* Makes one pass over the modes; `steps` is a constant. It starts from q at a kick and at the previous kick. With the
@@ -53,8 +52,7 @@ COR_KERNEL void kernel_advance(const struct cor_hard_wall_modes *modes, size_t s
     }
 }
 
-/* Sums by Clenshaw's recurrence b_k = factor_k + 2 cos(phi) b_(k+1) - b_(k+2); the sum is factor_0 + cos(phi)
- * b_1 - b_2. */
+/* Sums by Clenshaw's recurrence, b_k = factor_k + 2 cos(phi) b_(k+1) - b_(k+2), to factor_0 + cos(phi) b_1 - b_2. */
 static void sum_clenshaw(size_t count, const double *factor, size_t points, const double *twice_cosine, double *result)
 {
     for (size_t part = 0; part < points; part += COLUMNS * VECTOR) {

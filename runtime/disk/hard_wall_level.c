@@ -3,8 +3,8 @@
  *
  * Lengths, forces and amplitudes are in units of the speed v, so that nothing underflows for slow disks. Under kicks at
  * intervals h the static compliance of a mode is (h/(2 omega)) cot(omega h/2), which replaces 1/omega^2 in the
- * compliance that acts at once. For the centre of mass, h^2/12 replaces 0. The kicks then cause an error of order h^4
- * instead of h^2. */
+ * compliance that acts at once. For the centre of mass, h^2/12 replaces 0. The error of the kicks is then of order h^4,
+ * not h^2. */
 #include <math.h>
 #include <string.h>
 
@@ -14,8 +14,7 @@
 
 #define LN_2 0.69314718055994531
 
-/* The first kick follows the first touch after this fraction of a step, so that the kick represents the step around
- * it. */
+/* The first kick follows the first touch after this fraction of a step, so that it represents the step around it. */
 #define FIRST_KICK 0.5
 /* Smaller reaches, in units of the speed, are rounding errors. */
 #define NEGLIGIBLE_REACH 1e-12
@@ -44,7 +43,7 @@ struct level {
     double *sine, *unit;                 /* of each mode: sin(omega h); sqrt(g), the amplitude of q = 1 */
     double *force_c, *force_s;           /* [batch][lanes] */
     double *sum_c, *sum_s;               /* likewise */
-    double *echo_cc, *echo_cs, *echo_ss; /* [1 to batch - 1][lanes]: effect of a force on the sums 1 to batch - 1 kicks
+    double *echo_cc, *echo_cs, *echo_ss; /* [1 to batch - 1][lanes]: effect of a force on sums 1 to batch - 1 kicks
                                           * later */
     struct cor_hard_wall_angles angles;
     double *twice_cosine, *shape, *reach, *force, *series;
@@ -430,8 +429,8 @@ static double cosines_work(const struct cor_hard_wall_angles *angles, size_t cou
                                                       : k * (double)points;
 }
 
-/* Returns the multiplications of a kick for the modes, the reach of the rim and the series of the forces. The contact
- * forces count separately. */
+/* Returns the multiplications of a kick for modes, reach of the rim and series of the forces, without contact
+ * forces. */
 static double kick_work(const struct level *level, size_t end)
 {
     const struct sizes *const size = &level->size;

@@ -57,7 +57,7 @@ struct cor_hard_wall_loops {
      * to sum c q and sum s q at the next kicks without forces. steps is BATCH or 1. */
     void (*advance)(const struct cor_hard_wall_modes *modes, size_t steps, const double *force_c, const double *force_s,
                     double *sum_c, double *sum_s);
-    /* Sets result[i] = sum_(k < count) factor[k] cos(k i d), i < points. count is at most N + 1, points a multiple of
+    /* Sets result[i] = sum_(k < count) factor[k] cos(k i d), i < points. count <= N + 1; points is a multiple of
      * COR_HARD_WALL_PANEL. */
     void (*cosines)(const struct cor_hard_wall_angles *angles, size_t count, const double *factor, size_t points,
                     double *result);
@@ -106,8 +106,8 @@ void cor_hard_wall_contact_begin(struct cor_hard_wall_contact *contact, size_t t
                                  const double *q, const struct cor_hard_wall_angles *angles, double constant,
                                  double *scratch);
 /* Sets `points` forces y >= 0 under which no angle reaches into the wall. reach[j] is the reach of angle j without
- * forces; a reach up to `negligible` counts as 0. Returns 1 plus the last angle with a force, which is `points` if the
- * contact does not fit. */
+ * forces; a reach up to `negligible` counts as 0. Returns 1 plus the last angle with a force: `points` if it does not
+ * fit. */
 size_t cor_hard_wall_contact_solve(struct cor_hard_wall_contact *contact, const double *reach, double negligible,
                                    double *y);
 
@@ -125,8 +125,7 @@ struct cor_hard_wall_settings {
     double omega; /* Omega, at most the frequency of the last mode */
     double turn;  /* Omega h */
     enum cor_hard_wall_fade fade;
-    int point;      /* a point contact, whose width is negligible compared with every wavelength; the next two fields
-                     * are then unused */
+    int point;      /* a point contact, far narrower than every wavelength; the next two fields are then unused */
     double spacing; /* upper limit of d; d divides pi */
     double range;   /* largest angle, at most pi/2 */
     /* The budget. The level gives up when its work exceeds most_work; 0: without limit. The work is work_per_step times
@@ -137,8 +136,7 @@ struct cor_hard_wall_settings {
 
 /* Multiplications of a call without max_steps. At 0.06 to 0.12 ns each it takes 5 to 10 s, like cor_disk_collision. */
 #define COR_HARD_WALL_WORK 8e10
-/* Ratio of the multiplications of a level to the previous level: sqrt(2) for the steps, 2 for the modes or pairs of
- * angles */
+/* Ratio of the multiplications of two levels: sqrt(2) for the steps, 2 for the modes or pairs of angles */
 #define COR_HARD_WALL_GROWTH 2.8284271247461903
 /* Multiplications of cor_disk_modes_compute for each mode */
 #define COR_HARD_WALL_MODE_WORK 2e3
@@ -151,8 +149,7 @@ struct cor_hard_wall_result {
     double work; /* spent, even if the level gave up */
 };
 
-/* Returns the bytes of workspace for a level of the lowest `modes` modes, a multiple of the alignment of the
- * workspace */
+/* Returns the bytes of workspace for a level of the lowest `modes` modes, a multiple of its alignment. */
 size_t cor_hard_wall_level_bytes(const struct cor_disk_mode *mode, size_t modes,
                                  const struct cor_hard_wall_settings *settings);
 /* Computes a level with the modes below settings->omega. Returns COR_OK, COR_ERROR_MODES (no disk has such modes),
@@ -164,8 +161,8 @@ int cor_hard_wall_level(void *workspace, const struct cor_disk_modes *modes, dou
 
 /* ---- the sequence: hard_wall.c ---- */
 
-/* Does the same as cor_disk_hard_wall_nu, with a budget of most_work multiplications if options->max_steps is 0. work:
- * receives the work spent. */
+/* Does the same as cor_disk_hard_wall_nu, with a budget of most_work multiplications if options->max_steps is 0. Sets
+ * the work done. */
 int cor_hard_wall_within(double most_work, double nu, const struct cor_disk_hard_wall_options *options, double speed,
                          struct cor_disk_hard_wall *out, double *work);
 

@@ -12,8 +12,8 @@
 #define COR_MODE_FILE_VERSION "1"
 #define COR_MODE_FILE_CHECK_START UINT32_C(2166136261)
 
-/* The check at the end of each line: FNV-1a, 32 bits, of every byte of the file before the check. One wrong byte always
- * changes the check, because every step is a bijection. */
+/* Returns the check at the end of a line: FNV-1a, 32 bits, of every byte of the file before the check. One wrong byte
+ * always changes the check, because every step is a bijection. */
 COR_INLINE uint32_t cor_mode_file_check(uint32_t check, const char *bytes, size_t n)
 {
     for (size_t i = 0; i < n; i++)

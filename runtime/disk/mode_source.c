@@ -54,8 +54,7 @@ static double first_order(double z, long m)
     return 0.75 * z / (double)(m + 1);
 }
 
-/* Returns the number of orders above N that a recurrence needs, kappa < N. Each order reduces the error by
- * (J_(N+1)/J_N)^2 or more. */
+/* Returns the orders above N that a recurrence needs, kappa < N. Each reduces the error by at least (J_(N+1)/J_N)^2. */
 static double orders_above(double N, double kappa)
 {
     return 2 + 0.35 * (DOUBLE_BITS + START_BITS) / acosh(N / kappa);
@@ -197,8 +196,8 @@ double cor_mode_upper_end(const struct cor_mode_material *material, size_t count
 
 /* ---- a grid of frequencies ---- */
 
-/* The step of the grid in kappa', the larger argument, and the smallest kappa for a series. Below it J_N is close to a
- * power of kappa. */
+/* Step of the grid in the larger argument kappa', and smallest kappa for a series: below it J_N is near a power of
+ * kappa */
 #define GRID_STEP 1.0
 #define LEAST_KAPPA 2.0
 
@@ -232,8 +231,7 @@ struct search {
     const struct cor_mode_material *material;
     const struct cor_mode_loops *loops;
     struct recurrences wave[2];
-    double *memory, *place, *below, *guess; /* frequencies; numbers of roots below them; results of Halley's method from
-                                             * them */
+    double *memory, *place, *below, *guess; /* frequencies; roots below them; results of Halley's method from them */
     long places, room, first, n;            /* first: the first place at which roots of n are counted */
     struct group *group;
 };

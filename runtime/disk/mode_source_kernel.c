@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Recurrences of Bessel functions, for one instruction set (sets.h). All sets give the same bits
+/* Recurrences of Bessel functions for one instruction set (sets.h). All sets give the same bits
  * (kernel_vector.h). */
 #include <math.h>
 #include <stdint.h>

@@ -7,9 +7,8 @@
  *     P = sqrt(4 pi V/(1 + t))           q = ln(V_limit/V)
  *     P = sqrt(2) pi v/sqrt(1 + t)       q = 2 ln(v_limit/v),     delta = sqrt(2) v (1 + t/2)/sqrt(1 + t)
  *
- * In these forms nothing cancels. For small q, t is near sqrt(2 q). Close to the limit q must therefore be more
- * accurate than a double, and the limits are pairs. Far from the limit their logarithms, which are linear in nu,
- * suffice. */
+ * Nothing cancels here. For small q, t is near sqrt(2 q). Close to the limit q must therefore be more accurate than a
+ * double, and the limits are pairs. Far from the limit their logarithms, which are linear in nu, suffice. */
 #include "runtime/disk/quasistatic.h"
 
 #include "runtime/number/elementary.h"
@@ -148,8 +147,7 @@ static double law_limit(enum quantity quantity, double nu, enum cor_disk_datum d
     return find_limit(quantity, nu, datum, &limit) ? largest_double(limit_number(&limit)) : NAN;
 }
 
-/* Returns ln(limit/x), 0 < x far from the limit, as the parts of cor_log_ratio_parts; NaN for nu or datum outside its
- * domain. */
+/* Returns ln(limit/x), 0 < x far from the limit, in the form of cor_log_ratio_parts; NaN for an invalid nu or datum. */
 static pair far_parts(enum quantity quantity, double x, double nu, enum cor_disk_datum datum)
 {
     struct limit limit;
@@ -175,8 +173,7 @@ static int is_positive(double x)
     return !cor_inline_is_refused(x) && x != 0;
 }
 
-/* Returns the result for an argument that is 0, negative or NaN: at_zero for 0 if nu and datum are valid, otherwise
- * NaN. */
+/* Returns the result for an argument that is 0, negative or NaN: at_zero for 0 if nu and datum are valid, else NaN. */
 static double not_positive(double x, double at_zero, double nu, enum cor_disk_datum datum)
 {
     struct limit limit;

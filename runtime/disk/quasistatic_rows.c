@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Load and contact time of a disk from the rows of generated/disk_law_tables.h, whose variable is q of
- * runtime/disk/quasistatic.c. Next to the limit (q < 1/4) and for tiny arguments (q >= 128), quasistatic.c computes
- * them. */
+/* Load and contact time of a disk from rows of generated/disk_law_tables.h in q of runtime/disk/quasistatic.c.
+ * quasistatic.c computes them next to the limit (q < 1/4) and for tiny arguments (q >= 128). */
 #define COR_ROWS_DEFINE
 #include "generated/disk_law_tables.h"
 #include "runtime/disk/quasistatic.h"

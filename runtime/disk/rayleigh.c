@@ -208,8 +208,7 @@ static int rayleigh_to_tolerance(const struct cor_disk_modes *modes, enum cor_di
 
 /* Smallest number of speeds for which the nodes of a piece of q0 save time */
 enum { WORTH_A_PIECE = COR_PIECE_NODES + 4 };
-/* Pieces begin at q0 = 4^FIRST_PIECE. For smaller q0, near the limit of the contact law, spectra are computed one by
- * one. */
+/* Pieces begin at q0 = 4^FIRST_PIECE. For smaller q0, near the limit of the law, spectra are computed one by one. */
 enum { FIRST_PIECE = -5, LAST_PIECE = 5 };
 
 /* Data that all speeds share: the modes with their weights, and the surface modes beyond them */
@@ -296,8 +295,7 @@ static int piece_of(double q0)
     return q0 > 0 && exponent - 1 >= 2 * FIRST_PIECE && piece <= LAST_PIECE ? piece : FIRST_PIECE - 1;
 }
 
-/* Computes all speeds of one piece, or those outside all pieces. Enough speeds of a piece share interpolated
- * spectra. */
+/* Computes all speeds of one piece, or those outside all pieces. Many speeds of a piece share interpolated spectra. */
 static void list_of_piece(struct list *list, int number, const double *speed, size_t n, struct cor_disk_rayleigh *out,
                           double *mode_fraction)
 {

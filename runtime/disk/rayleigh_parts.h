@@ -196,15 +196,13 @@ struct cor_rayleigh_table {
     size_t n_modes;
     struct cor_fading fading;
     struct cor_surface_modes surface;
-    double low_strength, high_strength; /* sums of C^2 times the windows, complete after every mode has been weighted
-                                         * once */
+    double low_strength, high_strength; /* sums of C^2 times the windows, complete once every mode has been weighted */
 };
 
 void cor_rayleigh_table_init(struct cor_rayleigh_table *table, const struct cor_rayleigh_set *set,
                              const struct cor_disk_modes *modes, size_t n_modes);
 
-/* Computes the weights of a chunk of modes from number i, which ends before number `to`, and adds to the table's sums
- * of C^2. */
+/* Computes the weights of a chunk of modes from number i, before number `to`. Adds to the table's sums of C^2. */
 void cor_rayleigh_weigh_modes(struct cor_rayleigh_table *table, size_t i, size_t to, struct cor_mode_chunk *chunk);
 
 /* Adds a chunk to the sums at a speed. mode_fraction: NULL, or receives the fractions of the chunk's modes. */

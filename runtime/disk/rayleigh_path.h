@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Points of the path of integration (rayleigh_parts.h) and t at these points, without calls, for loops that the
- * compiler vectorises. */
+/* Points of the path of integration (rayleigh_parts.h) and t there, without calls, so that loops vectorise. */
 #ifndef COR_RUNTIME_DISK_RAYLEIGH_PATH_H
 #define COR_RUNTIME_DISK_RAYLEIGH_PATH_H
 
@@ -190,7 +189,7 @@ COR_KERNEL struct path_point kernel_path(const struct cor_leg_path *path, int fr
     return point;
 }
 
-/* Makes a step of Halley's method for (1 + t) exp(q - t) = 1, exp(q - q0) = power, if move is 1; makes no step if it is
+/* Makes a step of Halley's method for (1 + t) exp(q - t) = 1, exp(q - q0) = power, if move is 1, and none if it is
  * 0. */
 COR_KERNEL struct cx kernel_halley(double q0, struct cx power, double move, struct cx t)
 {
@@ -208,8 +207,7 @@ COR_KERNEL struct cx kernel_halley(double q0, struct cx power, double move, stru
 /* Returns q = q0 - 2 ln(sin(theta)), Im(q) >= 0, with an absolute error of 1e-5, as a start value. */
 COR_KERNEL struct cx rough_q(const struct cor_leg_path *path, const struct path_point *point)
 {
-    /* sin(theta) = exp(i theta)/(2 i) (1 - exp(-2 i theta)), Im(theta) < 0: in this form the argument has no jump at
-     * any distance */
+    /* sin(theta) = exp(i theta)/(2 i) (1 - exp(-2 i theta)), Im(theta) < 0: its argument then has no jumps */
     const double turned = rough_argument(cx_times(point->sine, point->back));
     const double q_im = path->pi - 2 * (point->h_re + turned);
     return cx_of(path->q0 - rough_log(cx_norm(point->sine)), q_im > 0 ? q_im : 0);
@@ -260,8 +258,7 @@ COR_KERNEL struct cx kernel_guess(const struct cor_leg_path *path, const struct 
     return cx_of(is_outside ? outside.re : inside.re, is_outside ? outside.im : inside.im);
 }
 
-/* Number of steps from a start value to y with relative error 2^-48, sampled at q0 = 0 to 1400, or to 30 for the second
- * base */
+/* Steps from a start value to y with relative error 2^-48, sampled at q0 = 0 to 1400, to 30 for the second base */
 enum { STEPS_FROM_ZERO = 2, STEPS_FROM_OTHER = 3 };
 
 #endif

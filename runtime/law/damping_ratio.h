@@ -80,7 +80,7 @@ struct cor_ratio_far {
     double excess;
 };
 
-/* 2.8 <= zeta <= 2^500 */
+/* Computes the parts for 2.8 <= zeta <= 2^500. */
 COR_INLINE struct cor_ratio_far cor_ratio_far(struct cor_inline_pair zeta)
 {
     struct cor_ratio_far far;
@@ -134,8 +134,7 @@ COR_INLINE double cor_ratio_eps_beyond_approach_only(double zeta)
 
 /* ---- zero overlap ---- */
 
-/* Returns 1 - zeta^2 as (1 - zeta)(1 + zeta), both factors exact: relative error 2^-104 arbitrarily close to
- * zeta = 1. */
+/* Returns 1 - zeta^2 as (1 - zeta)(1 + zeta), both factors exact: relative error 2^-104 however close zeta is to 1. */
 COR_KERNEL struct cor_inline_pair cor_ratio_omega_square(double zeta)
 {
     const double minus = 1 - zeta, plus = 1 + zeta;
@@ -155,8 +154,8 @@ COR_KERNEL struct cor_inline_pair cor_ratio_over_omega(double zeta, struct cor_i
     return cor_ratio_over_root(numerator, cor_ratio_omega_square(zeta));
 }
 
-/* Returns L, limited to 1400, where eps is 0. Up to this limit 1 - zeta^2 is above 2^-18, so that its error of
- * 2^-104 is negligible. */
+/* Returns L, limited to 1400, where eps is 0. Up to there 1 - zeta^2 exceeds 2^-18, so its error of 2^-104 is
+ * negligible. */
 COR_KERNEL struct cor_inline_pair cor_ratio_overlap_near(double zeta)
 {
     const struct cor_inline_pair square = cor_inline_product(zeta, zeta);
@@ -213,7 +212,7 @@ struct cor_ratio_limited {
     struct cor_inline_pair c, slope, share, root; /* C, C/zeta, (R + 1)/(R + 3), R */
 };
 
-/* zeta <= 2^64 */
+/* Computes the parts for zeta <= 2^64. */
 COR_KERNEL struct cor_ratio_limited cor_ratio_limited_parts(double zeta)
 {
     const struct cor_inline_pair p = cor_inline_product(zeta, zeta);
@@ -236,8 +235,7 @@ COR_KERNEL struct cor_ratio_limited cor_ratio_limited_parts(double zeta)
     return parts;
 }
 
-/* Returns eps for zeta > 11 as a pair; above 2^64 it is 1/(2 sqrt(2) zeta). L is 2 C A(C) minus 2 C A(C)
- * (2/(R + 3)). */
+/* Returns eps for zeta > 11 as a pair; above 2^64 it is 1/(2 sqrt(2) zeta). L is 2 C A(C) (1 - 2/(R + 3)). */
 COR_INLINE struct cor_inline_pair cor_ratio_eps_limited_far(double zeta)
 {
     if (zeta > COR_INLINE_2_40 * 16777216.0) {

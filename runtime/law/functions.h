@@ -31,13 +31,11 @@ static inline int law_is_ordinary(double x)
                               COR_INLINE_2_900);
 }
 
-/* Returns formula(x). */
 static inline double law_value(double (*formula)(double), double x)
 {
     return law_is_ordinary(x) ? formula(x) : cor_in_environment(formula, x);
 }
 
-/* formula(beta, exponent) */
 struct law_of_exponent {
     double (*formula)(double beta, double exponent);
     double exponent;

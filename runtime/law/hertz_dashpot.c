@@ -3,8 +3,8 @@
 #include <stdint.h>
 #include <string.h>
 
-/* If a compiler does not inline one function of the evaluator, the constants of the law are copied. A call then takes
- * five times as long. */
+/* If one function of the evaluator is not inlined, the constants of the law are copied, which takes five times as
+ * long. */
 #ifdef __GNUC__
 #define COR_INLINE static inline __attribute__((always_inline))
 #endif
@@ -59,7 +59,6 @@ COR_INLINE void quantity_array(struct cor_inline_law_quantity quantity, enum cor
 
 /* ---- the functions of the table: x is beta, eps or 1 - eps ---- */
 
-/* One line each */
 /* clang-format off */
 static double eps_zero_overlap(double x) { return cor_inline_hertz_dashpot_eps_zero_overlap(x); }
 static double loss_zero_overlap(double x) { return cor_inline_hertz_dashpot_loss_zero_overlap(x); }

@@ -187,8 +187,7 @@ COR_KERNEL struct cor_inline_pair cor_hc_eps_of_square_loss(struct cor_inline_pa
     return cor_pair_root(square);
 }
 
-/* Returns eps as a pair, -1 < beta < 0 or 1 < beta < inf: sqrt(2 f)/|beta| away from 0. Above 2^500 the logarithm in f
- * is negligible. */
+/* Returns eps as a pair, -1 < beta < 0 or 1 < beta < inf: sqrt(2 f)/|beta| away from 0. Above 2^500 f is beta. */
 COR_INLINE struct cor_inline_pair cor_hc_eps_approach_pair(double beta)
 {
     if (fabs(beta) < COR_HC_APPROACH_LEAST)
@@ -225,8 +224,7 @@ COR_INLINE double cor_crossley_loss_beyond_approach_only(double beta)
     return less.hi + (less.lo - eps.lo);
 }
 
-/* Solves eps^2 beta^2/2 = beta - ln(1 + beta) by Newton's method, from 2/eps^2, which is above the root of a convex
- * function. */
+/* Solves eps^2 beta^2/2 = beta - ln(1 + beta), a convex function, by Newton's method from 2/eps^2, above the root. */
 COR_INLINE double cor_crossley_beta_beyond_approach_only(double value)
 {
     const struct cor_inline_pair eps = cor_pair(value, 0);

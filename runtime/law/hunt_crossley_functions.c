@@ -135,8 +135,7 @@ static double crossley_mean_exponential(double x)
     return x * (COR_POLYNOMIAL_8(c, x, x2, x4) + ((c[8] + c[9] * x) + c[10] * x2) * (x4 * x4));
 }
 
-/* Returns b at w = 1 - below. Near w = 1 the rebound needs end - tau, which follows from `below` without
- * cancellation. */
+/* Returns b at w = 1 - below. Near w = 1 the rebound needs end - tau, which `below` gives without cancellation. */
 static double crossley_b(const struct crossley_side *side, double w, double below)
 {
     const double tau = side->end * w;
@@ -152,13 +151,11 @@ static double crossley_b(const struct crossley_side *side, double w, double belo
     return (tau - near + side->rest) / (tau * side->speed);
 }
 
-/* Returns exp(x). */
 static double crossley_exp(double x)
 {
     return cor_kernel_exp_minus_pair(cor_pair(-x, 0)).hi;
 }
 
-/* Returns -ln(x). */
 static double crossley_minus_log(double x)
 {
     return cor_kernel_minus_log(cor_pair(x, 0)).hi;
@@ -268,8 +265,8 @@ static double crossley_loading(double beta, const struct crossley_rule *rule)
     return crossley_side_time(&side, rule);
 }
 
-/* Returns the time of the rebound. Its end, -ln(1 - h), is computed as beta + 1 - ln(1 + beta) - (1 - h), or directly
- * for small beta. */
+/* Returns the time of the rebound. For beta >= 2 its end -ln(1 - h) is computed as
+ * beta + 1 - ln(1 + beta) - (1 - h). */
 static double crossley_rebound(double beta, const struct crossley_rule *rule)
 {
     const int weak = beta < 2;
@@ -470,7 +467,6 @@ static double max_overlap_at(double beta)
     return crossley_max_overlap(beta, ELASTIC);
 }
 
-/* One line each */
 /* clang-format off */
 static double eps_ends(double x) { return closed_value(&crossley_ends, COR_EPS, x); }
 static double loss_ends(double x) { return closed_value(&crossley_ends, COR_LOSS, x); }

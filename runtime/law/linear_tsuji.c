@@ -82,8 +82,7 @@ static double tsuji_at_duration_limited(double zeta)
 }
 
 /* Returns the duration, beyond the rows as exp(2 pi y) (1 - zeta^2)^(-2/5) V(y), y = zeta/(10 sqrt(1 - zeta^2)). For y
- * above 6.5, (1 - zeta^2)^(-2/5) y^(-4/5) is (zeta/10)^(-4/5). For y above 112.9 the duration exceeds the largest
- * double. */
+ * above 6.5, (1 - zeta^2)^(-2/5) y^(-4/5) is (zeta/10)^(-4/5). For y above 112.9 it exceeds the largest double. */
 static double tsuji_at_duration_zero_overlap(double zeta)
 {
     if (!(zeta >= 0))
@@ -169,7 +168,6 @@ static void run_loop(enum cor_law_loop loop, double (*one)(double), const double
 #endif
 }
 
-/* One line each */
 /* clang-format off */
 static double eps_zero_overlap(double x) { return closed_value(&ratio_zero_overlap, COR_EPS, x); }
 static double loss_zero_overlap(double x) { return closed_value(&ratio_zero_overlap, COR_LOSS, x); }

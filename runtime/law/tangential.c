@@ -10,8 +10,7 @@
  * The 25 terms of P are exact as doubles. Five passes and a sum add them (Ogita, Rump and Oishi, SIAM J. Sci. Comput.
  * 26, 1955 (2005), SumK with K = 6). The error is at most 2^-95 of P plus 2^-284 of the sum of the terms' absolute
  * values, which is below 2^36. Next to a zero, kappa >= 2^-28 and a >= 2^-20 are multiples of 2^-81 and 2^-73, so P is
- * 0 or at least 2^-154; elsewhere it is larger. The remaining operations use pairs, with relative errors below 2^-90,
- * and round once. */
+ * 0 or at least 2^-154; elsewhere it is larger. The rest uses pairs with errors below 2^-90, and rounds once. */
 #include "runtime/law/damping_ratio.h"
 #include "runtime/law/functions.h"
 
@@ -29,8 +28,7 @@ static void tangential_product(double term[PRODUCT_TERMS], double x, double y)
     term[4] = xl * (yl - ylh);
 }
 
-/* Returns the sum of the terms. Each pass replaces the terms by partial sums and their rounding errors, and is itself
- * exact. */
+/* Returns the sum of the terms. Each pass replaces the terms by partial sums and their rounding errors, exactly. */
 static struct cor_inline_pair tangential_sum(double *term, int count)
 {
     double rest = 0;

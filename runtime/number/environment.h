@@ -84,8 +84,7 @@ static inline double cor_in_environment_with(double (*function)(const void *cont
     return value;
 }
 
-/* Sets y[i] to formula(x[i]) in the default environment. The pointer is volatile, so that no element is read
- * earlier. */
+/* Sets y[i] to formula(x[i]) in the default environment. A volatile pointer prevents earlier reads. */
 static inline void cor_array_in_environment(double (*formula)(double), const double *x, double *y, size_t n)
 {
     const struct cor_environment caller = cor_environment_enter();

@@ -23,8 +23,8 @@ COR_KERNEL mask mask_of(int condition)
     return -(mask)condition;
 }
 
-/* True if first <= x < end. The bits as integers have the order of nonnegative doubles, and are negative for other
- * doubles. */
+/* True if first <= x < end. The bits as integers have the order of nonnegative doubles; for others they are
+ * negative. */
 COR_KERNEL mask is_between(double x, double first, double end)
 {
     const int64_t bits = (int64_t)cor_inline_bits(x);

@@ -11,7 +11,7 @@
 /* By increasing width */
 enum cor_instruction_set { COR_PORTABLE, COR_AVX2, COR_AVX512, COR_INSTRUCTION_SETS };
 
-/* Number of parts of a sum and of a row of numbers. It is the same for every vector width, so every set gives the same
+/* Number of parts of a sum and of a row of numbers. It is equal for all vector widths, so all sets give the same
  * bits. */
 enum { COR_LANES = 8 };
 

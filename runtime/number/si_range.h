@@ -19,8 +19,7 @@ COR_INLINE int cor_is_infinity(double x)
     return cor_inline_bits(x) == COR_INLINE_INFINITY_BITS;
 }
 
-/* Return x y, x/y and x 2^k of positive numbers, or NaN if the result is outside 2^-831 to 2^831, about the range of SI
- * numbers. */
+/* Return x y, x/y and x 2^k of positive numbers, or NaN outside 2^-831 to 2^831, about the range of SI numbers. */
 COR_INLINE double cor_si_product(double x, double y)
 {
     return abs(cor_inline_exponent(x) + cor_inline_exponent(y)) < 831 ? x * y : cor_inline_nan();

@@ -28,7 +28,6 @@ static int plate_status(const struct cor_plate *plate)
                : COR_ERROR_RANGE;
 }
 
-/* Returns E/(1 - nu^2). */
 static double plane_modulus(double young_modulus, double nu)
 {
     return young_modulus / ((1 - nu) * (1 + nu));

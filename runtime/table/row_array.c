@@ -2,8 +2,7 @@
 #include "runtime/number/environment.h"
 #include "runtime/table/row_loops.h"
 
-/* The loops compute both sides of a condition and select one. The unused side may raise exceptions, which the changed
- * environment hides. */
+/* The loops compute both sides of a condition and select one. The environment hides exceptions of the unused side. */
 void cor_row_array(const struct cor_row_table *table, double (*one)(double x), const double *x, double *y, size_t n)
 {
 #ifdef COR_WITHOUT_LOOPS

@@ -101,8 +101,7 @@ COR_TABLES(struct cor_row_loops, cor_row_loops, cor_row_loops)
  * table does not contain. With COR_WITHOUT_LOOPS, for a small module (web/run), `one` computes every number. */
 void cor_row_array(const struct cor_row_table *table, double (*one)(double x), const double *x, double *y, size_t n);
 
-/* Returns the instruction set of the array functions, which is the widest of this processor. A test defines its own
- * function of this name. */
+/* Returns the instruction set of the array functions: the widest of this processor. A test defines its own version. */
 int cor_array_set(void);
 
 /* Return the place of x in the near and in the middle rows of a table, for the scalar functions. */
