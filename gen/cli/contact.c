@@ -264,6 +264,8 @@ static const char help[] =
     "  --friction MU    of spheres, without --speed, --for: kappa, the tangential velocity after over before\n"
     "                   an elastic impact without slip, and the angle up to which it sticks when they touch\n"
     "  --tangential-restitution E   linear, without --speed, --for: tangential spring k_t and dashpot\n"
+    "  --equivalent Q   energy or duration: the linear spring that equals Hertz's contact at the speed --at;\n"
+    "                   adds hertz_eps,hertz_duration_s,hertz_max_overlap_m of that contact at each --speed\n"
     "  --plot FILE      eps over the speed as .svg, .png or .pdf, by gnuplot\n"
     "  --format F       text (default), csv or json\n" HELP_COMMON
     "\nColumns: speed_m_s,beta,eps_zero_overlap,eps_zero_force,duration_s_zero_overlap,\n"
@@ -287,6 +289,8 @@ static const struct option_numbers tolerance_numbers = {
 #define ARGUMENTS struct contact_arguments
 static const struct option_rule options[] = {
     SCENE_OPTIONS(NULL, NULL, ""),
+    OPTION("equivalent", WORD, scene.equivalent, .range.words = contact_equivalent_names, .why = "an equivalence",
+           .needs = "at"),
     OPTION("speed", LIST, speed, .range.values = &option_speeds, .unit = "m/s"),
     OPTION("steps", REAL, steps, .range.number = &steps_numbers, .needs = "speed",
            .excludes = "time-step step-tolerance"),

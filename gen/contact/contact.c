@@ -11,6 +11,8 @@
 #include "support/console.h"
 #include "support/local.h"
 
+const char *const contact_equivalent_names[] = {"none", "energy", "duration", NULL}; /* enum cor_equivalence */
+
 /* ---- enclosed collisions ---- */
 
 enum { CONTACT_BITS = 64 };
@@ -52,8 +54,14 @@ int contacts_of_request(struct contacts *contacts, const struct embed_request *r
         status = embed_request_scene(&contacts->scene, request);
     if (status != STATUS_OK)
         return status;
+    const struct cor_scene sphere = contacts->scene;
     contacts->scene.solver = contact_enclosed;
-    status = cor_scene_contacts(contacts->contact, &contacts->count, &fault, &contacts->scene);
+    contacts->at_m_s = sphere.number[COR_SCENE_AT];
+    contacts->hertz = (struct cor_scene_contact){.stiffness = 0};
+    if (request->equivalent)
+        status = cor_scene_equivalent(&contacts->scene, &contacts->hertz, &fault, &sphere, request->equivalent);
+    if (status == STATUS_OK)
+        status = cor_scene_contacts(contacts->contact, &contacts->count, &fault, &contacts->scene);
     if (status <= 0)
         return status == COR_FAULT_NONE ? STATUS_OK : STATUS_FAILED;
     if (fault.fault == COR_FAULT_NO_DAMPING)

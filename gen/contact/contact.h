@@ -8,11 +8,15 @@
 #include "embed/request.h"
 #include "support/output.h"
 
+extern const char *const contact_equivalent_names[]; /* words of --equivalent; ends with NULL */
+
 /* One contact, or one for each end at which a restitution may have been measured */
 struct contacts {
     struct cor_scene scene;
     int count;
     struct cor_scene_contact contact[COR_SCENE_ENDS];
+    struct cor_scene_contact hertz; /* replaced by an equivalent linear spring; stiffness 0: by none */
+    double at_m_s;                  /* the speed at which both are equivalent */
 };
 
 /* Returns STATUS_OK, STATUS_USAGE after a message that says what is missing or contradictory, or STATUS_FAILED. */
@@ -50,13 +54,15 @@ enum { CONTACT_DIGITS = 12, CONTACT_DIGITS_TEXT = 6 };
 void contact_summary(struct table *table, const struct contacts *contacts, double friction, double tangential,
                      int digits);
 
-/* Prints the meaning of Rayleigh's time step, where rows have another one, and of Tabor's number. */
+/* Prints the meaning of Rayleigh's time step, where rows have another one, of Tabor's number, and of an
+ * equivalent spring. */
 void contact_print_ranges(FILE *file, const struct contacts *contacts, bool rows);
 
 /* A row for each contact and speed of the request, with its time step, in the columns of corgen contact. The last one,
  * measured_end, is there only where there are two contacts. Errors of the step have two columns, or, where the end of
- * contact is not given and matters, two for each end. A correction needs one end. Returns STATUS_OK or STATUS_FAILED.
- */
+ * contact is not given and matters, two for each end. An equivalent spring has three columns of Hertz's contact, which
+ * has the same eps at the speed --at and the end of the row (not given: zero overlap). A correction needs one end.
+ * Returns STATUS_OK or STATUS_FAILED. */
 int contact_rows(struct table *table, const struct contacts *contacts, const struct cor_simulator_request *request,
                  int digits);
 

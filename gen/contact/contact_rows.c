@@ -44,6 +44,12 @@ void contact_print_ranges(FILE *file, const struct contacts *contacts, bool rows
             "\nRayleigh's time step is %.6g s: a surface wave travels half around the smaller sphere. Codes for\n"
             "particles limit their step to 0.1 to 0.3 of it at every speed; time_step_s follows from this contact.\n",
             step);
+    if (contacts->hertz.stiffness > 0)
+        fprintf(file,
+                "\nEquivalent at %g m/s only. At n times this speed Hertz's elastic contact has n^(-1/5) times the\n"
+                "duration and n^(4/5) times the overlap, and with weak damping n^(1/5) times the loss 1 - eps. The\n"
+                "spring has the same duration and eps, and n times the overlap.\n",
+                contacts->at_m_s);
     if (!isnan(tabor))
         fprintf(file,
                 "\nTabor's number is %.3g if %g m separate the surfaces: JKR holds above about %g, DMT below %g.\n",
@@ -173,6 +179,26 @@ static const struct cor_scene_quantity *corrected_quantity(const struct contacts
     return NULL;
 }
 
+/* Hertz's contact of viscoelastic spheres whose eps at the speed of equivalence is that of contact k */
+static int add_hertz(struct table *table, const struct contacts *contacts, int k, double speed_m_s, int digits)
+{
+    const int given = contact_end(contacts, k), end = given == COR_BOTH_ENDS ? COR_END_ZERO_OVERLAP : given;
+    struct cor_scene_contact hertz = contacts->hertz;
+    struct cor_scene_impact impact;
+    double eps;
+    int status = cor_scene_eps(&eps, &contacts->contact[k], contacts->at_m_s, end);
+    if (status == COR_FAULT_NONE)
+        status = cor_scene_set_damping(&hertz, COR_SCENE_RESTITUTION, eps, contacts->at_m_s, end);
+    if (status == COR_FAULT_NONE)
+        status = cor_scene_impact(&impact, &hertz, speed_m_s);
+    if (status != COR_FAULT_NONE)
+        return contact_status(status);
+    table_add_number(table, impact.eps[end], digits);
+    table_add_number(table, impact.duration_s[end], digits);
+    table_add_number(table, impact.max_overlap_m, digits);
+    return STATUS_OK;
+}
+
 enum { STEP_DIGITS = 4, CORRECTED_DIGITS = 6 };
 
 /* Bias and scatter of a row, and its corrected damping; NaN where the step is too long or too short */
@@ -232,7 +258,7 @@ int contact_rows(struct table *table, const struct contacts *contacts, const str
     const struct cor_scene_quantity *const quantity = corrected_quantity(contacts);
     const char *const end[] = {end_of(contacts, 0), end_of(contacts, 1)};
     const bool both = contact_end(contacts, 0) == COR_BOTH_ENDS;
-    char header[HEADER], errors[HEADER / 4] = "", kinds[] = "nnnnnnnnnnnnnnnnnn";
+    char header[HEADER], errors[HEADER / 4] = "", kinds[] = "nnnnnnnnnnnnnnnnnnn";
     if (contacts->count > 1)
         kinds[9 + (request->step_errors ? (both ? 4 : 2) : 0) + (request->step_corrected ? 2 : 0)] = 't';
     if (request->step_errors)
@@ -241,10 +267,11 @@ int contact_rows(struct table *table, const struct contacts *contacts, const str
                  end[0], end[0], end[1], end[1]);
     snprintf(header, sizeof header,
              "speed_m_s,beta,eps_%s,eps_%s,duration_s_%s,duration_s_%s,max_overlap_m,max_force_n,time_step_s"
-             "%s%s%s%s%s",
+             "%s%s%s%s%s%s",
              end[0], end[1], end[0], end[1], errors, request->step_corrected ? ",damping_correction,corrected_" : "",
              request->step_corrected ? quantity->name : "", contacts->count > 1 ? ",measured_end" : "",
-             spheres ? ",contact_radius_m,max_pressure_pa" : "");
+             spheres ? ",contact_radius_m,max_pressure_pa" : "",
+             contacts->hertz.stiffness > 0 ? ",hertz_eps,hertz_duration_s,hertz_max_overlap_m" : "");
     table_init(table, header, kinds);
     for (size_t i = 0; i < rows && status == STATUS_OK; i++) {
         const struct cor_scene_contact *const contact = &contacts->contact[i / speeds];
@@ -273,6 +300,8 @@ int contact_rows(struct table *table, const struct contacts *contacts, const str
             table_add_number(table, cor_scene_contact_radius(contact, impact->max_overlap_m), digits);
             table_add_number(table, cor_scene_pressure(contact, impact->max_overlap_m), digits);
         }
+        if (contacts->hertz.stiffness > 0)
+            status = add_hertz(table, contacts, (int)(i / speeds), row[i].speed_m_s, digits);
     }
     free(row);
     progress_end();

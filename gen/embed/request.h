@@ -45,6 +45,7 @@ struct embed_request {
     bool wall;                     /* body 2 is flat and held fast */
     const char *name;              /* name of the function; NULL: cor_scene_eps */
     int adhesion_model;            /* enum cor_adhesion */
+    int equivalent;                /* enum cor_equivalence; only corgen contact has it */
 };
 
 bool embed_given(const struct embed_request *request, int number);

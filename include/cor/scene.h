@@ -409,7 +409,8 @@ enum cor_fault {
     COR_FAULT_LIQUID,         /* number is missing: viscosity and both gaps go together */
     COR_FAULT_GAPS,           /* the outer gap is not larger than the inner one */
     COR_FAULT_NO_DURATION,    /* no damping gives a contact of this stiffness, C or A the duration */
-    COR_FAULT_TWO_DURATIONS   /* a dissipation time and a duration at zero overlap, which two contacts can have */
+    COR_FAULT_TWO_DURATIONS,  /* a dissipation time and a duration at zero overlap, which two contacts can have */
+    COR_FAULT_EQUIVALENT /* cor_scene_equivalent needs bodies, a speed, the law linear, and for some numbers an end */
 };
 struct cor_scene_fault {
     int fault;         /* enum cor_fault */
@@ -443,6 +444,15 @@ struct cor_body cor_scene_body(const struct cor_scene *scene, int body);
  * returned; then *fault says more, and *count is 0.
  * Accuracy of `damping`: 1e-14 relative, and of a stiffness from a duration 1e-11; sampled in
  * tests/gen/test_contact.c. */
+/* Replaces the bodies of a scene with the law linear by the linear spring that at the speed COR_SCENE_AT, V, has the
+ * energy or the duration of Hertz's elastic contact: K = ((4/5) K_H)^(4/5) (m V^2)^(1/5), where K_H is Hertz's
+ * stiffness, or K = m pi^2/T^2. Restitution, beta, zeta or damping coefficient stay; a damping of viscoelastic spheres
+ * becomes the restitution of Hertz's contact at V and at the end of the scene. At other speeds the spring differs:
+ * `hertz`, without damping, is the contact to compare. Accuracy: COR_SCENE_MAX_ERROR. Returns COR_OK, or the fault. */
+enum cor_equivalence { COR_EQUIVALENT_NONE, COR_EQUIVALENT_ENERGY, COR_EQUIVALENT_DURATION };
+int cor_scene_equivalent(struct cor_scene *spring, struct cor_scene_contact *hertz, struct cor_scene_fault *fault,
+                         const struct cor_scene *scene, int equivalence);
+
 /* Rayleigh's time step of the bodies of a scene, s, the smaller of pi R sqrt(rho/G)/(0.1631 nu + 0.8766): the time in
  * which a surface wave travels half around a sphere. Codes for particles commonly limit their step to 0.1 to 0.3 of it.
  * NaN: a scene without bodies. Accuracy: 1e-14, relative. Source: [LIGGGHTS], fix check/timestep/gran. */

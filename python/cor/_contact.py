@@ -56,7 +56,8 @@ class Contact:
     units. A damping among them replaces the dissipation times of the bodies.
 
         bodies      young, poisson, radius, density or mass; young_2, ...; wall=True; plate_thickness
-        a spring    stiffness or duration, effective_mass
+        a spring    stiffness or duration, effective_mass; equivalent="energy" or "duration" with law="linear", bodies
+                    and at: the spring that equals Hertz's contact at that speed
         damping     dissipation_time, viscosity and bulk_viscosity, g_star, restitution and at, damping_coefficient,
                     beta and at, or zeta
         law         a name of cor.law.laws(), "plate" or "elastic-plastic"; or the exponents elastic and damping of
@@ -80,10 +81,11 @@ class Contact:
         end: Optional[str] = None,
         wall: bool = False,
         adhesion_model: str = "none",
+        equivalent: str = "none",
         **numbers: float,
     ) -> None:
         self._options = {"law": law, "elastic": elastic, "damping": damping, "end": end, "wall": wall}
-        self._options.update(adhesion_model=adhesion_model, **numbers)
+        self._options.update(adhesion_model=adhesion_model, equivalent=equivalent, **numbers)
         self._bodies = bodies
         self._scene = scene = ffi.new("struct cor_scene *")
         scene.number = [math.nan] * lib.COR_SCENE_NUMBERS
@@ -110,6 +112,12 @@ class Contact:
         scene.end = lib.COR_BOTH_ENDS if end is None else self._end(end)
         self._contacts = ffi.new("struct cor_scene_contact[]", lib.COR_SCENE_ENDS)
         count, fault = ffi.new("int *"), ffi.new("struct cor_scene_fault *")
+        kind = one_of("equivalent", equivalent, ("none", "energy", "duration"))
+        if kind:
+            self._scene, hertz = ffi.new("struct cor_scene *"), ffi.new("struct cor_scene_contact *")
+            if lib.cor_scene_equivalent(self._scene, hertz, fault, scene, kind) != lib.COR_OK:
+                self._raise(fault)
+            scene = self._scene
         if lib.cor_scene_contacts(self._contacts, count, fault, scene) != lib.COR_OK:
             self._raise(fault)
         self._count = int(count[0])

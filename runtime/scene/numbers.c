@@ -171,6 +171,10 @@ static const char *const sentences[] = {
     [COR_FAULT_NO_DURATION] =
         "no damping makes this contact last for the --duration. Damping prolongs a contact that ends at zero overlap "
         "and shortens one that ends at zero force: give --end, or a longer or shorter --duration",
+    [COR_FAULT_EQUIVALENT] =
+        "--equivalent makes a linear spring of two bodies at one speed: --law linear --equivalent energy --at V with "
+        "--young, --poisson, --radius, --density and --restitution E, or with --dissipation-time and --end; no "
+        "--plate-thickness, --adhesion, --yield-stress, --viscosity-liquid or --duration",
     [COR_FAULT_TWO_DURATIONS] =
         "--dissipation-time and --duration do not determine a contact that ends at zero overlap: two stiffnesses can "
         "have them, or none. Give --end zero-force, or --stiffness or --restitution in place of one of them",

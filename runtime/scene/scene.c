@@ -460,3 +460,47 @@ int cor_scene_contacts(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *c
     *count = status == COR_FAULT_NONE ? contacts_set : 0;
     return status;
 }
+
+/* ---- a linear spring in place of Hertz's ---- */
+
+int cor_scene_equivalent(struct cor_scene *spring, struct cor_scene_contact *hertz, struct cor_scene_fault *fault,
+                         const struct cor_scene *scene, int equivalence)
+{
+    static const int others[] = {COR_SCENE_PLATE_THICKNESS, COR_SCENE_ADHESION, COR_SCENE_YIELD_STRESS,
+                                 COR_SCENE_LIQUID_VISCOSITY, COR_SCENE_DURATION};
+    const double speed = scene->number[COR_SCENE_AT];
+    struct cor_scene sphere = *scene;
+    struct cor_scene_contact contacts[COR_SCENE_ENDS];
+    int way, count, refused = !has_bodies(scene) || !cor_law_is(&scene->law, 2, 0) || isnan(speed);
+    *spring = *scene;
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+        refused = refused || cor_scene_given(scene, others[i]);
+    if (find_way(&way, fault, scene) != COR_FAULT_NONE)
+        return fault->fault;
+    const int of_spheres = is_material(way) || way == COR_SCENE_G_STAR;
+    if (refused || (of_spheres && scene->end == COR_BOTH_ENDS))
+        return refuse_scene(fault, COR_FAULT_EQUIVALENT, 0, 0);
+    sphere.law = cor_law_exponents[COR_LAW_VISCOELASTIC];
+    sphere.number[COR_SCENE_AT] = NAN;
+    if (!of_spheres) {
+        sphere.number[way] = NAN;
+        sphere.number[COR_SCENE_DISSIPATION_TIME] = 0;
+    }
+    int status = cor_scene_contacts(contacts, &count, fault, &sphere);
+    if (status != COR_FAULT_NONE)
+        return status;
+    *hertz = contacts[0];
+    for (int number = 0; number < COR_SCENE_BETA; number++)
+        spring->number[number] = NAN;
+    if (of_spheres)
+        status = cor_scene_eps(&spring->number[COR_SCENE_RESTITUTION], hertz, speed, scene->end);
+    else if (way == COR_SCENE_ZETA || way == COR_SCENE_DAMPING_COEFFICIENT)
+        spring->number[COR_SCENE_AT] = NAN;
+    const double rate = equivalence == COR_EQUIVALENT_DURATION
+                            ? cor_quiet_quotient(COR_PI, cor_scene_elastic_duration_s(hertz, speed))
+                            : cor_quiet_quotient(speed, cor_scene_elastic_overlap(hertz, speed));
+    spring->number[COR_SCENE_EFFECTIVE_MASS] = hertz->mass_kg;
+    spring->number[COR_SCENE_STIFFNESS] = cor_quiet_product(cor_quiet_product(hertz->mass_kg, rate), rate);
+    hertz->damping = 0;
+    return status == COR_FAULT_NONE ? status : refuse_scene(fault, status, COR_SCENE_AT, 0);
+}

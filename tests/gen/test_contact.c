@@ -261,6 +261,28 @@ TEST(tangential_restitution)
     }
 }
 
+/* The linear spring with the energy or the duration of Hertz's elastic contact, which is integrated here */
+TEST(equivalent_springs)
+{
+    for (int k = 0; k < 6; k++) {
+        const double speed = random_log(&draw, 0.01, 10), young = random_log(&draw, 1e6, 1e11);
+        struct cor_scene spring, scene = scene_without_numbers(COR_LAW_LINEAR);
+        struct cor_scene_contact hertz;
+        struct cor_scene_fault fault;
+        scene.wall = k > 3;
+        scene_give(scene, {COR_SCENE_YOUNG, young}, {COR_SCENE_POISSON, 0.3}, {COR_SCENE_RADIUS, 2e-3},
+                   {COR_SCENE_MASS, 1e-4}, {COR_SCENE_RESTITUTION, 0.7}, {COR_SCENE_AT, speed});
+        assert_int_equal(cor_scene_equivalent(&spring, &hertz, &fault, &scene, 1 + k % 2), 0);
+        const double m = k > 3 ? 1e-4 : 5e-5, radius = k > 3 ? 2e-3 : 1e-3;
+        const struct law_of_force f =
+            force_law(m, 4.0 / 3 * young / (2 * (1 - 0.09)) * sqrt(radius), 0, 1.5, 0.5, speed);
+        const struct cor_scene_impact elastic = integrate(&f, true);
+        const double time = sqrt(m / spring.number[COR_SCENE_STIFFNESS]), pi = 3.14159265358979323846;
+        check_near(k % 2 ? pi * time : speed * time, k % 2 ? elastic.duration_s[0] : elastic.max_overlap_m, 1e-9);
+        assert_true(spring.number[COR_SCENE_EFFECTIVE_MASS] == m && isnan(spring.number[COR_SCENE_YOUNG]));
+    }
+}
+
 TEST(other_laws)
 {
     const struct cor_scene_contact linear =
@@ -563,5 +585,6 @@ TEST(chrono_finds_the_radius)
 }
 
 RUN_TESTS(impacts_against_integration, reference_collisions, other_laws, any_two_give_the_rest, tangential_restitution,
-          collisions_under_a_constant_force, thresholds_of_a_constant_force, the_time_step_is_for_all_speeds,
-          the_step_for_a_tolerance_is_rounded_down, hosts_realise_what_is_wished, chrono_finds_the_radius)
+          equivalent_springs, collisions_under_a_constant_force, thresholds_of_a_constant_force,
+          the_time_step_is_for_all_speeds, the_step_for_a_tolerance_is_rounded_down, hosts_realise_what_is_wished,
+          chrono_finds_the_radius)

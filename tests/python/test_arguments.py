@@ -36,6 +36,7 @@ OPTIONAL = [
     (simulators.step_error, (BODY, 0.1, 12), {"end": "zero_force"}, {"integrator": "verlet-full-step"}),
     (cor.Contact, (BODY,), MEASURED, {"end": "zero_force", "wall": True, "law": "tsuji", "elastic": 1, "damping": 1}),
     (cor.Contact, (BODY,), {"adhesion": 1.0, "adhesion_model": "dmt"}, {"adhesion_model": "jkr"}),
+    (cor.Contact, (BODY,), {"law": "linear", "restitution": 0.8, "at": 3.0}, {"equivalent": "energy"}),
     (CONTACT.eps, (1.0,), {}, {"end": "zero_overlap"}),
     (CONTACT.impacts, (1.0,), {}, {"steps": 20}),
     (simulators.audit, (DECK,), {"simulator": "lammps", **AT_ONE}, {"speeds": 2.0, "simulator": "yade"}),

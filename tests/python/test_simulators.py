@@ -198,6 +198,11 @@ def test_a_contact_of_the_list(row):
     assert again == contact and again.quantities == contact.quantities and repr(again) == repr(contact)
 
 
+def test_an_equivalent_spring():  # by hand, (16/15 E* sqrt(R))^(4/5) (m V^2)^(1/5)
+    contact = cor.Contact(cor.Body(2.6e8, 0.25, 0.0, 9e-3, 7.63e-3), law="linear", equivalent="energy", zeta=0.1, at=3.0)
+    assert contact.quantities["stiffness"] == pytest.approx(201573.32305184516, rel=1e-13)
+
+
 def test_what_a_contact_refuses():
     for law, elastic in (("linear", "4/3"), ("viscoelastic", "3/2")):
         with pytest.raises(ValueError, match="corgen contact --elastic A --damping B .*allowed: viscoelastic, linear"):

@@ -108,7 +108,8 @@ static void scene_sets_draw(size_t i, struct bit_source *source)
 static double speed_m_s, eps, damping, e, speed_ratio, yield_stress_pa, yield_speed_m_s, overlap_m, requested, value,
     liquid_speed_m_s, viscosity_pa_s, gap_outer_m, gap_inner_m, adhesion_j_m2, distance_m, tangential_eps, steps,
     tolerance, frequency, zeta, gravity_m_s2, solimp[5], friction, tangent;
-static int end, number, integrator, body, same_law, options;
+static int end, number, integrator, body, same_law, options, equivalence;
+static struct cor_scene spring[1];
 static enum cor_law law;
 static const struct cor_exponents *exponents;
 static const struct cor_scene_option *option;
@@ -120,7 +121,7 @@ static enum cor_simulator_model_id id;
 static char text[20000];
 static const size_t size = sizeof text;
 static struct cor_simulator_request request[1];
-static struct cor_scene_contact contact[1], contacts[COR_SCENE_ENDS], corrected[1];
+static struct cor_scene_contact contact[1], contacts[COR_SCENE_ENDS], corrected[1], hertz[1];
 static struct cor_scene_fault fault[1];
 static enum cor_simulator_status status[1];
 static struct cor_tangential tangential[1];
@@ -154,7 +155,7 @@ static void scene_arguments_load(const struct scene_arguments *s)
     number = s->number;
     integrator = s->steps == 0 ? -1 : number % COR_INTEGRATORS;
     same_law = number % 2;
-    body = 1 + same_law;
+    equivalence = body = 1 + same_law;
     law = (enum cor_law)(number % COR_LAWS);
     option = &cor_scene_options[number % COR_SCENE_NUMBERS];
     model = s->model;
