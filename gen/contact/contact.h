@@ -36,7 +36,7 @@ int contact_status(int status);
 
 cor_scene_solver contact_enclosed;
 
-/* The lines of --for SIMULATOR that call a header of eps of a law of one's own, for these speeds, malloc'ed. NULL after a
+/* The lines of --for SIMULATOR that call a header of a law of one's own, for these speeds, malloc'ed. NULL after a
  * message if the simulator calls no function of the speed. */
 char *contact_own_lines(const struct own_law *law, const struct embed_request *request, const char *simulator,
                         const double *speed_m_s, size_t speeds);

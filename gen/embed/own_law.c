@@ -99,8 +99,8 @@ static slong read_rows(fmpq *speed, fmpq *eps, char *text, const char *path)
     return rows < 2 ? 0 : rows;
 }
 
-/* The slope at the first row from the secants d of the two nearest intervals h, or at the last row with d and h swapped:
- * of the parabola through three rows, limited so that the cubic stays monotone */
+/* The slope at the first row from the secants d of the two nearest intervals h, or at the last row, nearest first: of
+ * the parabola through three rows, limited so that the cubic stays monotone */
 static void end_slope(fmpq_t slope, const fmpq_t d0, const fmpq_t d1, const fmpq_t h0, const fmpq_t h1)
 {
     LOCAL(fmpq, rest);

@@ -9,8 +9,8 @@
 #include "series/series.h"
 #include "support/decimal.h"
 
-/* The numbers of cor/scene.h, of a range of speeds, m/s, and of laws of one's own (own_law.h); the tolerance is a relative
- * error of eps. */
+/* The numbers of cor/scene.h, of a range of speeds in m/s, and of laws of one's own (own_law.h). The tolerance is a
+ * relative error of eps. */
 enum {
     EMBED_SPEED_MIN = COR_SCENE_NUMBERS,
     EMBED_SPEED_MAX,

@@ -527,7 +527,7 @@ char *plan_wave_remark(const struct embed_request *request, double speed, double
 /* ---- the plan ---- */
 
 #define NOTE(times)                                                                                                    \
-    "Error: the largest of the points, against enclosed values, two digits, rounded up; taken below 0.97 of the\n" \
+    "Error: the largest of the points, against enclosed values, two digits, rounded up; taken below 0.97 of the\n"     \
     "tolerance. Of the library: what it promises. Cost: ns for one eps, " times ".\n"                                  \
     "Of Pade and header made of operations, docs/embed.md; of the others as measured once, docs/plan.md. Compare\n"    \
     "them; clocks differ.\n"
