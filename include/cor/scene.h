@@ -188,12 +188,15 @@ double cor_scene_sticking_speed(const struct cor_scene_contact *contact, int end
  *
  * Velocity Verlet does it with the damping force at the velocity of the last half step, leapfrog with that of the last
  * step. In the fourth the damping force takes the velocity that is predicted for the full step, v + (h/2) F/m with the
- * last force F. */
+ * last force F. The last one, for the linear law only, takes force and velocity at the end of the step, as engines for
+ * robots and games do: v' = (v - (h K/m) x)/(1 + h C/m + h^2 K/m), x' = x + h v', and v' = v where that would pull and
+ * the end is COR_END_ZERO_FORCE. Such engines have K and C, or ERP = h K/(h K + C) and CFM = 1/(h K + C). */
 enum cor_integrator {
     COR_VERLET_HALF_STEP, /* LAMMPS, LIGGGHTS, MercuryDPM, OpenFOAM, PFC */
     COR_LEAPFROG,         /* YADE */
     COR_SYMPLECTIC_EULER, /* MFiX, Kratos, Chrono, MuJoCo, ESyS-Particle, Newton, Lethe */
     COR_VERLET_FULL_STEP,
+    COR_IMPLICIT_EULER, /* ODE */
     COR_INTEGRATORS,
     COR_NO_INTEGRATOR = -1 /* of simulators with impulses, implicit methods or steps of their own choice */
 };
@@ -202,6 +205,7 @@ extern const char *const cor_integrator_names[COR_INTEGRATORS + 1]; /* "verlet-h
 /* Time steps are counted per elastic duration: the duration of a contact without damping, at the same speed, s. */
 double cor_scene_elastic_duration_s(const struct cor_scene_contact *contact, double speed_m_s);
 #define COR_SCENE_STEPS_MIN 2.0
+#define COR_SCENE_STEPS_MIN_IMPLICIT 1e-6 /* of COR_IMPLICIT_EULER, whose contacts may last for one step */
 #define COR_SCENE_STEPS_MAX 1e6
 
 /* The realised eps of a simulator minus the exact eps, over all phases of the first step. The time from first touch to

@@ -11,8 +11,8 @@
 #include "runtime/scene/motion.h"
 #include "runtime/scene/simulators.h"
 
-const char *const cor_integrator_names[COR_INTEGRATORS + 1] = {"verlet-half-step", "leapfrog", "symplectic-euler",
-                                                               "verlet-full-step", NULL};
+const char *const cor_integrator_names[COR_INTEGRATORS + 1] = {"verlet-half-step", "leapfrog",       "symplectic-euler",
+                                                               "verlet-full-step", "implicit-euler", NULL};
 
 double cor_scene_elastic_duration_s(const struct cor_scene_contact *contact, double speed_m_s)
 {
@@ -54,6 +54,7 @@ struct stepped {
     double most;  /* place and velocity beyond which a force may leave the doubles */
     double ahead; /* the damping force takes the velocity so many steps after the last half step */
     int roots;    /* so many square roots give x^(1/denominator); negative: pow */
+    int implicit; /* the force is that at the end of the step */
     int no_pull;  /* the contact force is never negative */
 };
 
@@ -72,7 +73,11 @@ static double force_at(const struct stepped *m, double x, double v)
         spring = cor_quiet_power(x, m->a);
         damper = cor_quiet_power(x, m->b);
     }
-    const double f = spring + m->beta * damper * v;
+    double f = spring + m->beta * damper * v;
+    if (m->implicit) {
+        const double each = m->beta + m->step; /* of the unit of velocity */
+        f = (x + each * (v + m->step * m->press)) / (1 + m->step * each);
+    }
     return m->no_pull && f < 0 ? 0 : f;
 }
 
@@ -135,11 +140,13 @@ static int stepped_init(struct stepped *m, const struct cor_scene_contact *conta
 {
     static const int roots[] = {-1, 0, 1, -1, 2};
     const struct cor_exponents *const law = &contact->law;
+    const int implicit = integrator == COR_IMPLICIT_EULER;
     if (!cor_contact_is_sound(contact) || !cor_si_in_range(speed_m_s) || contact->adhesion_j_m2 > 0 ||
         contact->plastic || contact->liquid_speed_m_s > 0 ||
         !(end == COR_END_ZERO_OVERLAP || end == COR_END_ZERO_FORCE) || !cor_scene_has_end(contact, end) ||
-        integrator < 0 || integrator >= COR_INTEGRATORS ||
-        !(isgreaterequal(steps, COR_SCENE_STEPS_MIN) && steps <= COR_SCENE_STEPS_MAX))
+        integrator < 0 || integrator >= COR_INTEGRATORS || (implicit && !cor_law_is(law, 2, 0)) ||
+        !(isgreaterequal(steps, implicit ? COR_SCENE_STEPS_MIN_IMPLICIT : COR_SCENE_STEPS_MIN) &&
+          steps <= COR_SCENE_STEPS_MAX))
         return 0;
     const int whole = law->denominator <= 4 && law->elastic <= WHOLE_POWER && law->damping <= WHOLE_POWER;
     m->law = *law;
@@ -159,6 +166,7 @@ static int stepped_init(struct stepped *m, const struct cor_scene_contact *conta
     m->deep = -m->a / (m->a + 1) * m->press * cor_quiet_power(m->press, 1 / m->a);
     m->most = cor_quiet_power(1e140 / fmax(m->beta, 1), 1 / (fmax(m->a, m->b) + 1));
     m->ahead = integrator == COR_VERLET_FULL_STEP ? 0.5 : 0;
+    m->implicit = implicit;
     m->roots = whole ? roots[law->denominator] : -1;
     m->no_pull = end == COR_END_ZERO_FORCE;
     return m->press * m->step <= MOST_PRESS;
