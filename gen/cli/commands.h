@@ -79,7 +79,7 @@ struct contact_arguments {
     struct option_common common;
     struct embed_request scene;
     struct values speed;
-    struct decimal steps, time_step, step_tolerance, friction, tangential;
+    struct decimal steps, time_step, step_tolerance, friction, tangential, erp, cfm;
     int integrator; /* enum cor_integrator; OPTIONS_NOT_GIVEN: that of the simulator */
     bool step_corrected;
     const char *simulator, *plot;  /* NULL: not given */

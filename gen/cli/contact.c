@@ -63,6 +63,9 @@ static int check_options(const struct contact_arguments *o, const struct contact
         return usage_error(
             "--end: a contact that adheres as in JKR ends with its tail or at the largest pull; leave it "
             "out, and both are printed");
+    if (o->integrator == COR_IMPLICIT_EULER && !(c->law.elastic == c->law.denominator && c->law.damping == 0))
+        return usage_error(
+            "--integrator implicit-euler is for --law linear, a spring and a dashpot as engines have them");
     const bool refused = c->adhesion_j_m2 > 0 || c->liquid_speed_m_s > 0;
     if ((c->plastic || (!o->simulator && refused)) && request_of(o, NULL).step_errors)
         return usage_error(
@@ -203,9 +206,23 @@ static int print_for_simulator(const struct contact_arguments *o, const struct c
     return status;
 }
 
-static int run_contact(const void *arguments)
+/* Sets stiffness and damping of a contact of ERP and CFM: K = ERP/(h CFM), C = (1 - ERP)/CFM; spring: both numbers */
+static void set_engine(struct contact_arguments *o, struct decimal spring[2])
 {
-    const struct contact_arguments *const o = arguments;
+    const fmpq *const erp = o->erp.value, *const cfm = o->cfm.value, *const h = o->time_step.value;
+    const bool damped = !fmpq_is_one(erp);
+    decimal_set(&spring[0], "1");
+    decimal_set(&spring[1], "0");
+    EXACT(spring[0].value, "erp/(h*cfm)", erp, h, cfm);
+    EXACT(spring[1].value, "(1 - erp)/cfm", erp, cfm);
+    o->scene.number[COR_SCENE_STIFFNESS] = spring[0];
+    o->scene.number[damped ? COR_SCENE_DAMPING_COEFFICIENT : COR_SCENE_ZETA] = spring[1];
+    o->scene.law = COR_LAW_LINEAR;
+    o->integrator = COR_IMPLICIT_EULER;
+}
+
+static int run_contact_of(const struct contact_arguments *o)
+{
     struct contacts contacts;
     if (o->plot && gnuplot_check(o->plot) != STATUS_OK)
         return STATUS_USAGE;
@@ -239,6 +256,21 @@ static int run_contact(const void *arguments)
     return status == STATUS_OK ? print_tables(o, &contacts) : status;
 }
 
+static int run_contact(const void *arguments)
+{
+    struct contact_arguments o = *(const struct contact_arguments *)arguments;
+    struct decimal spring[2] = {{0}};
+    if (o.erp.text && !(o.time_step.text && embed_given(&o.scene, COR_SCENE_EFFECTIVE_MASS)))
+        return usage_error("--erp and --cfm need --time-step and --effective-mass, as --erp 0.8 --cfm 1e-3 "
+                           "--time-step 0.01 --effective-mass 1 --speed 1");
+    if (o.erp.text)
+        set_engine(&o, spring);
+    const int status = run_contact_of(&o);
+    decimal_clear(&spring[0]);
+    decimal_clear(&spring[1]);
+    return status;
+}
+
 const char help_contact[] = HELP_CONTACT_TEXT;
 
 static const char help[] =
@@ -257,7 +289,9 @@ static const char help[] =
     "                   the error of eps over the phases of the first step\n"
     "  --step-corrected   also the damping that makes it 0, and the factor to it\n"
     "  --integrator I   verlet-half-step (default, LAMMPS; the next two give the same), leapfrog,\n"
-    "                   symplectic-euler, verlet-full-step; with --for that of the simulator\n"
+    "                   symplectic-euler, verlet-full-step, implicit-euler (--law linear); with --for that\n"
+    "                   of the simulator\n"
+    "  --erp E --cfm C  with --time-step and --effective-mass: an engine with implicit steps, such as ODE\n"
     "  --for HOST       lines for the input of a simulator, such as LAMMPS; --for list names them\n"
     "  --materials FILE, --pairs FILE   for it, csv of several materials (docs/contact.md)\n"
     "  --simulator-version V   for this version, as '29 Sep 2021' or 3.8.1; list names the models\n"
@@ -280,11 +314,12 @@ static const struct option_numbers steps_numbers = {{"1", "1e9", true, true, tru
 static const struct option_numbers tolerance_numbers = {
     {"1e-5", "1", true, true, true, "a number from 1e-5 to 1, the error of eps"}, DECIMAL_PLAIN};
 
-/* The options of one contact except its law and end, which several materials have instead */
-#define ONE_CONTACT                                                                                                    \
-    " young poisson radius density mass young-2 poisson-2 radius-2 density-2 mass-2 wall plate-thickness gravity "     \
-    "adhesion yield-stress viscosity-liquid gap-outer gap-inner stiffness effective-mass duration dissipation-time "   \
-    "dissipation-time-2 viscosity viscosity-2 g-star restitution damping-coefficient beta zeta at"
+static const struct option_numbers erp_numbers = {{"0", "1", false, true, true, "a number above 0 and up to 1"},
+                                                  DECIMAL_PLAIN};
+#define ENGINE_APART                                                                                                   \
+    "law elastic damping young equivalent stiffness duration restitution damping-coefficient zeta beta g-star "        \
+    "dissipation-time "                                                                                                \
+    "steps step-tolerance integrator for coefficient eps-inf table"
 
 #define ARGUMENTS struct contact_arguments
 static const struct option_rule options[] = {
@@ -300,9 +335,11 @@ static const struct option_rule options[] = {
     OPTION("step-corrected", FLAG, step_corrected, .needs = "speed"),
     OPTION("integrator", WORD, integrator, .range.words = cor_integrator_names, .why = "an integrator",
            .needs = "speed"),
+    OPTION("erp", REAL, erp, .range.number = &erp_numbers, .needs = "cfm", .excludes = ENGINE_APART),
+    OPTION("cfm", REAL, cfm, .range.number = &option_positive, .needs = "erp", .unit = "m/(N s)"),
     OPTION("for", TEXT, simulator, .range.words = contact_simulator_names, .excludes = "format plot"),
     OPTION("simulator-version", TEXT, version, .needs = "for"),
-    OPTION("materials", TEXT, materials, .needs = "speed", .excludes = "plot format friction" ONE_CONTACT),
+    OPTION("materials", TEXT, materials, .needs = "speed", .excludes = "plot format friction" SCENE_NUMBERS_APART),
     OPTION("pairs", TEXT, pairs, .needs = "materials"),
     OPTION("friction", REAL, friction, .range.number = &option_not_negative, .excludes = "for speed"),
     OPTION("tangential-restitution", REAL, tangential, .scene = &cor_scene_options[COR_SCENE_RESTITUTION],

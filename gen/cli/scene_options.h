@@ -42,13 +42,15 @@
     "  --gravity G      m/s^2, on a ball above a --wall or a plate\n"                                                  \
     "  --adhesion W --adhesion-model M   J/m^2; dmt: the force 2 pi W R; jkr: columns _tail, _largest_pull\n"
 
-/* Options that a law of one's own contradicts */
+/* The options of one contact except its law and end; and all that a law of one's own contradicts */
+#define SCENE_NUMBERS_APART                                                                                            \
+    " young poisson radius density mass young-2 poisson-2 radius-2 density-2 mass-2 wall plate-thickness gravity "     \
+    "adhesion yield-stress viscosity-liquid gap-outer gap-inner stiffness effective-mass duration dissipation-time "   \
+    "dissipation-time-2 viscosity viscosity-2 g-star restitution damping-coefficient beta zeta at"
 #define SCENE_OWN_APART                                                                                                \
-    "young poisson radius density mass young-2 poisson-2 radius-2 density-2 mass-2 wall plate-thickness gravity "      \
-    "adhesion adhesion-model yield-stress viscosity-liquid gap-outer gap-inner stiffness effective-mass duration "     \
-    "dissipation-time dissipation-time-2 viscosity viscosity-2 g-star restitution damping-coefficient beta zeta at "   \
-    "elastic damping end steps time-step step-tolerance step-corrected integrator simulator-version friction "         \
-    "durations "
+    SCENE_NUMBERS_APART                                                                                                \
+        " elastic damping end equivalent adhesion-model steps time-step step-tolerance step-corrected "                \
+        "integrator simulator-version friction tangential-restitution materials pairs durations "
 #define SCENE_OWN(NAME, NUMBER, NUMBERS, APART)                                                                        \
     OPTION(NAME, REAL, scene.number[NUMBER], .range.number = (NUMBERS), .excludes = SCENE_OWN_APART APART)
 

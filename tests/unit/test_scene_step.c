@@ -252,6 +252,23 @@ TEST(pressed)
     }
 }
 
+/* Implicit steps: 100000 phases of the program above, down to contacts of one step. Other laws are refused. */
+TEST(implicit_steps)
+{
+    const double many[][2] = {{0.35, 0.7}, {0.05, 3}, {2, 0.01}};
+    for (size_t k = 0; k < COUNT_OF(many); k++) {
+        struct cor_scene_contact contact = contact_with(COR_LAW_LINEAR, 1, COR_END_ZERO_FORCE);
+        contact.damping = many[k][0];
+        const double step_s = cor_scene_elastic_duration_s(&contact, 1) / many[k][1];
+        const struct mean other = simulated(&contact, 1, COR_END_ZERO_FORCE, step_s, COR_IMPLICIT_EULER, 100000, 0.5);
+        const struct cor_step_error e = error_of(&contact, 1, COR_END_ZERO_FORCE, many[k][1], COR_IMPLICIT_EULER);
+        check_mean("implicit", e.bias + scene_eps(&contact, 1, COR_END_ZERO_FORCE), e.scatter, &other);
+        refused(&contact, 1, COR_END_ZERO_FORCE, 1.9, COR_LEAPFROG);
+        contact.law = cor_law_exponents[COR_LAW_TSUJI];
+        refused(&contact, 1, COR_END_ZERO_FORCE, 12, COR_IMPLICIT_EULER);
+    }
+}
+
 TEST(special)
 {
     struct cor_scene_contact contact = contact_with(COR_LAW_VISCOELASTIC, 0.6, COR_END_ZERO_OVERLAP), corrected;
@@ -331,4 +348,4 @@ TEST(models)
     check(judged > 25, "%d models", judged);
 }
 
-RUN_TESTS(another_route, narrow_windows, small_steps, step_for, pressed, special, models)
+RUN_TESTS(another_route, narrow_windows, small_steps, step_for, pressed, special, models, implicit_steps)
