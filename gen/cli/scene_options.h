@@ -49,8 +49,8 @@
     "dissipation-time-2 viscosity viscosity-2 g-star restitution damping-coefficient beta zeta at"
 #define SCENE_OWN_APART                                                                                                \
     SCENE_NUMBERS_APART                                                                                                \
-        " elastic damping end equivalent adhesion-model steps time-step step-tolerance step-corrected "                \
-        "integrator simulator-version friction tangential-restitution materials pairs durations "
+    " elastic damping end equivalent adhesion-model steps time-step step-tolerance step-corrected "                    \
+    "integrator simulator-version friction tangential-restitution materials pairs durations "
 #define SCENE_OWN(NAME, NUMBER, NUMBERS, APART)                                                                        \
     OPTION(NAME, REAL, scene.number[NUMBER], .range.number = (NUMBERS), .excludes = SCENE_OWN_APART APART)
 
