@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Roots, exponentials and logarithms of pairs hi + lo without a call, a jump or a table. Compilers vectorise loops over
+/* Roots, exponentials and logarithms of pairs hi + lo, without calls, jumps or tables. Compilers vectorise loops over
  * them, and every processor, compiler and C library gives the same bits. */
 #ifndef COR_RUNTIME_ELEMENTARY_H
 #define COR_RUNTIME_ELEMENTARY_H
@@ -9,19 +9,19 @@
 /* For |x| < 2^51, x + 1.5 2^52 - 1.5 2^52 is x rounded to an integer k. The last bits of k + 1.5 2^52 are k. */
 #define COR_KERNEL_INTEGER 6755399441055744.0
 
-/* ln(2) in two parts. The head has 32 bits, so that its product with an integer below 2^20 is exact. The tail completes
- * it to 2^-87. */
+/* ln(2) in two parts. The head has 32 bits, so that its product with an integer below 2^20 is exact. With the tail the
+ * error is 2^-87. */
 #define COR_KERNEL_LN2_HEAD 6.93147180369123816490e-01
 #define COR_KERNEL_LN2_TAIL 1.90821492927058770002e-10
 
-/* Polynomials in x with coefficients c[0], c[1], ...; x2, x4, ... are powers of x. The chains of dependent operations
- * are short. */
+/* Polynomials in x with coefficients c[0], c[1], ...; x2, x4, ... are powers of x. Chains of dependent operations are
+ * short. */
 #define COR_POLYNOMIAL_4(c, x, x2) (((c)[0] + (c)[1] * (x)) + ((c)[2] + (c)[3] * (x)) * (x2))
 #define COR_POLYNOMIAL_8(c, x, x2, x4) (COR_POLYNOMIAL_4(c, x, x2) + COR_POLYNOMIAL_4((c) + 4, x, x2) * (x4))
 
-/* Every polynomial of the kernels interpolates its function at the Chebyshev points of its interval, with coefficients
- * rounded once. tests/accuracy/test_polynomials.c proves the stated errors. Headers of corgen law contain this file:
- * C++11 has no hexadecimal constants, and functions of GPUs need local arrays. */
+/* Each polynomial of the kernels interpolates its function at the Chebyshev points of its interval. Its coefficients
+ * are rounded once. tests/accuracy/test_polynomials.c proves the stated errors. Headers of corgen law contain this
+ * file. C++11 needs decimal constants, and functions of GPUs need local arrays. */
 
 /* (e^x - 1 - x)/x^2 for |x| <= 0.3467: the error times x^2 is below 2^-60. */
 #define COR_KERNEL_EXP_POLYNOMIAL                                                                                      \
@@ -40,7 +40,7 @@
 
 /* ---- pairs ---- */
 
-/* x + y, relative error 2^-104 where both have the same sign */
+/* Returns x + y, with relative error 2^-104 if both have the same sign. */
 COR_KERNEL struct cor_inline_pair cor_pair_plus(struct cor_inline_pair x, struct cor_inline_pair y)
 {
     const struct cor_inline_pair sum = cor_pair_two_sum(x.hi, y.hi);
@@ -52,7 +52,7 @@ COR_KERNEL struct cor_inline_pair cor_pair_scaled(struct cor_inline_pair x, doub
     return cor_pair(x.hi * power_of_two, x.lo * power_of_two);
 }
 
-/* sqrt(x) from the double `root` and a rough 1/root: relative error 2^-100 */
+/* Returns sqrt(x) from the double `root` and a rough 1/root: relative error 2^-100. */
 COR_KERNEL struct cor_inline_pair cor_pair_root_with(struct cor_inline_pair x, double root, double about_inverse)
 {
     const struct cor_inline_pair square = cor_inline_product(root, root);
@@ -60,14 +60,14 @@ COR_KERNEL struct cor_inline_pair cor_pair_root_with(struct cor_inline_pair x, d
                     0.5 * (COR_INLINE_KEEP(COR_INLINE_KEEP(x.hi - square.hi) - square.lo) + x.lo) * about_inverse);
 }
 
-/* sqrt(x), x.hi > 0 */
+/* Returns sqrt(x), x.hi > 0. */
 COR_KERNEL struct cor_inline_pair cor_pair_root(struct cor_inline_pair x)
 {
     const double root = sqrt(x.hi);
     return cor_pair_root_with(x, root, 1 / root);
 }
 
-/* The smaller and the larger of two numbers, neither of them NaN. Compilers vectorise these selections. */
+/* Return the smaller and the larger of two numbers, neither of them NaN. Compilers vectorise these selections. */
 COR_KERNEL double cor_kernel_min(double x, double y)
 {
     return x < y ? x : y;
@@ -78,7 +78,7 @@ COR_KERNEL double cor_kernel_max(double x, double y)
     return x > y ? x : y;
 }
 
-/* 2^k for a whole number -1022 <= k <= 1023 */
+/* Returns 2^k for an integer -1022 <= k <= 1023. */
 COR_KERNEL double cor_kernel_power_of_two(double k)
 {
     return cor_inline_from_bits(cor_inline_bits(k + (1023 + COR_KERNEL_INTEGER)) << 52);
@@ -86,8 +86,8 @@ COR_KERNEL double cor_kernel_power_of_two(double k)
 
 /* ---- exp ----
  *
- * Errors stated from here on are bounds on samples: `COR_TEST_MULTIPLIER=50 test_law` takes 10^6 pairs (found: exp 0.69
- * ulp, 2^-54.7 as a pair; 1 - exp 1.13 ulp; -ln 2^-54.4). */
+ * The errors below are bounds on samples: `COR_TEST_MULTIPLIER=50 test_law` samples 10^6 pairs (found: exp 0.69 ulp,
+ * 2^-54.7 as a pair; 1 - exp 1.13 ulp; -ln 2^-54.4). */
 
 /* exp(-x) = 2^-k (1 + (r + q)), |r| <= ln(2)/2, |q| < |r|/4. r is exact except for the lower half of x; q is
  * rounded. */
@@ -95,13 +95,12 @@ struct cor_kernel_decay {
     double k, r, q;
 };
 
-/* Domain: |x.hi| <= 2000 */
+/* Splits x, |x.hi| <= 2000. */
 COR_KERNEL struct cor_kernel_decay cor_kernel_decay_of(struct cor_inline_pair x)
 {
     static const double c[] = COR_KERNEL_EXP_POLYNOMIAL;
     const double nearest = COR_INLINE_KEEP(x.hi * 1.4426950408889634 + COR_KERNEL_INTEGER) - COR_KERNEL_INTEGER;
-    const double k = fabs(x.hi) < 0.34 ? 0 : nearest;   /* 0 in every rounding mode, so that 1 - exp(-x) does not
-                                                       * cancel */
+    const double k = fabs(x.hi) < 0.34 ? 0 : nearest;   /* 0 in every rounding mode: 1 - exp(-x) must not cancel */
     const double head = k * COR_KERNEL_LN2_HEAD - x.hi; /* exact */
     const struct cor_inline_pair r = cor_inline_sum(head, k * COR_KERNEL_LN2_TAIL - x.lo);
     const double s = r.hi, s2 = s * s, s4 = s2 * s2;
@@ -113,7 +112,7 @@ COR_KERNEL struct cor_kernel_decay cor_kernel_decay_of(struct cor_inline_pair x)
     return decay;
 }
 
-/* exp(-x), 0 <= x.hi <= 1400: 0.75 ulp, or 1.1 where the result is subnormal */
+/* Returns exp(-x), 0 <= x.hi <= 1400: error 0.75 ulp, or 1.1 ulp if the result is subnormal. */
 COR_KERNEL double cor_kernel_exp_minus(struct cor_inline_pair x)
 {
     const struct cor_kernel_decay d = cor_kernel_decay_of(x);
@@ -122,21 +121,21 @@ COR_KERNEL double cor_kernel_exp_minus(struct cor_inline_pair x)
     return (value * cor_kernel_power_of_two(-first)) * cor_kernel_power_of_two(first - d.k);
 }
 
-/* exp(-x) 2^k as a pair: relative error 2^-54.5 */
+/* Returns exp(-x) 2^k as a pair: relative error 2^-54.5. */
 COR_KERNEL struct cor_inline_pair cor_kernel_decay_sum(struct cor_kernel_decay d)
 {
     const double one = COR_INLINE_KEEP(1 + d.r);
     return cor_inline_sum(one, (d.r - (one - 1)) + d.q);
 }
 
-/* exp(-x) as a pair, |x.hi| <= 700: relative error 2^-54.5 */
+/* Returns exp(-x) as a pair, |x.hi| <= 700: relative error 2^-54.5. */
 COR_KERNEL struct cor_inline_pair cor_kernel_exp_minus_pair(struct cor_inline_pair x)
 {
     const struct cor_kernel_decay d = cor_kernel_decay_of(x);
     return cor_pair_scaled(cor_kernel_decay_sum(d), cor_kernel_power_of_two(-d.k));
 }
 
-/* 1 - exp(-x), 0 <= x.hi <= 1400: 1.2 ulp, also where a subtraction would cancel */
+/* Returns 1 - exp(-x), 0 <= x.hi <= 1400: error 1.2 ulp, even where a subtraction would cancel. */
 COR_KERNEL double cor_kernel_one_minus_exp_minus(struct cor_inline_pair x)
 {
     const struct cor_kernel_decay d = cor_kernel_decay_of(x);
@@ -144,8 +143,8 @@ COR_KERNEL double cor_kernel_one_minus_exp_minus(struct cor_inline_pair x)
     return (1 - power) - power * (d.r + d.q);
 }
 
-/* exp(x) for |x| <= 700; the result is undefined beyond. Loops of disks need fewer operations with it than with the exp
- * of pairs above. Taylor's series on |r| <= ln(2)/2 with terms down to 2^-55. */
+/* Returns exp(x) for |x| <= 700; the result is undefined beyond. Loops of disks use it because it needs fewer
+ * operations than exp of pairs. It is Taylor's series on |r| <= ln(2)/2 with terms down to 2^-55. */
 COR_KERNEL double cor_kernel_exp(double x)
 {
     const double shifted = x * 1.4426950408889634 + COR_KERNEL_INTEGER, k = shifted - COR_KERNEL_INTEGER;
@@ -162,15 +161,15 @@ COR_KERNEL double cor_kernel_exp(double x)
 
 /* ---- ln ----
  *
- * Calls of one number use log of the C library, with fewer operations: cor_inline_log of pair.h for powers of beta and
- * cor_log_ratio of lambert_w.h, whose bounds are proved from the error of log. */
+ * Functions of a single number use log of the C library, which needs fewer operations: cor_inline_log of pair.h for
+ * powers of beta, and cor_log_ratio of lambert_w.h, whose bounds are proved from the error of log. */
 
 /* A number as 2^k (1 + (f + lo)), sqrt(1/2) <= 1 + f < sqrt(2), |lo| of the order of the last place of 1 + f */
 struct cor_kernel_split {
     double k, f, lo;
 };
 
-/* x = hi + lo, hi a normal double */
+/* Splits x = hi + lo, where hi is a normal double. */
 COR_KERNEL struct cor_kernel_split cor_kernel_split_of(struct cor_inline_pair x)
 {
     const uint64_t root_half = UINT64_C(0x3fe6a09e667f3bcd), one = UINT64_C(0x3ff0000000000000);
@@ -183,8 +182,8 @@ COR_KERNEL struct cor_kernel_split cor_kernel_split_of(struct cor_inline_pair x)
     return s;
 }
 
-/* -ln of the number: relative error 2^-54.2, also near 1.
- * ln(1 + f) = f - f^2/2 + s (f^2/2 + R(s^2)), s = f/(2 + f). */
+/* Returns -ln of the number: relative error 2^-54.2, also near 1. ln(1 + f) = f - f^2/2 + s (f^2/2 + R(s^2)),
+ * s = f/(2 + f). */
 COR_KERNEL struct cor_inline_pair cor_kernel_minus_log_of(struct cor_kernel_split x)
 {
     static const double c[] = COR_KERNEL_LOG_POLYNOMIAL;
@@ -197,20 +196,20 @@ COR_KERNEL struct cor_inline_pair cor_kernel_minus_log_of(struct cor_kernel_spli
     return cor_inline_sum(-sum.hi, -(sum.lo + (head.lo + (rest + x.k * COR_KERNEL_LN2_TAIL))));
 }
 
-/* -ln(x) for x = hi + lo, hi a normal double */
+/* Returns -ln(x) for x = hi + lo, where hi is a normal double. */
 COR_KERNEL struct cor_inline_pair cor_kernel_minus_log(struct cor_inline_pair x)
 {
     return cor_kernel_minus_log_of(cor_kernel_split_of(x));
 }
 
-/* ln(1 + x), 1 + x > 0 a normal double: the relative error of cor_kernel_minus_log */
+/* Returns ln(1 + x), where 1 + x > 0 is a normal double, with the relative error of cor_kernel_minus_log. */
 COR_INLINE struct cor_inline_pair cor_kernel_log_plus_1(double x)
 {
     const struct cor_inline_pair minus = cor_kernel_minus_log(cor_pair_two_sum(1, x));
     return cor_pair(-minus.hi, -minus.lo);
 }
 
-/* -ln(1 - loss), 0 <= loss < 1. For a small loss f = -loss exactly, in every rounding mode. */
+/* Returns -ln(1 - loss), 0 <= loss < 1. For a small loss, f = -loss exactly in every rounding mode. */
 COR_KERNEL struct cor_inline_pair cor_kernel_minus_log_one_minus(double loss)
 {
     const double eps = 1 - loss;

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* The evaluator of any law's tables, x'' + beta x^b x' + x^a = 0: eps, 1 - eps, times, the largest overlap and beta of
  * eps, for every beta. Functions of the generated header fill structs with the constants of a law. A compiler therefore
- * drops the parts of each function that the law does not need.
+ * omits the parts of each function that the law does not need.
  *
- * With increasing beta a quantity is given by (docs/theory.md, 9; form: docs/internals.md):
+ * With increasing beta, these parts give a quantity (docs/theory.md, 9; form: docs/internals.md):
  *
- *   near     a row on a grid in beta or a root of it; eps is 1 minus that of the loss
+ *    near     a row on a grid in beta or a root of it; eps is 1 minus the value of a row of the loss
  *   middle   a row by octaves of beta
  *   below    where there is a threshold beta_c of zero overlap, a row by octaves of beta_c - beta
  *   tail     a power of beta times a row by octaves of ln(beta)
@@ -20,8 +20,8 @@
 #include "runtime/number/elementary.h"
 #include "runtime/table/row.h"
 
-/* Functions with the structs below as arguments are COR_KERNEL, so that the structs are constants of each caller.
- * Otherwise their copies cost several times the evaluation. */
+/* Functions that take the structs below as arguments are COR_KERNEL, so that the structs are constants of each caller.
+ * Otherwise copying them would cost several times the evaluation. */
 
 /* ---- the data of a law ---- */
 
@@ -50,7 +50,7 @@ struct cor_inline_law_quantity {
     int has_fall;
     struct cor_inline_law_power fall_power;
     struct cor_inline_pair threshold;   /* beta_c; hi = 0 without a threshold */
-    double beyond;                      /* value from the threshold on */
+    double beyond;                      /* value for beta >= the threshold */
     double infinite;                    /* value at beta = infinity */
     int linear;                         /* q = 0: eps at zero overlap is exp(-pi beta/sqrt(beta_c^2 - beta^2)) */
     struct cor_inline_pair critical;    /* beta_c^2 = 2 (a + 1) for q = 0 */
@@ -97,7 +97,7 @@ COR_KERNEL struct cor_inline_law_table cor_inline_law_octaves(const double *(*ro
     return table;
 }
 
-/* A quantity without any table */
+/* Returns a quantity without any table. */
 COR_KERNEL struct cor_inline_law_quantity cor_inline_law_quantity_of(void)
 {
     struct cor_inline_law_quantity q;
@@ -121,7 +121,7 @@ COR_KERNEL struct cor_inline_law_inverse cor_inline_law_inverse_of(void)
 
 /* ---- pairs ---- */
 
-/* x^n, n > 0. Relative error n 2^-102. */
+/* Returns x^n, n > 0. Relative error n 2^-102. */
 COR_INLINE struct cor_inline_pair cor_inline_pair_power(struct cor_inline_pair x, int n)
 {
     struct cor_inline_pair power = cor_pair(1, 0);
@@ -134,7 +134,7 @@ COR_INLINE struct cor_inline_pair cor_inline_pair_power(struct cor_inline_pair x
     return cor_inline_pair_times(power, x);
 }
 
-/* (hi + lo) 2^k, rounded once, for hi > 0 and any k */
+/* Returns (hi + lo) 2^k, rounded once, for hi > 0 and any k. */
 COR_INLINE double cor_inline_pair_scaled(struct cor_inline_pair x, int k)
 {
     const int e = cor_inline_exponent(x.hi), total = e + k;
@@ -148,15 +148,15 @@ COR_INLINE double cor_inline_pair_scaled(struct cor_inline_pair x, int k)
     return y * 0.5 * cor_inline_power_of_two(total) * 2;
 }
 
-/* The root-th root of x >= 0, within a few units of the last place */
+/* Returns the root-th root of x >= 0, within a few units of the last place. */
 COR_INLINE double cor_inline_root_of(double x, int root)
 {
     return root == 1 ? x : root == 2 ? sqrt(x) : root == 3 ? cbrt(x) : pow(x, 1.0 / root);
 }
 
-/* (x 2^e)^(num/den) as a pair times 2^*exponent, 1 <= x.hi < 2. The first terms of (1 - d)^(-1/den), d = (m - r^den)/m
- * < 2^-22, correct the root r of 26 bits. The power of r and the quotient are double-doubles, so the relative error is
- * below 2^-90 for exponents up to a few hundred. */
+/* Returns (x 2^e)^(num/den) as a pair times 2^*exponent, 1 <= x.hi < 2. The first terms of (1 - d)^(-1/den),
+ * d = (m - r^den)/m < 2^-22, correct the root r of 26 bits. The power of r and the quotient are double-doubles. The
+ * relative error is below 2^-90 for exponents up to a few hundred. */
 COR_INLINE struct cor_inline_pair cor_inline_rational_power(struct cor_inline_pair x, int e,
                                                             struct cor_inline_law_power power, int *exponent)
 {
@@ -181,7 +181,7 @@ COR_INLINE struct cor_inline_pair cor_inline_rational_power(struct cor_inline_pa
     return result;
 }
 
-/* beta^(num/den) of a normal, finite beta > 0 */
+/* Returns beta^(num/den) of a normal, finite beta > 0. */
 COR_INLINE struct cor_inline_pair cor_inline_beta_power(double beta, struct cor_inline_law_power power, int *exponent)
 {
     const int e = cor_inline_exponent(beta);
@@ -190,7 +190,7 @@ COR_INLINE struct cor_inline_pair cor_inline_beta_power(double beta, struct cor_
 
 /* ---- rows ---- */
 
-/* x times a row; a tiny x is scaled, because the halves of the products would be subnormal */
+/* Returns x times a row. A tiny x is scaled, because the halves of the products would be subnormal. */
 COR_INLINE double cor_inline_law_product(struct cor_inline_place place, double x)
 {
     if (cor_inline_below(x, COR_INLINE_2_M900))
@@ -198,14 +198,14 @@ COR_INLINE double cor_inline_law_product(struct cor_inline_place place, double x
     return cor_inline_row_product(place, x);
 }
 
-/* The place of x in a table by octaves */
+/* Returns the place of x in a table by octaves. */
 COR_KERNEL struct cor_inline_place cor_inline_law_octave(struct cor_inline_law_table table, double x)
 {
     return cor_inline_place_of(table.rows((int)cor_inline_octaves_row(table.octaves, x)),
                                cor_inline_octaves_t(table.octaves, x));
 }
 
-/* The row on the grid of a table near 0 */
+/* Returns the place of x in a table near 0. */
 COR_KERNEL struct cor_inline_place cor_inline_law_near(struct cor_inline_law_table table, double x)
 {
     const double y = cor_inline_root_of(x, table.root);
@@ -213,7 +213,7 @@ COR_KERNEL struct cor_inline_place cor_inline_law_near(struct cor_inline_law_tab
     return cor_inline_place_of(table.rows(i), cor_inline_grid_t(table.grid, y, i));
 }
 
-/* c_0 and the remainder of the row of x = hi + lo, by octaves */
+/* Returns c_0 and the remainder of the row of x = hi + lo, by octaves. */
 COR_KERNEL struct cor_inline_pair cor_inline_law_octave_row(struct cor_inline_law_table table, struct cor_inline_pair x)
 {
     struct cor_inline_place place = cor_inline_law_octave(table, x.hi);
@@ -221,8 +221,8 @@ COR_KERNEL struct cor_inline_pair cor_inline_law_octave_row(struct cor_inline_la
     return cor_pair(place.row[0], cor_inline_row(place));
 }
 
-/* The second and the third order in mu = beta^(-num/den) at v = ln(beta). mu < 6e-8, so its rounding errors are
- * negligible; below exp(-60) mu itself is. */
+/* Returns the second and the third order in mu = beta^(-num/den) at v = ln(beta). mu < 6e-8, so its rounding errors are
+ * negligible. Below exp(-60) mu itself is negligible. */
 COR_KERNEL double cor_inline_law_orders(struct cor_inline_law_quantity q, double v)
 {
     const double *c = q.far(0);
@@ -230,7 +230,7 @@ COR_KERNEL double cor_inline_law_orders(struct cor_inline_law_quantity q, double
     return mu * ((c[4] + v * (c[5] + v * c[6])) + mu * (c[7] + v * (c[8] + v * (c[9] + v * c[10]))));
 }
 
-/* Three orders in mu at u = ln(beta), a_0 + a_1 u + ... */
+/* Returns three orders in mu at u = ln(beta), a_0 + a_1 u + ... */
 COR_KERNEL struct cor_inline_pair cor_inline_law_far(struct cor_inline_law_quantity q, struct cor_inline_pair u)
 {
     const double *c = q.far(0);
@@ -241,7 +241,7 @@ COR_KERNEL struct cor_inline_pair cor_inline_law_far(struct cor_inline_law_quant
     return cor_inline_sum(sum.hi, sum.lo + (((slope.lo + c[2] * u.lo) + c[3] * v) + (c[1] + orders)));
 }
 
-/* The sum of two pairs times powers of two. *exponent is the exponent of the first pair, and then of the sum. */
+/* Returns the sum of two pairs times powers of two. *exponent is the exponent of x, and becomes the sum's. */
 COR_INLINE struct cor_inline_pair cor_inline_pair_plus(struct cor_inline_pair x, int *exponent,
                                                        struct cor_inline_pair y, int y_exponent)
 {
@@ -257,7 +257,7 @@ COR_INLINE struct cor_inline_pair cor_inline_pair_plus(struct cor_inline_pair x,
     return cor_inline_sum(sum.hi, sum.lo + (x.lo + y.lo * unit));
 }
 
-/* The quantity for beta beyond the middle rows, as a pair times 2^*exponent */
+/* Returns the quantity for beta beyond the middle rows, as a pair times 2^*exponent. */
 COR_KERNEL struct cor_inline_pair cor_inline_law_tail(struct cor_inline_law_quantity q, double beta, int *exponent)
 {
     const struct cor_inline_pair u = cor_inline_log(beta);
@@ -275,15 +275,15 @@ COR_KERNEL struct cor_inline_pair cor_inline_law_tail(struct cor_inline_law_quan
     return cor_inline_pair_plus(value, exponent, cor_inline_pair_times(fall_power, cor_pair(c[0], c[1])), other);
 }
 
-/* beta_c - beta for 0 < beta < beta_c, or a number that is not above 0 */
+/* Returns beta_c - beta for 0 < beta < beta_c, or a number that is not above 0. */
 COR_KERNEL struct cor_inline_pair cor_inline_law_below(struct cor_inline_law_quantity q, double beta)
 {
     return cor_inline_below(beta, COR_INLINE_2_900) ? cor_pair_two_sum(q.threshold.hi - beta, q.threshold.lo)
-                                                    : cor_pair(-1, 0); /* no sum overflows, rounded downward */
+                                                    : cor_pair(-1, 0); /* no sum overflows when rounded downward */
 }
 
-/* For q = 0: -ln(eps) at zero overlap = pi beta/sqrt(beta_c^2 - beta^2), 0 < beta < beta_c, with relative error 2^-90
- * where eps is not 0. Next to beta_c the result is 1e9. */
+/* For q = 0, returns -ln(eps) at zero overlap, pi beta/sqrt(beta_c^2 - beta^2), 0 < beta < beta_c. The relative error
+ * is 2^-90 where eps is not 0. Next to beta_c the result is 1e9. */
 COR_KERNEL struct cor_inline_pair cor_inline_law_linear(struct cor_inline_law_quantity q, double beta)
 {
     const struct cor_inline_pair pi = cor_pair(3.141592653589793116, 1.2246467991473532e-16);
@@ -337,13 +337,13 @@ COR_KERNEL double cor_inline_law_value(struct cor_inline_law_quantity q, double 
 
 /* ---- eps and 1 - eps ---- */
 
-/* 1 - eps near beta = 0 */
+/* Returns 1 - eps near beta = 0. */
 COR_KERNEL double cor_inline_law_near_loss(struct cor_inline_law_quantity q, double beta)
 {
     return cor_inline_law_product(cor_inline_law_near(q.near, beta), beta);
 }
 
-/* eps between the near rows and infinity as a pair times 2^*exponent; hi = 0 if eps is 0 */
+/* Returns eps for beta beyond the near rows as a pair times 2^*exponent; hi = 0 if eps is 0. */
 COR_KERNEL struct cor_inline_pair cor_inline_law_eps_parts(struct cor_inline_law_quantity q, double beta, int *exponent)
 {
     *exponent = 0;
@@ -382,7 +382,7 @@ COR_KERNEL double cor_inline_law_eps(struct cor_inline_law_quantity q, double be
     return exponent == 0 ? eps.hi + eps.lo : cor_inline_pair_scaled(eps, exponent);
 }
 
-/* 1 - exp(-l), l > 0 */
+/* Returns 1 - exp(-l), l > 0. */
 COR_KERNEL double cor_inline_law_linear_loss(struct cor_inline_pair l)
 {
     if (l.hi > 60)
@@ -431,7 +431,7 @@ COR_KERNEL double cor_inline_law_loss(struct cor_inline_law_quantity q, double b
 
 /* ---- the inverse ---- */
 
-/* (c_0/eps)^s as a pair times 2^*exponent, where eps = c_0 beta^power and s = -1/power */
+/* Returns (c_0/eps)^s as a pair times 2^*exponent, where eps = c_0 beta^power and s = -1/power. */
 COR_KERNEL struct cor_inline_pair cor_inline_law_beta_of_power(struct cor_inline_law_quantity q, double eps,
                                                                int *exponent)
 {
@@ -448,9 +448,9 @@ COR_KERNEL struct cor_inline_pair cor_inline_law_beta_of_power(struct cor_inline
                                      exponent);
 }
 
-/* beta below the rows of eps. At zero overlap eps is the power v_f beta^(-1/q). At zero force eps = beta^power (a_0 +
- * ...) is R (1 + x)^s, where R is that of the power and x the orders in mu over a_0, below 1e-5. The code iterates
- * ln(beta) = ln(R) + s x twice. */
+/* Returns beta of an eps below the rows. At zero overlap eps is the power v_f beta^(-1/q). At zero force
+ * eps = beta^power (a_0 + ...), so beta = R (1 + x)^s. R is beta of the power with a_0, and x is the orders in mu over
+ * a_0, below 1e-5. The loop iterates ln(beta) = ln(R) + s x. */
 COR_KERNEL double cor_inline_law_beta_far(struct cor_inline_law_quantity q, double eps)
 {
     int exponent;
@@ -465,7 +465,7 @@ COR_KERNEL double cor_inline_law_beta_far(struct cor_inline_law_quantity q, doub
     return cor_inline_pair_scaled(cor_inline_sum(root.hi, root.lo + root.hi * more), exponent);
 }
 
-/* The smallest beta with this eps <= 1/2, below the rows near eps = 1 */
+/* Returns the smallest beta with this eps <= 1/2, which is below the rows near eps = 1. */
 COR_KERNEL double cor_inline_law_beta_low(struct cor_inline_law_quantity q, struct cor_inline_law_inverse inverse,
                                           double eps)
 {
@@ -478,8 +478,8 @@ COR_KERNEL double cor_inline_law_beta_low(struct cor_inline_law_quantity q, stru
     return cor_inline_law_beta_far(q, eps);
 }
 
-/* The round-off of the root of a loss: without this correction beta/loss, which grows with the root, is off by two
- * units of the last place next to loss = 1/2. A small loss needs none. */
+/* Returns the round-off of the root of a loss. Without this correction beta/loss, which grows with the root, has an
+ * error of two units of the last place next to loss = 1/2. A small loss needs no correction. */
 COR_KERNEL double cor_inline_law_root_rest(double loss, int root)
 {
     if (root == 1 || loss < 0.00390625)
@@ -489,7 +489,7 @@ COR_KERNEL double cor_inline_law_root_rest(double loss, int root)
     return y * (COR_INLINE_KEEP(COR_INLINE_KEEP(loss - back.hi) - back.lo) / (root * back.hi));
 }
 
-/* The same near eps = 1, from the loss 0 <= loss <= 1/2 */
+/* Returns the smallest beta near eps = 1, from the loss 0 <= loss <= 1/2. */
 COR_KERNEL double cor_inline_law_beta_near(struct cor_inline_law_inverse inverse, double loss)
 {
     struct cor_inline_place place = cor_inline_law_near(inverse.near, loss);
@@ -497,7 +497,7 @@ COR_KERNEL double cor_inline_law_beta_near(struct cor_inline_law_inverse inverse
     return cor_inline_law_product(place, loss);
 }
 
-/* beta_c loss/pi for a loss that may be subnormal */
+/* Returns beta_c loss/pi for a loss that may be subnormal. */
 COR_KERNEL double cor_inline_law_linear_slope(struct cor_inline_law_quantity q, double loss)
 {
     const struct cor_inline_pair pi = cor_pair(3.141592653589793116, 1.2246467991473532e-16);
@@ -506,7 +506,7 @@ COR_KERNEL double cor_inline_law_linear_slope(struct cor_inline_law_quantity q, 
     return (beta.hi + beta.lo) * COR_INLINE_2_M200;
 }
 
-/* q = 0 at zero overlap: beta_c L/sqrt(pi^2 + L^2), L = -ln(eps) */
+/* For q = 0 at zero overlap, returns beta_c L/sqrt(pi^2 + L^2), L = -ln(eps). */
 COR_KERNEL double cor_inline_law_beta_linear(struct cor_inline_law_quantity q, double eps, double loss)
 {
     const struct cor_inline_pair pi2 = cor_pair(9.869604401089358, 6.265295508739711e-16);
