@@ -29,8 +29,8 @@
 #define COR_SPHERE_EMBEDDED_H
 
 /* The includes and the attributes with which C99, C++11, CUDA and HIP compile a function into its caller. Compilers may
- * leave a call of a COR_INLINE. They must not leave one of a COR_KERNEL: a call in a loop prevents the vectorisation of
- * the loop, and arguments that are constants of the caller stop being constants. */
+ * leave a call of a COR_INLINE function. They must inline every COR_KERNEL function: a call prevents the vectorisation
+ * of a loop, and arguments that are constants of the caller would no longer be constants. */
 #ifndef COR_INLINE
 
 #if defined(__CUDACC__) || defined(__HIPCC__)
@@ -61,7 +61,7 @@
 #define COR_RUNTIME_PAIR_H
 
 
-/* Powers of two, in decimal because hexadecimal constants need C++17. */
+/* Powers of two, in decimal because hexadecimal constants need C++17 */
 #define COR_INLINE_2_M900 1.18305218616677471e-271
 #define COR_INLINE_2_M574 1.61726984478087796e-173
 #define COR_INLINE_2_M500 3.05493636349960468e-151
@@ -107,14 +107,14 @@ COR_INLINE double cor_inline_from_bits(uint64_t bits)
     return x;
 }
 
-/* Whether 0 <= x < end; false for -0 and NaN. The bits of nonnegative doubles, read as integers, have the order of the
+/* True if 0 <= x < end; false for -0 and NaN. The bits of nonnegative doubles, read as integers, have the order of the
  * doubles. The bits of negative doubles are larger. */
 COR_INLINE int cor_inline_below(double x, double end)
 {
     return cor_inline_bits(x) < cor_inline_bits(end);
 }
 
-/* Whether least <= x < end; false for NaN. The unsigned difference is huge for negative numbers and for numbers below
+/* True if least <= x < end; false for NaN. The unsigned difference is huge for negative numbers and for numbers below
  * `least`. */
 COR_INLINE int cor_inline_between(double x, double least, double end)
 {
@@ -134,8 +134,7 @@ COR_INLINE double cor_inline_nan(void)
     return cor_inline_from_bits(UINT64_C(0x7ff8000000000000));
 }
 
-/* The float nearest to x, without FE_OVERFLOW: a factor, because clang converts both x and what stands for it before it
- * chooses */
+/* Returns the float nearest to x, without FE_OVERFLOW. It uses a factor: clang would convert both sides of a choice. */
 COR_INLINE float cor_inline_narrow(double x)
 {
     const double beyond = 3.40282356779733662e+38; /* halfway between the largest float and 2^128 */
@@ -158,26 +157,27 @@ COR_INLINE int cor_inline_is_nan(double x)
     return (cor_inline_bits(x) & ~COR_INLINE_SIGN_BIT) > COR_INLINE_INFINITY_BITS;
 }
 
-/* Whether x is negative or NaN; -0 is neither. */
+/* True if x is negative or NaN; -0 is neither. */
 COR_INLINE int cor_inline_is_refused(double x)
 {
     return cor_inline_bits(x) > COR_INLINE_INFINITY_BITS && cor_inline_bits(x) != COR_INLINE_SIGN_BIT;
 }
 
-/* if_true or if_false, selected by bits. A processor would mispredict half of the jumps for scattered arguments. */
+/* Returns if_true or if_false, selected by bits. A processor would mispredict half of the jumps for scattered
+ * arguments. */
 COR_INLINE double cor_inline_choose(int choice, double if_true, double if_false)
 {
     const uint64_t mask = (uint64_t)0 - (uint64_t)(choice != 0);
     return cor_inline_from_bits((cor_inline_bits(if_true) & mask) | (cor_inline_bits(if_false) & ~mask));
 }
 
-/* 2^k, -1022 <= k <= 1023 */
+/* Returns 2^k, -1022 <= k <= 1023. */
 COR_INLINE double cor_inline_power_of_two(int k)
 {
     return cor_inline_from_bits((uint64_t)(1023 + k) << 52);
 }
 
-/* The exponent e of a normal x, 2^e <= |x| < 2^(e+1), and x 2^-e without its sign */
+/* Return the exponent e of a normal x, 2^e <= |x| < 2^(e+1), and |x| 2^-e. */
 COR_INLINE int cor_inline_exponent(double x)
 {
     return (int)((cor_inline_bits(x) >> 52) & 2047) - 1023;
@@ -188,8 +188,8 @@ COR_INLINE double cor_inline_significand(double x)
     return cor_inline_from_bits((cor_inline_bits(x) & UINT64_C(0xfffffffffffff)) | UINT64_C(0x3ff0000000000000));
 }
 
-/* x times a power of two that leaves a normal number, x > 0. The bits of a subnormal x count its units of 2^-1074, also
- * where the processor flushes such numbers to 0. */
+/* Returns x > 0 times a power of two, which must give a normal number. The bits of a subnormal x count its units of
+ * 2^-1074, even if the processor flushes such numbers to 0. */
 COR_INLINE double cor_inline_raised(double x, double power)
 {
     if (cor_inline_bits(x) >> 52 != 0)
@@ -197,7 +197,7 @@ COR_INLINE double cor_inline_raised(double x, double power)
     return (double)cor_inline_bits(x) * COR_INLINE_2_M574 * (power * COR_INLINE_2_M500);
 }
 
-/* x 2^k for 2^-60 < |x| < 2^60 and k <= 960, rounded once. Unlike ldexp, this function does not set errno. */
+/* Returns x 2^k for 2^-60 < |x| < 2^60 and k <= 960, rounded once. Unlike ldexp, this function does not set errno. */
 COR_INLINE double cor_inline_scaled(double x, int k)
 {
     if (k >= -960)
@@ -207,7 +207,7 @@ COR_INLINE double cor_inline_scaled(double x, int k)
     return x * COR_INLINE_2_M900 * cor_inline_power_of_two(k < -1022 ? -1022 : k);
 }
 
-/* The 26 leading bits: products of two such numbers are exact. */
+/* Returns the 26 leading bits of x. Products of two such numbers are exact. */
 COR_INLINE double cor_inline_head(double x)
 {
     return cor_inline_from_bits(cor_inline_bits(x) & UINT64_C(0xfffffffff8000000));
@@ -226,7 +226,7 @@ COR_INLINE struct cor_inline_pair cor_pair(double hi, double lo)
     return x;
 }
 
-/* hi + lo as a pair, exact where |hi| >= |lo| */
+/* Returns hi + lo as a pair, exact if |hi| >= |lo|. */
 COR_INLINE struct cor_inline_pair cor_inline_sum(double hi, double lo)
 {
     struct cor_inline_pair sum;
@@ -235,14 +235,14 @@ COR_INLINE struct cor_inline_pair cor_inline_sum(double hi, double lo)
     return sum;
 }
 
-/* x + y exactly, for x and y in any order */
+/* Returns x + y exactly, for x and y in any order. */
 COR_INLINE struct cor_inline_pair cor_pair_two_sum(double x, double y)
 {
     const double hi = COR_INLINE_KEEP(x + y), part = COR_INLINE_KEEP(hi - x);
     return cor_pair(hi, COR_INLINE_KEEP(x - COR_INLINE_KEEP(hi - part)) + COR_INLINE_KEEP(y - part));
 }
 
-/* x y with relative error 2^-104, if nothing underflows */
+/* Returns x y with relative error 2^-104, if nothing underflows. */
 COR_INLINE struct cor_inline_pair cor_inline_product(double x, double y)
 {
     const double xh = cor_inline_head(x), xl = x - xh, yh = cor_inline_head(y), yl = y - yh;
@@ -252,14 +252,14 @@ COR_INLINE struct cor_inline_pair cor_inline_product(double x, double y)
     return product;
 }
 
-/* x y, relative error a few 2^-104 */
+/* Returns x y with a relative error of a few 2^-104. */
 COR_INLINE struct cor_inline_pair cor_inline_pair_times(struct cor_inline_pair x, struct cor_inline_pair y)
 {
     const struct cor_inline_pair p = cor_inline_product(x.hi, y.hi);
     return cor_inline_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
-/* x/d from `inverse`, which is 1/d within a few units of the last place: relative error 2^-100 */
+/* Returns x/d with relative error 2^-100. inverse: 1/d within a few units of the last place. */
 COR_KERNEL struct cor_inline_pair cor_pair_over_with(struct cor_inline_pair x, struct cor_inline_pair d, double inverse)
 {
     const double q = x.hi * inverse;
@@ -272,8 +272,8 @@ COR_KERNEL struct cor_inline_pair cor_pair_over(struct cor_inline_pair x, struct
     return cor_pair_over_with(x, d, 1 / d.hi);
 }
 
-/* ln(x) of a normal, finite x >= 1. The absolute error is below 2^-53, or below 2^-53 ln(x) for large x, if that of
- * log is below 1 ulp. */
+/* Returns ln(x) of a normal, finite x >= 1. If log is within 1 ulp, the error is below 2^-53, or 2^-53 ln(x) for large
+ * x. */
 COR_INLINE struct cor_inline_pair cor_inline_log(double x)
 {
     /* ln(2) in two parts; the first has 42 bits, so that its products with exponents are exact */
@@ -286,19 +286,19 @@ COR_INLINE struct cor_inline_pair cor_inline_log(double x)
 
 #endif
 
-/* x^(1/5) without pow, branches or a table, so that compilers vectorise loops over it. */
+/* x^(1/5) without pow, branches or a table, so that compilers vectorise loops */
 #ifndef COR_RUNTIME_FIFTH_ROOT_H
 #define COR_RUNTIME_FIFTH_ROOT_H
 
 
-/* (1 + d)^(1/5) - 1 up to d^4 for |d| < 4e-4; the next term is below 2^-59. */
+/* Returns (1 + d)^(1/5) - 1 up to d^4 for |d| < 4e-4. The next term is below 2^-59. */
 COR_INLINE double cor_inline_fifth_root_rest(double d)
 {
     return d * ((0.2 - 0.08 * d) + (d * d) * (0.048 - 0.0336 * d));
 }
 
-/* x^(1/5) = head + tail for 2^-1000 <= x <= 2^1000; the head has 26 bits, |tail/head| < 2^-12. Relative error of the
- * sum, before it is rounded: 0.5 2^-53, measured in tests/unit/test_fifth_root.c. */
+/* Returns x^(1/5) = head + tail for 2^-1000 <= x <= 2^1000. The head has 26 bits, |tail/head| < 2^-12. Relative error
+ * of the sum, before it is rounded: 0.5 2^-53, measured in tests/unit/test_fifth_root.c. */
 COR_INLINE struct cor_inline_pair cor_inline_fifth_root_parts(double x)
 {
     /* The bits as one integer, divided by five, give a fifth of the exponent and of the fraction: the seed is within
@@ -321,7 +321,7 @@ COR_INLINE struct cor_inline_pair cor_inline_fifth_root_parts(double x)
     return root;
 }
 
-/* The fifth root of a pair; relative error below 2^-58, because r^5 and the difference are pairs too. */
+/* Returns the fifth root of a pair. The relative error is below 2^-58, because r^5 and the difference are pairs too. */
 COR_INLINE struct cor_inline_pair cor_inline_fifth_root_of_pair(struct cor_inline_pair x)
 {
     struct cor_inline_pair root = cor_inline_fifth_root_parts(x.hi), r, r5;
@@ -333,14 +333,14 @@ COR_INLINE struct cor_inline_pair cor_inline_fifth_root_of_pair(struct cor_inlin
     return root;
 }
 
-/* The rounded fifth root; relative error 1.5 2^-53 */
+/* Returns the rounded fifth root, with relative error 1.5 2^-53. */
 COR_INLINE double cor_inline_fifth_root_normal(double x)
 {
     const struct cor_inline_pair root = cor_inline_fifth_root_parts(x);
     return root.hi + root.lo;
 }
 
-/* The fifth root of any double. 0, +inf, NaN and negative numbers are returned unchanged. */
+/* Returns the fifth root of any double. It returns 0, +inf, NaN and negative numbers unchanged. */
 COR_INLINE double cor_inline_fifth_root(double x)
 {
     /* the bits of a positive finite x are 1 to INFINITY_BITS - 1 */
@@ -355,7 +355,7 @@ COR_INLINE double cor_inline_fifth_root(double x)
 
 #endif
 
-/* Tables of short polynomials on a grid, for any function: these functions find the row of a number and evaluate it.
+/* Tables of short polynomials on a grid, for any function. These functions find the row of a number and evaluate it.
  *
  * Macros COR_ROWS_NAME_FIRST, _STEP, ... give the geometry of a generated table cor_rows_NAME(i); docs/internals.md
  * describes the form. The functions below take the geometry as a struct, COR_INLINE_GRID(COR_ROWS_NAME), whose fields a
@@ -370,11 +370,11 @@ COR_INLINE double cor_inline_fifth_root(double x)
  *
  * The first macro is for s = t, the second for an s that is known later than t. Each pair of terms has its own power of
  * t, which is ready before the coefficients are loaded. Seven dependent operations follow the load, nine in the second
- * macro; Horner's rule has twenty. They are macros because the array functions evaluate them with vectors. pN is t^N.
+ * macro; Horner's rule has twenty. They are macros because the array functions use vectors. pN is t^N.
  *
  * Rounding error: the row is at most a few percent of c_0 + row (docs/accuracy.md) and has a relative rounding error of
- * about 3 2^-53. The row therefore contributes a tenth of a unit of the last place of the sum, and the final addition
- * half a unit. */
+ * about 3 2^-53. The row therefore contributes a tenth of a unit of the last place of the sum. The final addition
+ * contributes half a unit. */
 #define COR_INLINE_ROW(c, t, p2, p4, p6, p8, p10)                                                                      \
     ((((c)[1] + (t) * (c)[2]) + (p10) * (c)[11]) +                                                                     \
      (((p2) * ((c)[3] + (c)[4] * (t)) + (p4) * ((c)[5] + (c)[6] * (t))) +                                              \
@@ -400,14 +400,14 @@ COR_INLINE double cor_inline_row(struct cor_inline_place place)
                        : COR_INLINE_KEEP(COR_INLINE_ROW(c, t, p2, p4, p6, p8, p6 * p4));
 }
 
-/* c_0 + row */
+/* Returns c_0 + row. */
 COR_INLINE double cor_inline_row_value(struct cor_inline_place place)
 {
     return place.row[0] + cor_inline_row(place);
 }
 
-/* m (c_0 + row) for m >= 2^-900 and rows whose c_0 has at most 26 bits. Both products of c_0 with a half of m are
- * exact, so the final addition causes nearly all of the rounding error. */
+/* Returns m (c_0 + row) for m >= 2^-900 and rows whose c_0 has at most 26 bits. Both products of c_0 with a half of m
+ * are exact, so the final addition causes nearly all of the rounding error. */
 COR_INLINE double cor_inline_row_product(struct cor_inline_place place, double m)
 {
     const double head = cor_inline_head(m), tail = m - head;
@@ -439,25 +439,25 @@ COR_INLINE struct cor_inline_grid cor_inline_grid_of(double first, double step, 
 }
 #define COR_INLINE_GRID(table) cor_inline_grid_of(table##_FIRST, table##_STEP, table##_PER_UNIT)
 
-/* The row whose node is nearest to y */
+/* Returns the row whose node is nearest to y. */
 COR_INLINE int cor_inline_grid_row(struct cor_inline_grid grid, double y)
 {
     return (int)((y - grid.first) * grid.per_unit + 0.5);
 }
 
-/* A compiler may not omit the addition of a first node of 0, because 0 + -0 is 0; the branch saves it. */
+/* Returns node i. The branch avoids the addition of a first node of 0, which compilers may not omit: 0 + -0 is 0. */
 COR_INLINE double cor_inline_grid_node(struct cor_inline_grid grid, int i)
 {
     return grid.first == 0 ? i * grid.step : grid.first + i * grid.step;
 }
 
-/* y - node i. The result is exact: y and its node are multiples of the last place of y, or of the difference. */
+/* Returns y - node i. The result is exact: y and its node are multiples of the last place of y or of the result. */
 COR_INLINE double cor_inline_grid_t(struct cor_inline_grid grid, double y, int i)
 {
     return (y - grid.first) - i * grid.step;
 }
 
-/* The place of y */
+/* Returns the place of y. */
 COR_INLINE struct cor_inline_place cor_inline_grid_place(struct cor_inline_grid grid, double y,
                                                          const double *(*rows)(int))
 {
@@ -465,8 +465,8 @@ COR_INLINE struct cor_inline_place cor_inline_grid_place(struct cor_inline_grid 
     return cor_inline_place_of(rows(i), cor_inline_grid_t(grid, y, i));
 }
 
-/* The place of z = sqrt(x). Rows from `plain` on have s = x - node^2, which is exact. t has the rounding error of the
- * root, and c_1 t would pass that error on. */
+/* Returns the place of z = sqrt(x). Rows with numbers >= `plain` have s = x - node^2, which is exact. t has the
+ * rounding error of the root, which c_1 t would pass on to the row. */
 COR_INLINE struct cor_inline_place cor_inline_grid_place_of_root(struct cor_inline_grid grid, int plain, double x,
                                                                  const double *(*rows)(int))
 {
@@ -495,14 +495,14 @@ COR_INLINE struct cor_inline_octaves cor_inline_octaves_of(double first, int bit
 }
 #define COR_INLINE_OCTAVES(table) cor_inline_octaves_of(table##_FIRST, table##_OCTAVE_BITS)
 
-/* The row of x: the number of cells between first and x. The bits of x, read as an integer, grow by the same amount
- * from cell to cell. */
+/* Returns the row of x: the number of cells between first and x. The bits of x, read as an integer, grow equally from
+ * cell to cell. */
 COR_INLINE uint64_t cor_inline_octaves_row(struct cor_inline_octaves grid, double x)
 {
     return (cor_inline_bits(x) - cor_inline_bits(grid.first)) >> (52 - grid.bits);
 }
 
-/* x 2^-k minus the node of its cell, where 1 <= x 2^-k < 2. The result is exact. */
+/* Returns x 2^-k minus the node of its cell, where 1 <= x 2^-k < 2. The result is exact. */
 COR_INLINE double cor_inline_octaves_t(struct cor_inline_octaves grid, double x)
 {
     const uint64_t one = UINT64_C(0x3ff0000000000000), half_cell = UINT64_C(1) << (51 - grid.bits);
@@ -511,7 +511,7 @@ COR_INLINE double cor_inline_octaves_t(struct cor_inline_octaves grid, double x)
     return cor_inline_from_bits(fraction | one) - cor_inline_from_bits(node | one);
 }
 
-/* The place of x */
+/* Returns the place of x. */
 COR_INLINE struct cor_inline_place cor_inline_octaves_place(struct cor_inline_octaves grid, double x,
                                                             const double *(*rows)(int))
 {
@@ -532,9 +532,9 @@ COR_INLINE struct cor_inline_place cor_inline_octaves_place(struct cor_inline_oc
  *
  * For beta from 0 to 8 (eps: to 7 at zero overlap, to 16 at zero force) a row of a table gives a quantity: a short
  * polynomial around the nearest node of a uniform grid. For larger beta a quantity is a power of beta times a function
- * of ln(beta). Up to beta = exp(10) rows give this function; from there to infinity three orders in mu = beta^(-5/3),
- * with their logarithms, do. The first coefficient of a row is a double-double and dominates, so the final addition
- * causes nearly all of the rounding error.
+ * of ln(beta). Up to beta = exp(10) rows give this function. Beyond, three orders in mu = beta^(-5/3) with their
+ * logarithms give it. The first coefficient of a row is a double-double and dominates, so the final addition causes
+ * nearly all of the rounding error.
  *
  * Errors are in units of the last place (ulp) of the exact value. "Worst known" is the largest error, and its argument,
  * that tests/accuracy/test_accuracy --points 1e9 found. tests/unit/test_sphere.c tests these arguments.
@@ -549,7 +549,7 @@ COR_INLINE struct cor_inline_place cor_inline_octaves_place(struct cor_inline_oc
 
 /* Arguments outside a table: beta = -0 counts as 0; negative numbers and NaN give NaN. */
 
-/* beta^(2/3) for 1 <= beta < 8. Relative error below 2^-69. */
+/* Returns beta^(2/3) for 1 <= beta < 8. Relative error below 2^-69. */
 COR_INLINE struct cor_inline_pair cor_inline_two_thirds(double beta)
 {
     /* r has 26 bits, so its square is exact; |d| < 2^-23 if the error of cbrt is below 2^-27 */
@@ -559,8 +559,8 @@ COR_INLINE struct cor_inline_pair cor_inline_two_thirds(double beta)
     return cor_inline_sum(square, square * (d * (2.0 / 3 + d * (5.0 / 9))));
 }
 
-/* The logarithmic factor of a tail. Up to u = end, rows in u = ln(beta) give it, with the error of u times the slope.
- * Beyond, three orders in mu = beta^(-5/3) give it. */
+/* Returns the logarithmic factor of a tail. Up to u = end, rows in u = ln(beta) give it, with the error of u times the
+ * slope. Beyond, three orders in mu = beta^(-5/3) give it. */
 COR_INLINE struct cor_inline_pair cor_inline_log_factor(double beta, struct cor_inline_grid grid, double end,
                                                         const double *(*rows)(int), const double *(*far)(int))
 {
@@ -571,7 +571,7 @@ COR_INLINE struct cor_inline_pair cor_inline_log_factor(double beta, struct cor_
         return cor_inline_sum(c[0], cor_inline_row(cor_inline_place_of(c, cor_inline_grid_t(grid, u.hi, i) + u.lo)));
     }
     const double *c = far(0);
-    /* mu < 6e-8, so its error is negligible: that of cbrt may be 2^-46 */
+    /* mu < 6e-8, so its error is negligible, even if cbrt has an error of 2^-46 */
     const double root = cbrt(beta), mu = 1 / beta / (root * root), v = u.hi;
     const double orders = mu * ((c[4] + v * (c[5] + v * c[6])) + mu * (c[7] + v * (c[8] + v * (c[9] + v * c[10]))));
     const struct cor_inline_pair slope = cor_inline_product(c[2], v);
@@ -583,8 +583,8 @@ COR_INLINE struct cor_inline_pair cor_inline_log_factor(double beta, struct cor_
 #define COR_INLINE_LOG_FACTOR(beta, quantity, table)                                                                   \
     cor_inline_log_factor(beta, COR_INLINE_GRID(table), table##_END, cor_rows_tail_##quantity, cor_rows_far_##quantity)
 
-/* factor beta^(-2/3), or factor beta^(-5/3) with `fifths`, as a pair times 2^exponent, which neither overflows nor
- * underflows. The relative error is that of the factor plus 2^-65. */
+/* Returns factor beta^(-2/3), or factor beta^(-5/3) with `fifths`, as a pair times 2^exponent, without overflow or
+ * underflow. The relative error is the error of the factor plus 2^-65. */
 COR_INLINE struct cor_inline_pair cor_inline_power_parts(double beta, struct cor_inline_pair factor, int fifths,
                                                          int *exponent)
 {
@@ -599,7 +599,7 @@ COR_INLINE struct cor_inline_pair cor_inline_power_parts(double beta, struct cor
     return cor_pair_over(factor, power);
 }
 
-/* The same, rounded to a double; 0 for an infinite beta */
+/* Returns the same power, rounded to a double; 0 for an infinite beta. */
 COR_INLINE double cor_inline_power_tail(double beta, struct cor_inline_pair factor, int fifths)
 {
     int exponent;
@@ -609,12 +609,12 @@ COR_INLINE double cor_inline_power_tail(double beta, struct cor_inline_pair fact
 
 /* ---- eps ---- */
 
-/* Below this beta, eps is 1 to the last bit. The branch is necessary: if underflowing products are rounded upward, a
+/* Below this beta, eps is 1 to the last bit. The branch is necessary: if products that underflow are rounded upward, a
  * row exceeds 1. */
 #define COR_INLINE_EPS_LEAST COR_INLINE_2_M60
 
-/* h*^5 beta^-5 for beta >= 7; the next order is below 2^-75. The power and the quotient are double-doubles, so only the
- * final rounding counts: 0.5 ulp. */
+/* Returns h*^5 beta^-5 for beta >= 7. The next order is below 2^-75. The power and the quotient are double-doubles, so
+ * only the final rounding counts: 0.5 ulp. */
 COR_INLINE double cor_inline_eps_overlap_far(double beta)
 {
     const double *h = cor_rows_h_star_5(0);
@@ -632,7 +632,7 @@ COR_INLINE double cor_inline_eps_overlap_far(double beta)
     return huge ? eps * COR_INLINE_2_M500 * COR_INLINE_2_M500 : eps;
 }
 
-/* The same at beta = x^(1/5), x >= 2^14. Error 0.75 ulp, because the formula omits the second half of h*^5. */
+/* Returns the same eps at beta = x^(1/5), x >= 2^14. Error 0.75 ulp, because the second half of h*^5 is omitted. */
 COR_INLINE double cor_inline_eps_overlap_far_root(double x)
 {
     return cor_rows_h_star_5(0)[0] / x;
@@ -666,8 +666,8 @@ COR_INLINE double cor_inline_eps_zero_force(double beta)
     return beta < COR_INLINE_EPS_LEAST ? 1 : cor_inline_eps_force_far(beta);
 }
 
-/* eps at beta = x^(1/5), where x is the product of an impact speed g and beta_per_root^5. For x from 2^-40 to 2^14 or
- * 2^20 (beta from 1/256 to 7 or 16) rows in x itself give eps without a root, and only a fifth of the product's
+/* Return eps at beta = x^(1/5), where x is the product of an impact speed g and beta_per_root^5. For x from 2^-40 to
+ * 2^14 or 2^20 (beta from 1/256 to 7 or 16), rows in x give eps without a root, and only a fifth of the product's
  * rounding error reaches beta. For larger x, eps at zero overlap is h*^5/x. */
 COR_INLINE double cor_inline_eps_zero_overlap_root(double x)
 {
@@ -689,7 +689,7 @@ COR_INLINE double cor_inline_eps_zero_force_root(double x)
 
 /* ---- 1 - eps = beta (c_0 + row) ---- */
 
-/* A tiny beta is scaled, because the halves of the products would be subnormal. */
+/* Returns beta (c_0 + row). A tiny beta is scaled, because the halves of the products would be subnormal. */
 COR_INLINE double cor_inline_loss_product(struct cor_inline_place place, double beta)
 {
     if (cor_inline_below(beta, COR_INLINE_2_M900))
@@ -721,7 +721,7 @@ COR_INLINE double cor_inline_loss_zero_force(double beta)
 
 /* ---- times and the largest overlap ---- */
 
-/* The product of beta and factor, or infinity if it exceeds the largest double */
+/* Returns the product of beta and factor, or infinity if it exceeds the largest double. */
 COR_INLINE double cor_inline_linear_tail(double beta, struct cor_inline_pair factor)
 {
     const int huge = beta > COR_INLINE_2_1000;
@@ -786,10 +786,10 @@ COR_INLINE double cor_inline_time_of_max_overlap(double beta)
 
 /* ---- the inverse ---- */
 
-/* beta = m (c_0 + row). From eps = 1/2 on, m = loss = 1 - eps, which is exact, and the rows hold beta/loss as a
- * function of loss or its root. Below eps = 1/2, m = 1, and the rows hold beta by octaves of eps. The function computes
- * both and selects one by bits, because eps of many collisions scatter around 1/2. The error is that of the row plus
- * one rounding; at zero force the rounded root adds up to 0.6 ulp. */
+/* Returns beta = m (c_0 + row). For eps >= 1/2, m = loss = 1 - eps, which is exact, and the rows contain beta/loss as a
+ * function of loss or its root. For eps < 1/2, m = 1, and the rows contain beta by octaves of eps. The function
+ * computes both and selects one by bits, because the eps of many collisions scatter around 1/2. The error is the error
+ * of the row plus one rounding; at zero force the rounded root adds up to 0.6 ulp. */
 COR_INLINE double cor_inline_inverse(double eps, struct cor_inline_grid near_grid, int root,
                                      const double *(*near_rows)(int), struct cor_inline_octaves grid,
                                      const double *(*rows)(int))
@@ -803,7 +803,7 @@ COR_INLINE double cor_inline_inverse(double eps, struct cor_inline_grid near_gri
                                   cor_inline_choose(near, loss, 1));
 }
 
-/* a/eps as a pair; if eps is tiny and the quotient might overflow, a/(2^500 eps) */
+/* Returns a/eps as a pair; if eps is tiny and the quotient might overflow, a/(2^500 eps). */
 COR_INLINE struct cor_inline_pair cor_inline_over_eps(const double *a, double eps, int tiny)
 {
     struct cor_inline_pair numerator, denominator;
@@ -814,7 +814,7 @@ COR_INLINE struct cor_inline_pair cor_inline_over_eps(const double *a, double ep
     return cor_pair_over(numerator, denominator);
 }
 
-/* beta = (h*^5/eps)^(1/5) for eps below the table. Error 0.6 ulp. */
+/* Returns beta = (h*^5/eps)^(1/5) for eps below the table. Error 0.6 ulp. */
 COR_INLINE double cor_inline_beta_overlap_far(double eps)
 {
     const int tiny = eps < COR_INLINE_2_M500;
@@ -823,8 +823,8 @@ COR_INLINE double cor_inline_beta_overlap_far(double eps)
     return (root.hi + root.lo) * (tiny ? COR_INLINE_2_100 : 1);
 }
 
-/* beta = R (1 + e r_1(v) + e^2 r_2(v)), R = (a/eps)^(3/5), e = eps/a, v = ln(R), where eps is below the table: e <
- * 1e-7. */
+/* Returns beta = R (1 + e r_1(v) + e^2 r_2(v)), R = (a/eps)^(3/5), e = eps/a, v = ln(R), for eps below the table
+ * (e < 1e-7). */
 COR_INLINE double cor_inline_beta_force_far(double eps)
 {
     const double *c = cor_rows_far_beta_zero_force(0);

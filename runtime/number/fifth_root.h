@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* x^(1/5) without pow, branches or a table, so that compilers vectorise loops over it. */
+/* x^(1/5) without pow, branches or a table, so that compilers vectorise loops */
 #ifndef COR_RUNTIME_FIFTH_ROOT_H
 #define COR_RUNTIME_FIFTH_ROOT_H
 
 #include "runtime/number/pair.h"
 
-/* (1 + d)^(1/5) - 1 up to d^4 for |d| < 4e-4; the next term is below 2^-59. */
+/* Returns (1 + d)^(1/5) - 1 up to d^4 for |d| < 4e-4. The next term is below 2^-59. */
 COR_INLINE double cor_inline_fifth_root_rest(double d)
 {
     return d * ((0.2 - 0.08 * d) + (d * d) * (0.048 - 0.0336 * d));
 }
 
-/* x^(1/5) = head + tail for 2^-1000 <= x <= 2^1000; the head has 26 bits, |tail/head| < 2^-12. Relative error of the
- * sum, before it is rounded: 0.5 2^-53, measured in tests/unit/test_fifth_root.c. */
+/* Returns x^(1/5) = head + tail for 2^-1000 <= x <= 2^1000. The head has 26 bits, |tail/head| < 2^-12. Relative error
+ * of the sum, before it is rounded: 0.5 2^-53, measured in tests/unit/test_fifth_root.c. */
 COR_INLINE struct cor_inline_pair cor_inline_fifth_root_parts(double x)
 {
     /* The bits as one integer, divided by five, give a fifth of the exponent and of the fraction: the seed is within
@@ -35,7 +35,7 @@ COR_INLINE struct cor_inline_pair cor_inline_fifth_root_parts(double x)
     return root;
 }
 
-/* The fifth root of a pair; relative error below 2^-58, because r^5 and the difference are pairs too. */
+/* Returns the fifth root of a pair. The relative error is below 2^-58, because r^5 and the difference are pairs too. */
 COR_INLINE struct cor_inline_pair cor_inline_fifth_root_of_pair(struct cor_inline_pair x)
 {
     struct cor_inline_pair root = cor_inline_fifth_root_parts(x.hi), r, r5;
@@ -47,14 +47,14 @@ COR_INLINE struct cor_inline_pair cor_inline_fifth_root_of_pair(struct cor_inlin
     return root;
 }
 
-/* The rounded fifth root; relative error 1.5 2^-53 */
+/* Returns the rounded fifth root, with relative error 1.5 2^-53. */
 COR_INLINE double cor_inline_fifth_root_normal(double x)
 {
     const struct cor_inline_pair root = cor_inline_fifth_root_parts(x);
     return root.hi + root.lo;
 }
 
-/* The fifth root of any double. 0, +inf, NaN and negative numbers are returned unchanged. */
+/* Returns the fifth root of any double. It returns 0, +inf, NaN and negative numbers unchanged. */
 COR_INLINE double cor_inline_fifth_root(double x)
 {
     /* the bits of a positive finite x are 1 to INFINITY_BITS - 1 */

@@ -9,7 +9,7 @@
 
 #include "runtime/number/inline.h"
 
-/* Powers of two, in decimal because hexadecimal constants need C++17. */
+/* Powers of two, in decimal because hexadecimal constants need C++17 */
 #define COR_INLINE_2_M900 1.18305218616677471e-271
 #define COR_INLINE_2_M574 1.61726984478087796e-173
 #define COR_INLINE_2_M500 3.05493636349960468e-151
@@ -55,14 +55,14 @@ COR_INLINE double cor_inline_from_bits(uint64_t bits)
     return x;
 }
 
-/* Whether 0 <= x < end; false for -0 and NaN. The bits of nonnegative doubles, read as integers, have the order of the
+/* True if 0 <= x < end; false for -0 and NaN. The bits of nonnegative doubles, read as integers, have the order of the
  * doubles. The bits of negative doubles are larger. */
 COR_INLINE int cor_inline_below(double x, double end)
 {
     return cor_inline_bits(x) < cor_inline_bits(end);
 }
 
-/* Whether least <= x < end; false for NaN. The unsigned difference is huge for negative numbers and for numbers below
+/* True if least <= x < end; false for NaN. The unsigned difference is huge for negative numbers and for numbers below
  * `least`. */
 COR_INLINE int cor_inline_between(double x, double least, double end)
 {
@@ -82,8 +82,7 @@ COR_INLINE double cor_inline_nan(void)
     return cor_inline_from_bits(UINT64_C(0x7ff8000000000000));
 }
 
-/* The float nearest to x, without FE_OVERFLOW: a factor, because clang converts both x and what stands for it before it
- * chooses */
+/* Returns the float nearest to x, without FE_OVERFLOW. It uses a factor: clang would convert both sides of a choice. */
 COR_INLINE float cor_inline_narrow(double x)
 {
     const double beyond = 3.40282356779733662e+38; /* halfway between the largest float and 2^128 */
@@ -106,26 +105,27 @@ COR_INLINE int cor_inline_is_nan(double x)
     return (cor_inline_bits(x) & ~COR_INLINE_SIGN_BIT) > COR_INLINE_INFINITY_BITS;
 }
 
-/* Whether x is negative or NaN; -0 is neither. */
+/* True if x is negative or NaN; -0 is neither. */
 COR_INLINE int cor_inline_is_refused(double x)
 {
     return cor_inline_bits(x) > COR_INLINE_INFINITY_BITS && cor_inline_bits(x) != COR_INLINE_SIGN_BIT;
 }
 
-/* if_true or if_false, selected by bits. A processor would mispredict half of the jumps for scattered arguments. */
+/* Returns if_true or if_false, selected by bits. A processor would mispredict half of the jumps for scattered
+ * arguments. */
 COR_INLINE double cor_inline_choose(int choice, double if_true, double if_false)
 {
     const uint64_t mask = (uint64_t)0 - (uint64_t)(choice != 0);
     return cor_inline_from_bits((cor_inline_bits(if_true) & mask) | (cor_inline_bits(if_false) & ~mask));
 }
 
-/* 2^k, -1022 <= k <= 1023 */
+/* Returns 2^k, -1022 <= k <= 1023. */
 COR_INLINE double cor_inline_power_of_two(int k)
 {
     return cor_inline_from_bits((uint64_t)(1023 + k) << 52);
 }
 
-/* The exponent e of a normal x, 2^e <= |x| < 2^(e+1), and x 2^-e without its sign */
+/* Return the exponent e of a normal x, 2^e <= |x| < 2^(e+1), and |x| 2^-e. */
 COR_INLINE int cor_inline_exponent(double x)
 {
     return (int)((cor_inline_bits(x) >> 52) & 2047) - 1023;
@@ -136,8 +136,8 @@ COR_INLINE double cor_inline_significand(double x)
     return cor_inline_from_bits((cor_inline_bits(x) & UINT64_C(0xfffffffffffff)) | UINT64_C(0x3ff0000000000000));
 }
 
-/* x times a power of two that leaves a normal number, x > 0. The bits of a subnormal x count its units of 2^-1074, also
- * where the processor flushes such numbers to 0. */
+/* Returns x > 0 times a power of two, which must give a normal number. The bits of a subnormal x count its units of
+ * 2^-1074, even if the processor flushes such numbers to 0. */
 COR_INLINE double cor_inline_raised(double x, double power)
 {
     if (cor_inline_bits(x) >> 52 != 0)
@@ -145,7 +145,7 @@ COR_INLINE double cor_inline_raised(double x, double power)
     return (double)cor_inline_bits(x) * COR_INLINE_2_M574 * (power * COR_INLINE_2_M500);
 }
 
-/* x 2^k for 2^-60 < |x| < 2^60 and k <= 960, rounded once. Unlike ldexp, this function does not set errno. */
+/* Returns x 2^k for 2^-60 < |x| < 2^60 and k <= 960, rounded once. Unlike ldexp, this function does not set errno. */
 COR_INLINE double cor_inline_scaled(double x, int k)
 {
     if (k >= -960)
@@ -155,7 +155,7 @@ COR_INLINE double cor_inline_scaled(double x, int k)
     return x * COR_INLINE_2_M900 * cor_inline_power_of_two(k < -1022 ? -1022 : k);
 }
 
-/* The 26 leading bits: products of two such numbers are exact. */
+/* Returns the 26 leading bits of x. Products of two such numbers are exact. */
 COR_INLINE double cor_inline_head(double x)
 {
     return cor_inline_from_bits(cor_inline_bits(x) & UINT64_C(0xfffffffff8000000));
@@ -174,7 +174,7 @@ COR_INLINE struct cor_inline_pair cor_pair(double hi, double lo)
     return x;
 }
 
-/* hi + lo as a pair, exact where |hi| >= |lo| */
+/* Returns hi + lo as a pair, exact if |hi| >= |lo|. */
 COR_INLINE struct cor_inline_pair cor_inline_sum(double hi, double lo)
 {
     struct cor_inline_pair sum;
@@ -183,14 +183,14 @@ COR_INLINE struct cor_inline_pair cor_inline_sum(double hi, double lo)
     return sum;
 }
 
-/* x + y exactly, for x and y in any order */
+/* Returns x + y exactly, for x and y in any order. */
 COR_INLINE struct cor_inline_pair cor_pair_two_sum(double x, double y)
 {
     const double hi = COR_INLINE_KEEP(x + y), part = COR_INLINE_KEEP(hi - x);
     return cor_pair(hi, COR_INLINE_KEEP(x - COR_INLINE_KEEP(hi - part)) + COR_INLINE_KEEP(y - part));
 }
 
-/* x y with relative error 2^-104, if nothing underflows */
+/* Returns x y with relative error 2^-104, if nothing underflows. */
 COR_INLINE struct cor_inline_pair cor_inline_product(double x, double y)
 {
     const double xh = cor_inline_head(x), xl = x - xh, yh = cor_inline_head(y), yl = y - yh;
@@ -200,14 +200,14 @@ COR_INLINE struct cor_inline_pair cor_inline_product(double x, double y)
     return product;
 }
 
-/* x y, relative error a few 2^-104 */
+/* Returns x y with a relative error of a few 2^-104. */
 COR_INLINE struct cor_inline_pair cor_inline_pair_times(struct cor_inline_pair x, struct cor_inline_pair y)
 {
     const struct cor_inline_pair p = cor_inline_product(x.hi, y.hi);
     return cor_inline_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
-/* x/d from `inverse`, which is 1/d within a few units of the last place: relative error 2^-100 */
+/* Returns x/d with relative error 2^-100. inverse: 1/d within a few units of the last place. */
 COR_KERNEL struct cor_inline_pair cor_pair_over_with(struct cor_inline_pair x, struct cor_inline_pair d, double inverse)
 {
     const double q = x.hi * inverse;
@@ -220,8 +220,8 @@ COR_KERNEL struct cor_inline_pair cor_pair_over(struct cor_inline_pair x, struct
     return cor_pair_over_with(x, d, 1 / d.hi);
 }
 
-/* ln(x) of a normal, finite x >= 1. The absolute error is below 2^-53, or below 2^-53 ln(x) for large x, if that of
- * log is below 1 ulp. */
+/* Returns ln(x) of a normal, finite x >= 1. If log is within 1 ulp, the error is below 2^-53, or 2^-53 ln(x) for large
+ * x. */
 COR_INLINE struct cor_inline_pair cor_inline_log(double x)
 {
     /* ln(2) in two parts; the first has 42 bits, so that its products with exponents are exact */

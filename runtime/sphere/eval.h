@@ -4,9 +4,9 @@
  *
  * For beta from 0 to 8 (eps: to 7 at zero overlap, to 16 at zero force) a row of a table gives a quantity: a short
  * polynomial around the nearest node of a uniform grid. For larger beta a quantity is a power of beta times a function
- * of ln(beta). Up to beta = exp(10) rows give this function; from there to infinity three orders in mu = beta^(-5/3),
- * with their logarithms, do. The first coefficient of a row is a double-double and dominates, so the final addition
- * causes nearly all of the rounding error.
+ * of ln(beta). Up to beta = exp(10) rows give this function. Beyond, three orders in mu = beta^(-5/3) with their
+ * logarithms give it. The first coefficient of a row is a double-double and dominates, so the final addition causes
+ * nearly all of the rounding error.
  *
  * Errors are in units of the last place (ulp) of the exact value. "Worst known" is the largest error, and its argument,
  * that tests/accuracy/test_accuracy --points 1e9 found. tests/unit/test_sphere.c tests these arguments.
@@ -24,7 +24,7 @@
 
 /* Arguments outside a table: beta = -0 counts as 0; negative numbers and NaN give NaN. */
 
-/* beta^(2/3) for 1 <= beta < 8. Relative error below 2^-69. */
+/* Returns beta^(2/3) for 1 <= beta < 8. Relative error below 2^-69. */
 COR_INLINE struct cor_inline_pair cor_inline_two_thirds(double beta)
 {
     /* r has 26 bits, so its square is exact; |d| < 2^-23 if the error of cbrt is below 2^-27 */
@@ -34,8 +34,8 @@ COR_INLINE struct cor_inline_pair cor_inline_two_thirds(double beta)
     return cor_inline_sum(square, square * (d * (2.0 / 3 + d * (5.0 / 9))));
 }
 
-/* The logarithmic factor of a tail. Up to u = end, rows in u = ln(beta) give it, with the error of u times the slope.
- * Beyond, three orders in mu = beta^(-5/3) give it. */
+/* Returns the logarithmic factor of a tail. Up to u = end, rows in u = ln(beta) give it, with the error of u times the
+ * slope. Beyond, three orders in mu = beta^(-5/3) give it. */
 COR_INLINE struct cor_inline_pair cor_inline_log_factor(double beta, struct cor_inline_grid grid, double end,
                                                         const double *(*rows)(int), const double *(*far)(int))
 {
@@ -46,7 +46,7 @@ COR_INLINE struct cor_inline_pair cor_inline_log_factor(double beta, struct cor_
         return cor_inline_sum(c[0], cor_inline_row(cor_inline_place_of(c, cor_inline_grid_t(grid, u.hi, i) + u.lo)));
     }
     const double *c = far(0);
-    /* mu < 6e-8, so its error is negligible: that of cbrt may be 2^-46 */
+    /* mu < 6e-8, so its error is negligible, even if cbrt has an error of 2^-46 */
     const double root = cbrt(beta), mu = 1 / beta / (root * root), v = u.hi;
     const double orders = mu * ((c[4] + v * (c[5] + v * c[6])) + mu * (c[7] + v * (c[8] + v * (c[9] + v * c[10]))));
     const struct cor_inline_pair slope = cor_inline_product(c[2], v);
@@ -58,8 +58,8 @@ COR_INLINE struct cor_inline_pair cor_inline_log_factor(double beta, struct cor_
 #define COR_INLINE_LOG_FACTOR(beta, quantity, table)                                                                   \
     cor_inline_log_factor(beta, COR_INLINE_GRID(table), table##_END, cor_rows_tail_##quantity, cor_rows_far_##quantity)
 
-/* factor beta^(-2/3), or factor beta^(-5/3) with `fifths`, as a pair times 2^exponent, which neither overflows nor
- * underflows. The relative error is that of the factor plus 2^-65. */
+/* Returns factor beta^(-2/3), or factor beta^(-5/3) with `fifths`, as a pair times 2^exponent, without overflow or
+ * underflow. The relative error is the error of the factor plus 2^-65. */
 COR_INLINE struct cor_inline_pair cor_inline_power_parts(double beta, struct cor_inline_pair factor, int fifths,
                                                          int *exponent)
 {
@@ -74,7 +74,7 @@ COR_INLINE struct cor_inline_pair cor_inline_power_parts(double beta, struct cor
     return cor_pair_over(factor, power);
 }
 
-/* The same, rounded to a double; 0 for an infinite beta */
+/* Returns the same power, rounded to a double; 0 for an infinite beta. */
 COR_INLINE double cor_inline_power_tail(double beta, struct cor_inline_pair factor, int fifths)
 {
     int exponent;
@@ -84,12 +84,12 @@ COR_INLINE double cor_inline_power_tail(double beta, struct cor_inline_pair fact
 
 /* ---- eps ---- */
 
-/* Below this beta, eps is 1 to the last bit. The branch is necessary: if underflowing products are rounded upward, a
+/* Below this beta, eps is 1 to the last bit. The branch is necessary: if products that underflow are rounded upward, a
  * row exceeds 1. */
 #define COR_INLINE_EPS_LEAST COR_INLINE_2_M60
 
-/* h*^5 beta^-5 for beta >= 7; the next order is below 2^-75. The power and the quotient are double-doubles, so only the
- * final rounding counts: 0.5 ulp. */
+/* Returns h*^5 beta^-5 for beta >= 7. The next order is below 2^-75. The power and the quotient are double-doubles, so
+ * only the final rounding counts: 0.5 ulp. */
 COR_INLINE double cor_inline_eps_overlap_far(double beta)
 {
     const double *h = cor_rows_h_star_5(0);
@@ -107,7 +107,7 @@ COR_INLINE double cor_inline_eps_overlap_far(double beta)
     return huge ? eps * COR_INLINE_2_M500 * COR_INLINE_2_M500 : eps;
 }
 
-/* The same at beta = x^(1/5), x >= 2^14. Error 0.75 ulp, because the formula omits the second half of h*^5. */
+/* Returns the same eps at beta = x^(1/5), x >= 2^14. Error 0.75 ulp, because the second half of h*^5 is omitted. */
 COR_INLINE double cor_inline_eps_overlap_far_root(double x)
 {
     return cor_rows_h_star_5(0)[0] / x;
@@ -141,8 +141,8 @@ COR_INLINE double cor_inline_eps_zero_force(double beta)
     return beta < COR_INLINE_EPS_LEAST ? 1 : cor_inline_eps_force_far(beta);
 }
 
-/* eps at beta = x^(1/5), where x is the product of an impact speed g and beta_per_root^5. For x from 2^-40 to 2^14 or
- * 2^20 (beta from 1/256 to 7 or 16) rows in x itself give eps without a root, and only a fifth of the product's
+/* Return eps at beta = x^(1/5), where x is the product of an impact speed g and beta_per_root^5. For x from 2^-40 to
+ * 2^14 or 2^20 (beta from 1/256 to 7 or 16), rows in x give eps without a root, and only a fifth of the product's
  * rounding error reaches beta. For larger x, eps at zero overlap is h*^5/x. */
 COR_INLINE double cor_inline_eps_zero_overlap_root(double x)
 {
@@ -164,7 +164,7 @@ COR_INLINE double cor_inline_eps_zero_force_root(double x)
 
 /* ---- 1 - eps = beta (c_0 + row) ---- */
 
-/* A tiny beta is scaled, because the halves of the products would be subnormal. */
+/* Returns beta (c_0 + row). A tiny beta is scaled, because the halves of the products would be subnormal. */
 COR_INLINE double cor_inline_loss_product(struct cor_inline_place place, double beta)
 {
     if (cor_inline_below(beta, COR_INLINE_2_M900))
@@ -196,7 +196,7 @@ COR_INLINE double cor_inline_loss_zero_force(double beta)
 
 /* ---- times and the largest overlap ---- */
 
-/* The product of beta and factor, or infinity if it exceeds the largest double */
+/* Returns the product of beta and factor, or infinity if it exceeds the largest double. */
 COR_INLINE double cor_inline_linear_tail(double beta, struct cor_inline_pair factor)
 {
     const int huge = beta > COR_INLINE_2_1000;
@@ -261,10 +261,10 @@ COR_INLINE double cor_inline_time_of_max_overlap(double beta)
 
 /* ---- the inverse ---- */
 
-/* beta = m (c_0 + row). From eps = 1/2 on, m = loss = 1 - eps, which is exact, and the rows hold beta/loss as a
- * function of loss or its root. Below eps = 1/2, m = 1, and the rows hold beta by octaves of eps. The function computes
- * both and selects one by bits, because eps of many collisions scatter around 1/2. The error is that of the row plus
- * one rounding; at zero force the rounded root adds up to 0.6 ulp. */
+/* Returns beta = m (c_0 + row). For eps >= 1/2, m = loss = 1 - eps, which is exact, and the rows contain beta/loss as a
+ * function of loss or its root. For eps < 1/2, m = 1, and the rows contain beta by octaves of eps. The function
+ * computes both and selects one by bits, because the eps of many collisions scatter around 1/2. The error is the error
+ * of the row plus one rounding; at zero force the rounded root adds up to 0.6 ulp. */
 COR_INLINE double cor_inline_inverse(double eps, struct cor_inline_grid near_grid, int root,
                                      const double *(*near_rows)(int), struct cor_inline_octaves grid,
                                      const double *(*rows)(int))
@@ -278,7 +278,7 @@ COR_INLINE double cor_inline_inverse(double eps, struct cor_inline_grid near_gri
                                   cor_inline_choose(near, loss, 1));
 }
 
-/* a/eps as a pair; if eps is tiny and the quotient might overflow, a/(2^500 eps) */
+/* Returns a/eps as a pair; if eps is tiny and the quotient might overflow, a/(2^500 eps). */
 COR_INLINE struct cor_inline_pair cor_inline_over_eps(const double *a, double eps, int tiny)
 {
     struct cor_inline_pair numerator, denominator;
@@ -289,7 +289,7 @@ COR_INLINE struct cor_inline_pair cor_inline_over_eps(const double *a, double ep
     return cor_pair_over(numerator, denominator);
 }
 
-/* beta = (h*^5/eps)^(1/5) for eps below the table. Error 0.6 ulp. */
+/* Returns beta = (h*^5/eps)^(1/5) for eps below the table. Error 0.6 ulp. */
 COR_INLINE double cor_inline_beta_overlap_far(double eps)
 {
     const int tiny = eps < COR_INLINE_2_M500;
@@ -298,8 +298,8 @@ COR_INLINE double cor_inline_beta_overlap_far(double eps)
     return (root.hi + root.lo) * (tiny ? COR_INLINE_2_100 : 1);
 }
 
-/* beta = R (1 + e r_1(v) + e^2 r_2(v)), R = (a/eps)^(3/5), e = eps/a, v = ln(R), where eps is below the table: e <
- * 1e-7. */
+/* Returns beta = R (1 + e r_1(v) + e^2 r_2(v)), R = (a/eps)^(3/5), e = eps/a, v = ln(R), for eps below the table
+ * (e < 1e-7). */
 COR_INLINE double cor_inline_beta_force_far(double eps)
 {
     const double *c = cor_rows_far_beta_zero_force(0);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Tables of short polynomials on a grid, for any function: these functions find the row of a number and evaluate it.
+/* Tables of short polynomials on a grid, for any function. These functions find the row of a number and evaluate it.
  *
  * Macros COR_ROWS_NAME_FIRST, _STEP, ... give the geometry of a generated table cor_rows_NAME(i); docs/internals.md
  * describes the form. The functions below take the geometry as a struct, COR_INLINE_GRID(COR_ROWS_NAME), whose fields a
@@ -15,11 +15,11 @@
  *
  * The first macro is for s = t, the second for an s that is known later than t. Each pair of terms has its own power of
  * t, which is ready before the coefficients are loaded. Seven dependent operations follow the load, nine in the second
- * macro; Horner's rule has twenty. They are macros because the array functions evaluate them with vectors. pN is t^N.
+ * macro; Horner's rule has twenty. They are macros because the array functions use vectors. pN is t^N.
  *
  * Rounding error: the row is at most a few percent of c_0 + row (docs/accuracy.md) and has a relative rounding error of
- * about 3 2^-53. The row therefore contributes a tenth of a unit of the last place of the sum, and the final addition
- * half a unit. */
+ * about 3 2^-53. The row therefore contributes a tenth of a unit of the last place of the sum. The final addition
+ * contributes half a unit. */
 #define COR_INLINE_ROW(c, t, p2, p4, p6, p8, p10)                                                                      \
     ((((c)[1] + (t) * (c)[2]) + (p10) * (c)[11]) +                                                                     \
      (((p2) * ((c)[3] + (c)[4] * (t)) + (p4) * ((c)[5] + (c)[6] * (t))) +                                              \
@@ -45,14 +45,14 @@ COR_INLINE double cor_inline_row(struct cor_inline_place place)
                        : COR_INLINE_KEEP(COR_INLINE_ROW(c, t, p2, p4, p6, p8, p6 * p4));
 }
 
-/* c_0 + row */
+/* Returns c_0 + row. */
 COR_INLINE double cor_inline_row_value(struct cor_inline_place place)
 {
     return place.row[0] + cor_inline_row(place);
 }
 
-/* m (c_0 + row) for m >= 2^-900 and rows whose c_0 has at most 26 bits. Both products of c_0 with a half of m are
- * exact, so the final addition causes nearly all of the rounding error. */
+/* Returns m (c_0 + row) for m >= 2^-900 and rows whose c_0 has at most 26 bits. Both products of c_0 with a half of m
+ * are exact, so the final addition causes nearly all of the rounding error. */
 COR_INLINE double cor_inline_row_product(struct cor_inline_place place, double m)
 {
     const double head = cor_inline_head(m), tail = m - head;
@@ -84,25 +84,25 @@ COR_INLINE struct cor_inline_grid cor_inline_grid_of(double first, double step, 
 }
 #define COR_INLINE_GRID(table) cor_inline_grid_of(table##_FIRST, table##_STEP, table##_PER_UNIT)
 
-/* The row whose node is nearest to y */
+/* Returns the row whose node is nearest to y. */
 COR_INLINE int cor_inline_grid_row(struct cor_inline_grid grid, double y)
 {
     return (int)((y - grid.first) * grid.per_unit + 0.5);
 }
 
-/* A compiler may not omit the addition of a first node of 0, because 0 + -0 is 0; the branch saves it. */
+/* Returns node i. The branch avoids the addition of a first node of 0, which compilers may not omit: 0 + -0 is 0. */
 COR_INLINE double cor_inline_grid_node(struct cor_inline_grid grid, int i)
 {
     return grid.first == 0 ? i * grid.step : grid.first + i * grid.step;
 }
 
-/* y - node i. The result is exact: y and its node are multiples of the last place of y, or of the difference. */
+/* Returns y - node i. The result is exact: y and its node are multiples of the last place of y or of the result. */
 COR_INLINE double cor_inline_grid_t(struct cor_inline_grid grid, double y, int i)
 {
     return (y - grid.first) - i * grid.step;
 }
 
-/* The place of y */
+/* Returns the place of y. */
 COR_INLINE struct cor_inline_place cor_inline_grid_place(struct cor_inline_grid grid, double y,
                                                          const double *(*rows)(int))
 {
@@ -110,8 +110,8 @@ COR_INLINE struct cor_inline_place cor_inline_grid_place(struct cor_inline_grid 
     return cor_inline_place_of(rows(i), cor_inline_grid_t(grid, y, i));
 }
 
-/* The place of z = sqrt(x). Rows from `plain` on have s = x - node^2, which is exact. t has the rounding error of the
- * root, and c_1 t would pass that error on. */
+/* Returns the place of z = sqrt(x). Rows with numbers >= `plain` have s = x - node^2, which is exact. t has the
+ * rounding error of the root, which c_1 t would pass on to the row. */
 COR_INLINE struct cor_inline_place cor_inline_grid_place_of_root(struct cor_inline_grid grid, int plain, double x,
                                                                  const double *(*rows)(int))
 {
@@ -140,14 +140,14 @@ COR_INLINE struct cor_inline_octaves cor_inline_octaves_of(double first, int bit
 }
 #define COR_INLINE_OCTAVES(table) cor_inline_octaves_of(table##_FIRST, table##_OCTAVE_BITS)
 
-/* The row of x: the number of cells between first and x. The bits of x, read as an integer, grow by the same amount
- * from cell to cell. */
+/* Returns the row of x: the number of cells between first and x. The bits of x, read as an integer, grow equally from
+ * cell to cell. */
 COR_INLINE uint64_t cor_inline_octaves_row(struct cor_inline_octaves grid, double x)
 {
     return (cor_inline_bits(x) - cor_inline_bits(grid.first)) >> (52 - grid.bits);
 }
 
-/* x 2^-k minus the node of its cell, where 1 <= x 2^-k < 2. The result is exact. */
+/* Returns x 2^-k minus the node of its cell, where 1 <= x 2^-k < 2. The result is exact. */
 COR_INLINE double cor_inline_octaves_t(struct cor_inline_octaves grid, double x)
 {
     const uint64_t one = UINT64_C(0x3ff0000000000000), half_cell = UINT64_C(1) << (51 - grid.bits);
@@ -156,7 +156,7 @@ COR_INLINE double cor_inline_octaves_t(struct cor_inline_octaves grid, double x)
     return cor_inline_from_bits(fraction | one) - cor_inline_from_bits(node | one);
 }
 
-/* The place of x */
+/* Returns the place of x. */
 COR_INLINE struct cor_inline_place cor_inline_octaves_place(struct cor_inline_octaves grid, double x,
                                                             const double *(*rows)(int))
 {
