@@ -234,6 +234,20 @@ def test_walls_and_lines(tmp_path):
             assert abs(row["realised"] - 0.5) < 1e-5
 
 
+FALL = """O.materials.append(FrictMat(young=1e6,poisson=0.3,density=2000,frictionAngle=0))
+O.bodies.append([wall(0,2),sphere((0,0,0.05),0.05)])
+O.engines=[InteractionLoop([],[Ip2_FrictMat_FrictMat_{}()],[]),NewtonIntegrator(gravity=(0,0,-9.81),damping=0.4)]
+"""
+
+
+@pytest.mark.parametrize("functor,speed,measured", [("FrictPhys", 0.1, 0.4454), ("MindlinPhys", 1, 0.63391)])
+def test_damped_fall(tmp_path, functor, speed, measured):
+    """YADE's damping acts on weight and spring: by YADE 2023.02a at 2e-6 s."""
+    deck = write(tmp_path, "deck.py", FALL.format(functor))
+    (row,) = json.loads(run("audit", deck, "--speed", speed, "--format", "json")[1])
+    assert abs(row["realised_surface"] - measured) < 3e-4 < row["realised"] - measured
+
+
 def test_statuses(tmp_path):
     good = write(tmp_path, "good.py", VISCOUS.format("").replace("en=0.5", "en=1"))
     wrong = write(tmp_path, "wrong.py", VISCOUS.format(""))
@@ -286,6 +300,8 @@ def test_hostile(tmp_path):
         assert ("iconv -f UTF-16 -t UTF-8" in messages) == name.startswith("wide"), (name, messages)
         assert all(row["realised"] is None or 0 <= row["realised"] <= 1 for row in json.loads(out)), name
         assert not re.search("[\x00-\x09\x0b-\x1f\x7f\u202e]", out + messages), name
+    lost = write(tmp_path, "lost.xml", '<mujoco><include file="absent.xml"/></mujoco>')
+    assert "can meet; line 1: cannot include absent.xml" in run("audit", lost)[2]
     for path in (tmp_path / "fifo", "/dev/zero", tmp_path):
         assert run("audit", path)[0] == 2
     assert time.process_time() - start < 10

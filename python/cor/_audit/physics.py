@@ -170,18 +170,23 @@ class _Audit:
 
     def add_surface(self, row: Row, contact: Contact, scene: Any, speed: float, end: int) -> None:
         """Sets eps at the surface under gravity, which presses the sphere to a wall."""
-        gravity = contact.gravity
-        if (
-            contact.global_damping != 0
-            or not (gravity > 0 and speed > 0 and math.isfinite(row.realised))
-            or not any(b.wall for b in contact.bodies)
-        ):
+        gravity, d = contact.gravity, contact.global_damping
+        is_known = gravity > 0 and speed > 0 and math.isfinite(row.realised)
+        if not is_known or not any(b.wall for b in contact.bodies):
+            return
+        if d != 0:
+            # YADE changes the sum of spring and weight, whose potential is lowest inside of the contact
+            a = scene.law.elastic / scene.law.denominator
+            lowest = 2 * a / (a + 1) * gravity * (scene.mass_kg * gravity / scene.stiffness) ** (1 / a) / speed**2
+            square = (1 - d) / (1 + d) * (1 + (1 - d) * lowest) - (1 + d) * lowest
+            if row.damping == 0 and not math.isnan(square):
+                self.say_surface(row, math.sqrt(max(square, 0.0)))
             return
         if contact.solimp is not None:
             zeta = model_of(contact.model).damping_of_number(contact.number, scene, speed)
             self.say_surface(row, self.mujoco(contact, scene, zeta, speed, gravity))
             return
-        if end >= lib.COR_SCENE_ENDS or math.isnan(scene.mass_kg) or contact.global_damping != 0:
+        if end >= lib.COR_SCENE_ENDS or math.isnan(scene.mass_kg):
             return
         pressed, eps = ffi.new("struct cor_scene_contact *", scene[0]), ffi.new("double *")
         pressed.force_n = scene.mass_kg * gravity

@@ -394,7 +394,7 @@ def read_mercurydpm(text: str, name: str, options: Options) -> Deck:
     plain = re.sub(r"//[^\n]*|/\*.*?\*/", lambda m: re.sub(r"[^\n]", " ", m[0]), text, flags=re.S)
     constants = {m[1]: m[2] for m in re.finditer(r"\b(?:double|Mdouble|auto|int)\s+(\w+)\s*=\s*([^;{}]+);", plain)}
     step = re.search(r"\bsetTimeStep\(([^;]*)\);", plain)
-    walls = "InfiniteWall" in plain or "AxisymmetricIntersectionOfWalls" in plain
+    walls = "wallHandler" in plain or "InfiniteWall" in plain
     for m in re.finditer(r"(\w+)\s*(?:->|\.)\s*(set\w+)\(([^;]*)\)\s*;", plain):
         if m[2] == "setDissipation":
             bodies = (False, True) if walls else (False,)

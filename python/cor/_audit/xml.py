@@ -162,7 +162,8 @@ class _Model:
             raise DeckError("contacts are disabled in this model")
         self.add_pairs()
         if not self.deck.contacts:
-            raise DeckError("no two geoms of this model can meet")
+            why = "".join(f"; line {r.line}: {r.text}" for r in self.deck.remarks)
+            raise DeckError(f"no two geoms of this model can meet{why}")
         return self.deck
 
     def add_pairs(self) -> None:

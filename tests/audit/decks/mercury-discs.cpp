@@ -9,6 +9,6 @@ class Discs : public Mercury2D
         species->setStiffness(1e3);
         BaseParticle particle;
         particle.setRadius(0.0001);
-        InfiniteWall wall;
+        wallHandler.copyAndAddObject(IntersectionOfWalls());
     }
 };
