@@ -31,6 +31,7 @@ foreach(file LICENSE README.md CITATION.cff CHANGELOG.md CONTRIBUTING.md) # the 
   install(FILES ${PROJECT_SOURCE_DIR}/${file} DESTINATION ${CMAKE_INSTALL_DOCDIR})
 endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/web/calculator.html DESTINATION ${CMAKE_INSTALL_DOCDIR}/web)
 # Each Fortran compiler has its own format of module files, so users compile the module with their program.
 install(FILES ${PROJECT_SOURCE_DIR}/fortran/cor.f90 DESTINATION ${CMAKE_INSTALL_DATADIR}/cor)
 if(COR_HAVE_GENERATOR)

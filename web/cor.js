@@ -10,9 +10,8 @@ export class CorError extends Error {
     }
 }
 
-// The columns that web_impacts fills
-// second: the name of the second end, zero_force, or surface under a constant force
-const columns = (second) => ["beta", "eps_zero_overlap", `eps_${second}`, "duration_s_zero_overlap", `duration_s_${second}`,
+// The columns that web_impacts fills. ends: names of both ends, zero_overlap and zero_force, or surface in its place
+const columns = (ends) => ["beta", ...ends.map((end) => `eps_${end}`), ...ends.map((end) => `duration_s_${end}`),
     "max_overlap_m", "max_force_n", "time_step_s"];
 
 // The module's bytes beside this file, in node and in a page
@@ -72,7 +71,7 @@ function wrap(c) {
 
     const named = (list) => {
         const names = [];
-        for (let at; (at = c.web_name(list, names.length)) !== 0;)
+        for (let at; (at = c.web_name?.(list, names.length) ?? 0) !== 0;) // the page's module has no such function
             names.push(text(at));
         return names;
     };
@@ -129,6 +128,7 @@ function wrap(c) {
             throw wrong();
         return contacts;
     };
+    const endsNow = () => [0, 1].map((end) => text(c.web_end(end)));
     const table = (at) => text(at).trimEnd().split("\n").map((line) => line.split(","));
 
     class Contact {
@@ -148,13 +148,13 @@ function wrap(c) {
 
         impacts(speeds) {
             read(this.options);
-            const names = columns(text(c.web_end()));
+            const names = columns(endsNow());
             return this.#each(withArray(speeds, this.count * names.length, c.web_impacts), names);
         }
 
         eps(speeds, end, measured = 0) {
             read(this.options);
-            const ends = ["zero-overlap", text(c.web_end()).replace("_", "-")], index = ends.indexOf(end);
+            const ends = endsNow().map((name) => name.replace("_", "-")), index = ends.indexOf(end);
             if (index < 0)
                 throw new CorError(`--end: '${end}' is not an end of this contact; allowed: ${ends.join(", ")}`, "end");
             if (!(measured >= 0 && measured < this.count))
@@ -164,8 +164,8 @@ function wrap(c) {
 
         stepErrors(speeds, timeStep) {
             read(this.options);
-            const second = text(c.web_end()), names = c.web_step_ends() === 2
-                ? ["bias_zero_overlap", "scatter_zero_overlap", `bias_${second}`, `scatter_${second}`] : ["bias", "scatter"];
+            const names = c.web_step_ends() === 2 ? endsNow().flatMap((end) => [`bias_${end}`, `scatter_${end}`])
+                : ["bias", "scatter"];
             return this.#each(withArray(speeds, names.length * this.count,
                 (x, y, n) => c.web_step_errors(x, y, n, timeStep)), names);
         }
@@ -188,16 +188,16 @@ function wrap(c) {
     cor.contactLaws = () => table(c.web_laws()).map(([name, label]) => ({ name, label }));
     cor.simulators = () => table(c.web_simulators()).map(([name, title]) => ({ name, title }));
 
-    // For the page: the last request that was right, as text
+    // For the page: texts about the last right request, and eps of one of its curves
     cor.page = {
-        read: (options) => read(options),
+        read,
         text: (name, ...given) => {
             const at = c[`web_${name}`](...given);
             if (at === 0)
                 throw wrong();
             return text(at);
         },
-        call: (name, ...given) => c[`web_${name}`](...given),
+        curve: (speeds, i) => withArray(speeds, 1, (x, y, n) => c.web_curve(x, y, n, i)),
     };
     return cor;
 }

@@ -73,28 +73,49 @@ static void put_exact(double x)
 
 /* ---- the contact ---- */
 
-/* The second end of the contact: "zero_force", or "surface" under a constant force */
-WEB_EXPORT(web_end) const char *web_end(void)
+/* Returns the name of end 0 or 1 of the contact, as columns have it: "zero_overlap"; "zero_force" or "surface" */
+WEB_EXPORT(web_end) const char *web_end(int end)
 {
-    return cor_scene_end_name(&web_now.contact[0], COR_END_ZERO_FORCE);
+    return cor_scene_end_name(&web_now.contact[0], end);
 }
 
-/* The csv of corgen contact without --speed */
-WEB_EXPORT(web_summary) const char *web_summary(int digits)
+/* Returns csv: the name and the unit of every number that a request may have */
+WEB_EXPORT(web_options) const char *web_options(void)
 {
     web_text_clear();
-    web_put(web_now.count == 1 ? "quantity,value,unit\n" : "quantity,value_zero_overlap,value_%s,unit\n", web_end());
+    for (int i = 0; i < COR_SCENE_NUMBERS; i++)
+        web_put("%s,%s\n", cor_scene_options[i].name, cor_scene_options[i].unit);
+    return web_text();
+}
+
+static void put_quantity(const char *name, const char *end, const double value[COR_SCENE_ENDS], const char *unit,
+                         int digits)
+{
+    if (isnan(value[0]))
+        return;
+    web_put("%s%s", name, end);
+    for (int k = 0; k < web_now.count; k++)
+        web_put_cell(',', value[k], digits);
+    web_put(",%s\n", unit);
+}
+
+/* Returns the csv of corgen contact without --speed. */
+WEB_EXPORT(web_summary) const char *web_summary(int digits)
+{
+    const struct cor_scene_contact *const c = web_now.contact;
+    const double step = cor_scene_rayleigh_step_s(&web_now.scene);
+    const double tabor = cor_scene_tabor_number(c, web_now.scene.number[COR_SCENE_ADHESION], COR_TABOR_DISTANCE_M);
+    web_text_clear();
+    web_put(web_now.count == 1 ? "quantity,value,unit\n" : "quantity,value_%s,value_%s,unit\n", web_end(0), web_end(1));
     for (int i = 0; i < COR_SCENE_QUANTITIES; i++) {
-        if (isnan(cor_scene_quantity(&web_now.contact[0], cor_scene_quantities[i].number)))
-            continue;
-        if (cor_scene_quantities[i].number == COR_SCENE_STICKING_ZERO_FORCE)
-            web_put("sticking_speed_%s", web_end());
-        else
-            web_put("%s", cor_scene_quantities[i].name);
-        for (int k = 0; k < web_now.count; k++)
-            web_put_cell(',', cor_scene_quantity(&web_now.contact[k], cor_scene_quantities[i].number), digits);
-        web_put(",%s\n", cor_scene_quantities[i].unit);
+        const int number = cor_scene_quantities[i].number, second = number == COR_SCENE_STICKING_ZERO_FORCE;
+        const int sticking = second || number == COR_SCENE_STICKING_ZERO_OVERLAP;
+        const double value[] = {cor_scene_quantity(&c[0], number), cor_scene_quantity(&c[web_now.count - 1], number)};
+        put_quantity(sticking ? "sticking_speed_" : cor_scene_quantities[i].name, sticking ? web_end(second) : "",
+                     value, cor_scene_quantities[i].unit, digits);
     }
+    put_quantity("rayleigh_time_step", "", (double[]){step, step}, "s", digits);
+    put_quantity("tabor_number", "", (double[]){tabor, tabor}, "1", digits);
     return web_text();
 }
 
@@ -207,13 +228,12 @@ WEB_EXPORT(web_table) const char *web_table(int digits, int errors)
     enum { STEP_DIGITS = 4 };
     static double y[COR_SCENE_ENDS * COLUMNS * WEB_SPEEDS], error[2 * COR_SCENE_ENDS * WEB_SPEEDS];
     const size_t n = web_now.speeds, contacts = (size_t)web_now.count, more = errors ? 2 * (size_t)web_step_ends() : 0;
-    const int spheres = !isnan(web_now.contact[0].radius_m);
+    const int spheres = !isnan(web_now.contact[0].radius_m) && !(web_now.contact[0].adhesion_j_m2 > 0);
     web_text_clear();
-    web_put("speed_m_s,beta,eps_zero_overlap,eps_%s,duration_s_zero_overlap,duration_s_%s,"
-            "max_overlap_m,max_force_n,time_step_s",
-            web_end(), web_end());
-    if (more == 4)
-        web_put(",step_bias_zero_overlap,step_scatter_zero_overlap,step_bias_%s,step_scatter_%s", web_end(), web_end());
+    web_put("speed_m_s,beta,eps_%s,eps_%s,duration_s_%s,duration_s_%s,max_overlap_m,max_force_n,time_step_s",
+            web_end(0), web_end(1), web_end(0), web_end(1));
+    for (int end = 0; more == 4 && end < COR_SCENE_ENDS; end++)
+        web_put(",step_bias_%s,step_scatter_%s", web_end(end), web_end(end));
     web_put("%s%s%s\n", more == 2 ? ",step_bias,step_scatter" : "", contacts > 1 ? ",measured_end" : "",
             spheres ? ",contact_radius_m,max_pressure_pa" : "");
     if (n > 0)
@@ -248,19 +268,26 @@ WEB_EXPORT(web_eps) void web_eps(const double *speed_m_s, double *y, size_t n, i
 
 /* ---- simulators ---- */
 
-struct web_asked web_asked(const struct web_request *r)
+/* The speed, the end and the eps that a user would set as e */
+struct asked {
+    double speed_m_s, eps;
+    int end;
+};
+
+static struct asked find_asked(const struct web_request *r)
 {
     const double at = r->scene.number[COR_SCENE_AT], given = r->scene.number[COR_SCENE_RESTITUTION];
-    struct web_asked a = {!isnan(at)      ? at
-                          : r->speeds > 0 ? r->speed_m_s[0]
-                                          : 1,
-                          given, r->scene.end == COR_BOTH_ENDS ? COR_END_ZERO_OVERLAP : r->scene.end};
+    struct asked a = {!isnan(at)      ? at
+                      : r->speeds > 0 ? r->speed_m_s[0]
+                                      : 1,
+                      given, r->scene.end == COR_BOTH_ENDS ? COR_END_ZERO_OVERLAP : r->scene.end};
     if (isnan(given))
         cor_scene_eps(&a.eps, &r->contact[0], a.speed_m_s, a.end);
     return a;
 }
 
-const struct cor_simulator_model *web_model(const struct web_request *r, int *next)
+/* Returns the next model of the request's simulator and version that takes an e, or NULL. *next: 0 at first */
+static const struct cor_simulator_model *next_model(const struct web_request *r, int *next)
 {
     const long version = *r->version ? cor_simulator_version(r->version) : 0;
     while (r->simulator && *next < r->simulator->model_count) {
@@ -271,9 +298,10 @@ const struct cor_simulator_model *web_model(const struct web_request *r, int *ne
     return NULL;
 }
 
-double web_realised(const struct cor_simulator_model *model, const struct web_request *r, double speed_m_s)
+/* Returns eps at a speed if the requested eps is set as e; NaN if the model refuses this e. */
+static double find_realised(const struct cor_simulator_model *model, const struct web_request *r, double speed_m_s)
 {
-    const struct web_asked asked = web_asked(r);
+    const struct asked asked = find_asked(r);
     const double own = cor_simulator_realised(model, asked.eps);
     double eps = NAN;
     if (model->law == COR_LAW_IMPULSE || isnan(own) || cor_law_is_constant(&cor_law_exponents[model->law]))
@@ -305,21 +333,21 @@ WEB_EXPORT(web_simulators) const char *web_simulators(void)
     return web_text();
 }
 
-/* What the chosen simulator makes of e, as csv with tabs: model, version, e set by hand, eps realised, e to be set; a
- * line before says what is asked. */
+/* Returns the requested eps, its speed and end; then for each model of the simulator its name, version, law, end, the
+ * realised eps, and the e that gives the requested eps. Columns have tabs. */
 WEB_EXPORT(web_models) const char *web_models(int digits)
 {
-    const struct web_asked asked = web_asked(&web_now);
+    const struct asked asked = find_asked(&web_now);
     web_text_clear();
     web_put_number(asked.eps, digits);
     web_put_cell('\t', asked.speed_m_s, digits);
     web_put("\t%s\n", cor_end_names[asked.end]);
     int next = 0;
-    for (const struct cor_simulator_model *model; (model = web_model(&web_now, &next));) {
+    for (const struct cor_simulator_model *model; (model = next_model(&web_now, &next));) {
         enum cor_simulator_status status;
         web_put("%s\t%s\t%s\t%s", model->model, model->version ? model->version : "", cor_law_name(model->law),
                 cor_end_names[model->end]);
-        web_put_cell('\t', web_realised(model, &web_now, asked.speed_m_s), digits);
+        web_put_cell('\t', find_realised(model, &web_now, asked.speed_m_s), digits);
         web_put_cell('\t', cor_simulator_e(model, asked.eps, &status), digits);
         web_put("\n");
     }
@@ -350,6 +378,69 @@ WEB_EXPORT(web_lines) const char *web_lines(void)
     return web_text();
 }
 
+/* ---- curves of eps over the speed ---- */
+
+enum { CURVES = 12 };
+struct curve {
+    const struct cor_simulator_model *model; /* NULL: eps of the contact */
+    int contact, end;
+};
+
+/* Fills the curves of the contact, one for each requested end, then those of the models that realise an eps at the
+ * lowest speed of the plot. Returns their number. */
+static int find_curves(struct curve curves[CURVES])
+{
+    const struct web_request *const r = &web_now;
+    int count = 0, next = 0;
+    for (int end = 0; r->count > 0 && end < COR_SCENE_ENDS; end++) {
+        const int k = r->count > 1 ? end : 0;
+        const int requested = r->scene.end == COR_BOTH_ENDS || r->scene.end == end;
+        if (requested && cor_scene_has_end(&r->contact[k], end) &&
+            (count == 0 || cor_scene_ends_differ(&r->contact[k])))
+            curves[count++] = (struct curve){NULL, k, end};
+    }
+    for (const struct cor_simulator_model *model; count < CURVES && (model = next_model(r, &next));)
+        if (!isnan(find_realised(model, r, r->speed_min_m_s)))
+            curves[count++] = (struct curve){model, 0, (int)model->end};
+    return count;
+}
+
+/* Returns a line for each curve: its end, or both_ends; then of a model its simulator, its name, the requested eps and
+ * the realised eps, with tabs. */
+WEB_EXPORT(web_curves) const char *web_curves(int digits)
+{
+    struct curve curves[CURVES];
+    const int count = find_curves(curves);
+    const struct asked asked = find_asked(&web_now);
+    web_text_clear();
+    for (int i = 0; i < count; i++) {
+        const struct cor_scene_contact *const contact = &web_now.contact[curves[i].contact];
+        web_put("%s", curves[i].model || cor_scene_ends_differ(contact) ? web_end(curves[i].end & 1) : "both_ends");
+        if (curves[i].model) {
+            web_put("\t%s\t%s", web_now.simulator->title, curves[i].model->model);
+            web_put_cell('\t', asked.eps, digits);
+            web_put_cell('\t', find_realised(curves[i].model, &web_now, asked.speed_m_s), digits);
+        }
+        web_put("\n");
+    }
+    return web_text();
+}
+
+/* Fills eps of curve i at n speeds. */
+WEB_EXPORT(web_curve) void web_curve(const double *speed_m_s, double *y, size_t n, int i)
+{
+    struct curve curves[CURVES];
+    if (i >= find_curves(curves))
+        return;
+    for (size_t k = 0; k < n; k++) {
+        y[k] = NAN;
+        if (curves[i].model)
+            y[k] = find_realised(curves[i].model, &web_now, speed_m_s[k]);
+        else
+            cor_scene_eps(&y[k], &web_now.contact[curves[i].contact], speed_m_s[k], curves[i].end);
+    }
+}
+
 /* ---- commands ---- */
 
 /* A command of corgen with the options of the request, except those in `without`, a list that NULL ends */
@@ -376,8 +467,7 @@ static void put_command(const char *command, const char *const *without)
 /* The command line of corgen that prints the same numbers */
 WEB_EXPORT(web_command) const char *web_command(void)
 {
-    static const char *const other[] = {"for", "simulator-version", "speed-min", "speed-max", "tolerance", "label",
-                                        NULL};
+    static const char *const other[] = {"for", "simulator-version", "speed-min", "speed-max", "tolerance", NULL};
     web_text_clear();
     put_command("contact", other);
     return web_text();
@@ -387,7 +477,7 @@ WEB_EXPORT(web_command) const char *web_command(void)
 static void put_pressed_header(const struct web_request *r, int end)
 {
     static const char *const other[] = {"for",   "simulator-version", "speed-min", "speed-max", "speed",
-                                        "steps", "tolerance",         "label",     "end",       NULL};
+                                        "steps", "tolerance",         "end",       NULL};
     if (cor_law_is_constant(&r->contact[0].law)) {
         web_put("/* the law %s has no header under a constant force; see corgen plan */\n", cor_law_name(r->law));
         return;

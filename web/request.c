@@ -23,13 +23,6 @@ __attribute__((format(printf, 2, 3))) static int refuse(const char *option, cons
 
 /* ---- numbers ---- */
 
-static const struct cor_scene_option steps = {"steps", "", 1, 1e9, 1, "a number from 1 to 1e9"},
-                                     speed_min = {"speed-min", "m/s", 1e-150,
-                                                  1e150,       1,     "a number from 1e-150 to 1e150"},
-                                     speed_max = {"speed-max", "m/s", 1e-150,
-                                                  1e150,       1,     "a number from 1e-150 to 1e150"},
-                                     tolerance = {"tolerance", "", 1e-15, 0.1, 1, "a number from 1e-15 to 0.1"};
-
 /* Reads the text from `from` to `to`. Returns 0 if it is not a decimal number in the range of the option. */
 static int is_number(double *value, const char *from, const char *to, const struct cor_scene_option *option)
 {
@@ -108,7 +101,18 @@ static int read_end(struct web_request *r, const char *text)
 
 const char *web_end_option(const struct web_request *r, int end)
 {
-    return end == COR_END_ZERO_OVERLAP ? "zero-overlap" : r->contact[0].force_n > 0 ? "surface" : "zero-force";
+    static const char *const names[][COR_SCENE_ENDS] = {
+        {"zero-overlap", "zero-force"}, {"zero-overlap", "surface"}, {"tail", "largest-pull"}};
+    return names[r->contact[0].adhesion_j_m2 > 0 ? 2 : r->contact[0].force_n > 0][end];
+}
+
+static int read_adhesion(struct web_request *r, const char *text)
+{
+    r->scene.adhesion_model = strcmp(text, "dmt") == 0   ? COR_ADHESION_DMT
+                              : strcmp(text, "jkr") == 0 ? COR_ADHESION_JKR
+                                                         : COR_ADHESION_NONE;
+    return r->scene.adhesion_model != COR_ADHESION_NONE ||
+           refuse("adhesion-model", "--adhesion-model: '%s' is not a model of adhesion; allowed: dmt, jkr", text);
 }
 
 static int read_simulator(struct web_request *r, const char *text)
@@ -126,17 +130,23 @@ static int read_simulator(struct web_request *r, const char *text)
 
 static int read_option(struct web_request *r, const char *name, const char *value)
 {
+    /* the rules of the scene's numbers hold for these, too: above 0 */
     const struct {
+        const char *name;
         double *value;
-        const struct cor_scene_option *option;
-    } own[] = {{&r->steps, &steps},
-               {&r->speed_min_m_s, &speed_min},
-               {&r->speed_max_m_s, &speed_max},
-               {&r->tolerance, &tolerance}};
+        int like;
+    } own[] = {{"steps", &r->steps, COR_SCENE_AT},
+               {"speed-min", &r->speed_min_m_s, COR_SCENE_AT},
+               {"speed-max", &r->speed_max_m_s, COR_SCENE_AT},
+               {"tolerance", &r->tolerance, COR_SCENE_RESTITUTION}};
     r->steps_given = r->steps_given || strcmp(name, "steps") == 0;
     for (size_t i = 0; i < sizeof own / sizeof *own; i++)
-        if (strcmp(name, own[i].option->name) == 0)
-            return read_number(own[i].value, value, own[i].option);
+        if (strcmp(name, own[i].name) == 0) {
+            struct cor_scene_option option = cor_scene_options[own[i].like];
+            option.name = own[i].name;
+            return read_number(own[i].value, value, &option) &&
+                   (r->steps >= 1 || refuse("steps", "--steps: '%s' is not 1 or more", value));
+        }
     if (strcmp(name, "speed") == 0)
         return read_speeds(r, name, value);
     if (strcmp(name, "law") == 0)
@@ -145,10 +155,10 @@ static int read_option(struct web_request *r, const char *name, const char *valu
         return read_end(r, value);
     if (strcmp(name, "for") == 0)
         return read_simulator(r, value);
-    if (strcmp(name, "simulator-version") == 0 || strcmp(name, "label") == 0) {
-        snprintf(name[0] == 'l' ? r->label : r->version, WEB_VALUE, "%s", value);
-        return 1;
-    }
+    if (strcmp(name, "simulator-version") == 0)
+        return snprintf(r->version, WEB_VALUE, "%s", value) > 0;
+    if (strcmp(name, "adhesion-model") == 0)
+        return read_adhesion(r, value);
     if (strcmp(name, "wall") == 0)
         return r->scene.wall = 1;
     for (int number = 0; number < COR_SCENE_NUMBERS; number++) {

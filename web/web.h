@@ -19,7 +19,7 @@
 
 enum { WEB_SPEEDS = 64, WEB_VALUE = 100, WEB_OPTIONS = 2048, WEB_NAME = 32 };
 
-/* What options say: those of corgen contact, and speed-min, speed-max, tolerance of corgen embed */
+/* A request: the options of corgen contact, and speed-min, speed-max, tolerance of corgen embed */
 struct web_request {
     struct cor_scene scene;
     enum cor_law law;
@@ -29,9 +29,9 @@ struct web_request {
     size_t speeds;
     int steps_given, at_surface;                    /* at_surface: the end is given as the surface */
     double steps;                                   /* in the shortest contact */
-    double speed_min_m_s, speed_max_m_s, tolerance; /* of picture and header */
+    double speed_min_m_s, speed_max_m_s, tolerance; /* of the header */
     const struct cor_simulator *simulator;          /* NULL: none is chosen */
-    char version[WEB_VALUE], label[WEB_VALUE];      /* of the simulator; of the curves */
+    char version[WEB_VALUE];                        /* of the simulator */
     char options[WEB_OPTIONS];                      /* as they were given */
 };
 
@@ -51,20 +51,5 @@ void web_put(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void web_put_number(double x, int digits);
 void web_put_cell(char before, double x, int digits);
 const char *web_text(void);
-
-/* ---- what is asked of a simulator, and what it makes of it ---- */
-
-/* The speed, the end and the eps that a person would set as e */
-struct web_asked {
-    double speed_m_s, eps;
-    int end;
-};
-struct web_asked web_asked(const struct web_request *request);
-
-/* The next model of the request's simulator and version that takes an e; NULL: none is left. *next: 0 at first */
-const struct cor_simulator_model *web_model(const struct web_request *request, int *next);
-
-/* eps at a speed if the eps that is asked is set as e; NaN: the model takes no e or refuses this one */
-double web_realised(const struct cor_simulator_model *model, const struct web_request *request, double speed_m_s);
 
 #endif

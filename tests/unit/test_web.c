@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The sources of the browser's module as native code: numbers against cor/contact.h, places in the picture against the
- * axes, what is refused. tests/web has the module itself. */
+/* The sources of the browser's module as native code: numbers and curves against cor/contact.h and cor/scene.h,
+ * refusals. tests/web has the module itself. */
 #include "check.h"
 
 #include "cor/contact.h"
@@ -17,10 +17,8 @@ const char *web_summary(int digits);
 const char *web_lines(void);
 const char *web_command(void);
 const char *web_header(void);
-int web_keep(void);
-void web_keep_none(void);
-const char *web_picture(double width);
-const char *web_read_x(double x, int digits);
+const char *web_curves(int digits);
+void web_curve(const double *speed_m_s, double *y, size_t n, int i);
 
 #define GLASS "young=7e10\npoisson=0.25\nradius=5e-3\ndensity=2500\n"
 
@@ -133,6 +131,8 @@ TEST(test_a_wrong_request_leaves_the_last_one)
                                            {GLASS "g-star=1\nfor=abaqus", "for"},
                                            {GLASS "g-star=1\nviscosity=1", "viscosity"},
                                            {GLASS "g-star=1\nspeed-min=20", "speed-max"},
+                                           {GLASS "g-star=1\nsteps=0.5", "steps"},
+                                           {GLASS "g-star=1\nadhesion-model=x", "adhesion-model"},
                                            {"poisson=0.25\ng-star=1", "young"},
                                            {GLASS "g-star=1e9e9", "g-star"},
                                            {"nonsense", ""},
@@ -153,40 +153,43 @@ static double number_after(const char *text, const char *before)
     return at ? strtod(at + strlen(before), NULL) : (double)NAN;
 }
 
-TEST(test_the_picture_has_its_points_where_the_axes_say)
+TEST(test_curves)
 {
-    assert_true(web_read(GLASS "restitution=0.9\nat=1\nend=zero-force\nspeed-min=0.01\nspeed-max=10\nlabel=<b>\n"));
-    web_keep_none();
-    const char *const svg = web_picture(564);
-    /* from 0.01 to 10 m/s, 500 pixels from 50 on: 1 m/s is at two thirds */
-    assert_near(number_after(svg, "cx=\""), 50 + 1000 / 3.0, 0.06);
-    const double top = number_after(svg, "M50.0 "), most = 1, bottom = top + 282;
-    assert_near(number_after(svg, "cy=\""), bottom - (bottom - top) * (0.9 - 0.8) / (most - 0.8), 0.06);
-    assert_non_null(strstr(svg, ">0.85<"));
-    assert_non_null(strstr(svg, ">0.95<"));
-    assert_non_null(strstr(svg, "&lt;b>"));
-    assert_null(strstr(svg, "<b>"));
-    assert_near(
-        number_after(web_read_x(-5, 12), "zero force\t"),
-        cor_contact_eps_zero_force(
-            &(struct cor_sphere_contact){.beta_per_root = web_now.contact[0].damping, .beta5_per_speed = NAN}, 0.01),
-        1e-11);
-    for (int i = 0; i < 5; i++)
-        assert_true(web_keep());
-    assert_false(web_keep());
-    web_keep_none();
+    static const double speed[] = {0.01, 1};
+    double y[2], eps;
+    assert_true(web_read("law=hunt-crossley\nrestitution=0.8\nat=1"));
+    assert_string_equal(web_curves(6), "both_ends\n");
+    assert_int_equal(web_read(GLASS "restitution=0.9\nat=1\nfor=lammps"), 2);
+    char text[2000], *line = text;
+    snprintf(text, sizeof text, "%s", web_curves(6));
+    for (int i = 0; *line; i++, line = strchr(line, '\n') + 1) {
+        web_curve(speed, y, 2, i);
+        for (int k = 0; i < 2 && k < 2; k++) {
+            cor_scene_eps(&eps, &web_now.contact[i], speed[k], i);
+            assert_true(y[k] == eps && strncmp(line, i == 0 ? "zero_overlap\n" : "zero_force\n", 10) == 0);
+        }
+        if (i >= 2)
+            assert_near(number_after(line, "\t0.9\t"), y[1], 1e-6);
+        assert_true(i < 9);
+    }
 }
 
 TEST(test_lines_and_own_maps_of_a_simulator)
 {
     assert_true(web_read(GLASS "restitution=0.9\nat=1\nend=zero-overlap\nfor=lammps\nspeed=1"));
     assert_non_null(strstr(web_lines(), "pair_style granular\n"));
-    assert_non_null(strstr(web_models(6), "0.9\t1\tzero overlap\n"));
-    int next = 0, models = 0;
-    for (const struct cor_simulator_model *model; (model = web_model(&web_now, &next)); models++) {
-        assert_ptr_equal(cor_simulator_of(model->id), cor_simulator_named("lammps"));
-        assert_near(web_realised(model, &web_now, 1), cor_simulator_realised(model, 0.9), 1e-12);
-    }
+    const char *text = web_models(6);
+    assert_non_null(strstr(text, "0.9\t1\tzero overlap\n"));
+    const struct cor_simulator *const lammps = cor_simulator_named("lammps");
+    int models = 0;
+    for (int i = 0; i < lammps->model_count; i++)
+        if (lammps->models[i].damping_of_e && !lammps->models[i].has_function) {
+            const char *cell = text = strchr(text, '\n') + 1;
+            for (int k = 0; k < 4; k++)
+                cell = strchr(cell, '\t') + 1;
+            assert_near(strtod(cell, NULL), cor_simulator_realised(&lammps->models[i], 0.9), 1e-6);
+            models++;
+        }
     assert_int_equal(models, 7);
     /* one speed and no --at: eps there */
     char request[200];
@@ -210,5 +213,5 @@ TEST(test_the_header)
                         "zero-force --output cor_scene_eps.h\n");
 }
 
-RUN_TESTS(test_gravity, test_contacts_of_the_list, test_a_wrong_request_leaves_the_last_one,
-          test_the_picture_has_its_points_where_the_axes_say, test_lines_and_own_maps_of_a_simulator, test_the_header)
+RUN_TESTS(test_gravity, test_contacts_of_the_list, test_a_wrong_request_leaves_the_last_one, test_curves,
+          test_lines_and_own_maps_of_a_simulator, test_the_header)

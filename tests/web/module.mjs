@@ -3,6 +3,7 @@
 // NATIVE is tests/web/native.c as a program. Prints a line for each check, and for what failed.
 import { execFileSync, spawnSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
+import { inflateSync } from "node:zlib";
 import { load } from "../../build/web/package/cor.js";
 import { byCorgen, check, finish, scenes } from "./scenes.mjs";
 
@@ -105,10 +106,10 @@ for (let i = 0; i < 3000; i++) {
     try {
         cor.page.read(options);
         read++;
-        const texts = [["picture", 100 + random(1000)], ["table", 6, 1], ["summary", 6], ["header"], ["models", 6],
-            ["curves", 6], ["read_x", random(2000) - 500, 6], ["command"]].map((call) => cor.page.text(...call));
-        if (/[^a-z](nan|inf)[^a-z]/.test(texts[0].replace(/<title.*<\/title>/, "")))
-            odd.push(JSON.stringify(options), texts[0].slice(0, 3000));
+        const [curves] = [["curves", 6], ["table", 6, 1], ["summary", 6], ["header"], ["models", 6], ["command"]]
+            .map((call) => cor.page.text(...call).trimEnd().split("\n"));
+        if (curves.some((line, k) => cor.page.curve([0.01, 1], k).some((eps) => eps < 0 || eps > 1)))
+            odd.push(JSON.stringify(options), curves.join("\n"));
         if (options.for)
             cor.page.text("lines");
     } catch (error) {
@@ -119,6 +120,36 @@ for (let i = 0; i < 3000; i++) {
 }
 check(`3000 requests at random: ${read} read, ${refused} refused with a reason`, odd.length === 0 && read > 500 && refused > 500,
     odd.slice(0, 4).join("\n"));
+
+// Right requests at random: the numbers of the page's own module, which is in web/calculator.html, are those of corgen.
+const [, size, packed] = readFileSync("web/calculator.html", "utf8").match(/id="wasm" data-bytes="(\d+)">([^\n]*)<\/script>/);
+const digits = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%&()*+-;<=>?@^_`{|}~";
+const bytes = Buffer.alloc(packed.length / 5 * 4);
+for (let i = 0; i < packed.length; i += 5)
+    bytes.writeUInt32BE([...packed.slice(i, i + 5)].reduce((word, digit) => 85 * word + digits.indexOf(digit), 0), i / 5 * 4);
+const shipped = await load(inflateSync(bytes.subarray(0, Number(size))));
+const within = (least, most) => (least * (most / least) ** (random(1e6) / 1e6)).toPrecision(5), unlike = [];
+for (let i = 0; i < 200; i++) {
+    const options = { speed: [within(1e-3, 10), within(1e-3, 10)].join(","), ...pick([{ restitution: within(0.3, 0.999), at: within(0.01, 10) },
+        { "g-star": within(1, 1e5) }, { "dissipation-time": within(1e-8, 1e-5) }, { law: "tsuji", restitution: within(0.3, 0.99) },
+        { law: "hunt-crossley", restitution: within(0.3, 0.99), at: "1" }, { law: "linear", zeta: within(0.01, 0.9) },
+        { law: "hertz-dashpot", restitution: within(0.3, 0.99), at: within(0.1, 1) }]) };
+    if (options["dissipation-time"] || (random(2) && options.law !== "linear"))
+        Object.assign(options, { young: within(1e6, 1e12), poisson: within(0.01, 0.49), radius: within(1e-5, 1), density: within(500, 9e3) },
+            pick([{}, {}, { wall: "yes" }, { wall: "yes", gravity: "9.81" }, { "radius-2": within(1e-5, 1) }, { "adhesion-model": "dmt", adhesion: "1e-3" }]));
+    shipped.page.read(options);
+    const ours = shipped.page.text("table", 10, 0), theirs = execFileSync(process.env.CORGEN ?? "build/gcc/corgen", ["contact", "--format", "csv",
+        ...Object.entries(options).flatMap(([name, value]) => name === "wall" ? ["--wall"] : [`--${name}`, value])], { encoding: "utf8" });
+    const short = theirs.split("\n").map((row) => row.split(",").map((cell, k) => k === 0 || Number.isNaN(Number(cell)) || cell === "" ? cell : Number(cell)).join());
+    const mine = ours.split("\n").map((row) => row.split(",").map((cell, k) => k === 0 || Number.isNaN(Number(cell)) || cell === "" ? cell : Number(cell)).join());
+    const same = short.length === mine.length && short.every((row, r) => row.split(",").every((cell, k) => {
+        const other = mine[r].split(",")[k];
+        return cell === other || Math.abs(Number(cell) / Number(other) - 1) < 1e-9;
+    }));
+    if (!same)
+        unlike.push(JSON.stringify(options), ours, theirs);
+}
+check("web/calculator.html: numbers of 200 requests at random are those of corgen", unlike.length === 0, unlike.slice(0, 9).join("\n"));
 
 // ---- the functions of JavaScript ----
 
@@ -134,6 +165,13 @@ check("two contacts do not disturb each other", (() => {
 })());
 check("an array of 10^6 numbers, twice, does not fill the memory", cor.sphere.eps_zero_force(new Float64Array(1e6))[9] === 1
     && cor.sphere.eps_zero_force(new Float64Array(1e6)).length === 1e6);
+cor.page.read({ ...glass, restitution: 0.9, at: 1, for: "lammps" });
+const curveLines = cor.page.text("curves", 6).trim().split("\n").map((line) => line.split("\t"));
+const curvesNow = curveLines.map((_, k) => [...cor.page.curve([0.1, 1], k)]);
+check("curves: both ends of the contact, then what models give at the speed of the restitution", curveLines.length > 5 &&
+    [0, 1].every((k) => String(curvesNow[k]) === String(measured.eps([0.1, 1], `zero-${k === 0 ? "overlap" : "force"}`, k))) &&
+    curvesNow.slice(2).every(([, eps], k) => Math.abs(eps - curveLines[k + 2][4]) < 1e-6) &&
+    cor.page.read({ law: "hunt-crossley", restitution: 0.8, at: 1 }) > 0 && cor.page.text("curves", 6) === "both_ends\n", curveLines.join("\n"));
 check("special values", Object.is(cor.sphere.eps_zero_force([0, Infinity, -1, NaN]).join(), "1,0,NaN,NaN") &&
     cor.sphere.eps_zero_force([]).length === 0);
 const { law, sphere } = cor, eps = sphere.eps_zero_force([0.5]), inverse = law.function("Tsuji", "limited", "damping_of_eps");
@@ -152,6 +190,7 @@ for (const [what, act, name, text] of [
     ["not a number", () => cor.contact({ g_star: "0x10" }), "g-star", /'0x10' is not a finite number above 0/],
     ["an infinite number", () => cor.contact({ g_star: Infinity }), "g-star", /'Infinity' is not a finite number/],
     ["no damping", () => cor.contact(glass), "restitution", /^no dissipation is given/],
+    ["half a time step", () => cor.contact({ g_star: 1, steps: 0.5 }), "steps", /is not 1 or more/],
     ["an unknown simulator", () => measured.lines("abaqus"), "for", /'abaqus' is not a simulator that cor has lines for/],
     ["a wall that moves", () => cor.contact({ ...glass, g_star: 1, wall: true, mass_2: 1 }), "wall", /^--wall is flat/],
     ["a line break in a value", () => cor.contact({ g_star: "1\nwall=yes" }), "g-star", /is not a finite number/],
