@@ -78,13 +78,14 @@ struct plan_arguments {
 struct contact_arguments {
     struct option_common common;
     struct embed_request scene;
-    struct values speed;
-    struct decimal steps, time_step, step_tolerance, friction, tangential, erp, cfm;
+    struct values speed, angle, tangential_speed;
+    struct decimal steps, time_step, step_tolerance, friction, tangential, tangential_stiffness, tangential_damping;
+    struct decimal erp, cfm;
     int integrator; /* enum cor_integrator; OPTIONS_NOT_GIVEN: that of the simulator */
-    bool step_corrected;
-    const char *simulator, *plot;  /* NULL: not given */
-    const char *version;           /* of the simulator; NULL: any */
-    const char *materials, *pairs; /* files of several materials; NULL: two bodies */
+    bool step_corrected, walton;
+    const char *simulator, *plot, *model; /* NULL: not given */
+    const char *version;                  /* of the simulator; NULL: any */
+    const char *materials, *pairs;        /* files of several materials; NULL: two bodies */
 };
 
 struct sample_arguments {

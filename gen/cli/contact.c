@@ -6,6 +6,7 @@
 
 #include "cli/commands.h"
 #include "cli/scene_options.h"
+#include "contact/oblique.h"
 #include "support/console.h"
 #include "support/gnuplot.h"
 
@@ -42,13 +43,26 @@ static int check_options(const struct contact_arguments *o, const struct contact
     if (option && isnan(c->mass_kg))
         return usage_error("--%s: mass and stiffness are not known; give bodies, or --stiffness and --effective-mass",
                            option);
-    if (o->friction.text && (contacts->scene.plate || isnan(c->radius_m)))
+    const bool oblique = o->angle.count + o->tangential_speed.count > 0;
+    if (o->friction.text && !oblique && (o->simulator || o->speed.count > 0))
+        return usage_error("--friction with --speed or --for needs --angle LIST or --tangential-speed LIST, as --angle "
+                           "10,30,60");
+    if (oblique && o->speed.count == 0)
+        return usage_error("--angle and --tangential-speed need --speed LIST, the normal component of the velocity");
+    if (o->walton && o->angle.count + o->tangential_speed.count < 3)
+        return usage_error("--walton needs three angles or more, as --angle 1:89:lin:89");
+    if (oblique && (isnan(c->mass_kg) || contacts->scene.plate || c->adhesion_j_m2 > 0))
+        return usage_error("oblique impacts need two bodies, or --stiffness and --effective-mass, and no plate and no "
+                           "adhesion of JKR");
+    if (o->friction.text && !oblique && (contacts->scene.plate || isnan(c->radius_m)))
         return usage_error("--friction needs two spheres, or a sphere and a wall, with --poisson NU, as --young 7e10 "
                            "--poisson 0.2 --radius 1e-3 --density 2500: their stiffness against sliding is Mindlin's");
     if (o->friction.text && (c->plastic || c->liquid_speed_m_s > 0))
         return usage_error("--friction has no answer for --law elastic-plastic or a contact in a liquid");
     double spring, dashpot;
     const int end = contact_end(contacts, 0);
+    if (o->tangential.text && !oblique && o->speed.count > 0)
+        return usage_error("--tangential-restitution with --speed needs --friction MU and --angle LIST");
     if (o->tangential.text && end == COR_BOTH_ENDS)
         return usage_error("--tangential-restitution needs --end zero-overlap or zero-force: the duration differs");
     if (o->tangential.text &&
@@ -86,7 +100,22 @@ static int print_tables(const struct contact_arguments *o, const struct contacts
     struct table table = {0}, summary;
     struct output out;
     char text[CONTACT_LAW_TEXT];
-    int status = rows ? contact_rows(&table, contacts, &request, digits) : STATUS_OK;
+    const bool angles = o->angle.count > 0;
+    const struct values *const given = angles ? &o->angle : &o->tangential_speed;
+    const struct oblique_request oblique = {.model = o->model,
+                                            .friction = options_number(&o->friction, NAN),
+                                            .stiffness = options_number(&o->tangential_stiffness, NAN),
+                                            .damping_ratio = options_number(&o->tangential_damping, NAN),
+                                            .restitution = options_number(&o->tangential, NAN),
+                                            .given = given->nearest,
+                                            .count = given->count,
+                                            .speed_m_s = o->speed.nearest,
+                                            .speeds = o->speed.count,
+                                            .angles = angles,
+                                            .walton = o->walton};
+    int status = given->count > 0 ? contact_oblique(&table, contacts, &oblique, digits)
+                 : rows           ? contact_rows(&table, contacts, &request, digits)
+                                  : STATUS_OK;
     if (status == STATUS_OK)
         status = output_open(&out, o->common.output);
     if (status == STATUS_OK) {
@@ -94,8 +123,9 @@ static int print_tables(const struct contact_arguments *o, const struct contacts
             fprintf(out.file, "%s%s\n\n", contact_law_text(text, &contacts->contact[0]),
                     contacts->scene.plate ? ", a plate" : "");
         if (in_text || !rows) {
-            contact_summary(&summary, contacts, options_number(&o->friction, NAN), options_number(&o->tangential, NAN),
-                            digits);
+            const bool spheres = !isnan(contacts->contact[0].radius_m);
+            contact_summary(&summary, contacts, spheres ? options_number(&o->friction, NAN) : (double)NAN,
+                            options_number(&o->tangential, NAN), digits);
             table_print(&summary, format, out.file);
             table_clear(&summary);
         }
@@ -295,9 +325,16 @@ static const char help[] =
     "  --for HOST       lines for the input of a simulator, such as LAMMPS; --for list names them\n"
     "  --materials FILE, --pairs FILE   for it, csv of several materials (docs/contact.md)\n"
     "  --simulator-version V   for this version, as '29 Sep 2021' or 3.8.1; list names the models\n"
-    "  --friction MU    of spheres, without --speed, --for: kappa, the tangential velocity after over before\n"
-    "                   an elastic impact without slip, and the angle up to which it sticks when they touch\n"
-    "  --tangential-restitution E   linear, without --speed, --for: tangential spring k_t and dashpot\n"
+    "  --friction MU    of spheres: kappa, the tangential velocity after over before an elastic impact\n"
+    "                   without slip, and the angle up to which it sticks when they touch\n"
+    "  --angle LIST | --tangential-speed LIST   with --friction and --speed (the normal component):\n"
+    "                   oblique impacts, tan(angle) = tangential speed/speed\n"
+    "  --tangential MODEL   of the tangential force: displacement (default), force, rescaled, viscous,\n"
+    "                   or as a simulator has it, such as mindlin_rescale, history, yade\n"
+    "  --tangential-stiffness KT, --tangential-damping X   its spring (default: Mindlin's), and its damper\n"
+    "                   over the normal one (0; viscous: 1)\n"
+    "  --walton         the best friction and beta_0 of Walton over these angles\n"
+    "  --tangential-restitution E   of linear: tangential spring k_t and dashpot\n"
     "  --equivalent Q   energy or duration: the linear spring that equals Hertz's contact at the speed --at;\n"
     "                   adds hertz_eps,hertz_duration_s,hertz_max_overlap_m of that contact at each --speed\n"
     "  --plot FILE      eps over the speed as .svg, .png or .pdf, by gnuplot\n"
@@ -306,6 +343,9 @@ static const char help[] =
     "duration_s_zero_force,max_overlap_m,max_force_n,time_step_s (surface for zero_force under a\n"
     "force); step_bias,step_scatter of the end, or of both; damping_correction and that damping;\n"
     "measured_end without --end; contact_radius_m,max_pressure_pa. Without --speed quantity,value,unit.\n"
+    "With angles speed_m_s,angle_degrees,tangential_speed_m_s,tangential_restitution (-u'/u),\n"
+    "rebound_angle_degrees,spin_rad_s (of body 1),regime (stick, slip, both); with --walton\n"
+    "speed_m_s,eps,friction,beta_0,largest_error; end, where it matters and is not given.\n"
     "\nExample: corgen contact --young 7e10 --poisson 0.2 --radius 5e-3 --density 2500 --restitution 0.9 \\\n"
     "             --at 1 --end zero-force --speed 0.1,1,10\n";
 
@@ -320,6 +360,10 @@ static const struct option_numbers erp_numbers = {{"0", "1", false, true, true, 
     "law elastic damping young equivalent stiffness duration restitution damping-coefficient zeta beta g-star "        \
     "dissipation-time "                                                                                                \
     "steps step-tolerance integrator for coefficient eps-inf table"
+static const struct values_rule angles = {
+    "angle", {"0", "90", true, false, true, "an angle from 0 to below 90 degrees"}, false};
+static const struct values_rule tangential_speeds = {
+    "tangential-speed", {"0", NULL, true, false, true, "a finite number of m/s, 0 or more"}, false};
 
 #define ARGUMENTS struct contact_arguments
 static const struct option_rule options[] = {
@@ -341,9 +385,18 @@ static const struct option_rule options[] = {
     OPTION("simulator-version", TEXT, version, .needs = "for"),
     OPTION("materials", TEXT, materials, .needs = "speed", .excludes = "plot format friction" SCENE_NUMBERS_APART),
     OPTION("pairs", TEXT, pairs, .needs = "materials"),
-    OPTION("friction", REAL, friction, .range.number = &option_not_negative, .excludes = "for speed"),
+    OPTION("friction", REAL, friction, .range.number = &option_not_negative),
+    OPTION("angle", LIST, angle, .range.values = &angles, .needs = "friction", .excludes = "tangential-speed"),
+    OPTION("tangential-speed", LIST, tangential_speed, .range.values = &tangential_speeds, .unit = "m/s",
+           .needs = "friction"),
+    OPTION("tangential", TEXT, model, .needs = "friction"),
+    OPTION("tangential-stiffness", REAL, tangential_stiffness, .range.number = &option_not_negative,
+           .needs = "friction", .excludes = "tangential-restitution"),
+    OPTION("tangential-damping", REAL, tangential_damping, .range.number = &option_not_negative, .needs = "friction",
+           .excludes = "tangential-restitution"),
+    OPTION("walton", FLAG, walton, .needs = "friction"),
     OPTION("tangential-restitution", REAL, tangential, .scene = &cor_scene_options[COR_SCENE_RESTITUTION],
-           .excludes = "for speed"),
+           .excludes = "for"),
     OPTION("plot", FILE, plot, .needs = "speed"),
     OPTION_FORMAT(option_formats),
     OPTION_COMMON,

@@ -272,6 +272,39 @@ struct cor_tangential {
     double kappa, damping;
 };
 
+/* The tangential models that simulators have, and those of cor's own that stand for them: name as the simulator has it,
+ * the simulators, and the members of struct cor_tangential */
+enum cor_tangential_id {
+    COR_TANGENTIAL_DISPLACEMENT,
+    COR_TANGENTIAL_FORCE,
+    COR_TANGENTIAL_RESCALED,
+    COR_TANGENTIAL_RESCALED_FORCE,
+    COR_TANGENTIAL_VISCOUS,
+    COR_LAMMPS_MINDLIN,
+    COR_LAMMPS_MINDLIN_FORCE,
+    COR_LAMMPS_MINDLIN_RESCALE,
+    COR_LAMMPS_MINDLIN_RESCALE_FORCE,
+    COR_LAMMPS_LINEAR_HISTORY,
+    COR_LAMMPS_LINEAR_NOHISTORY,
+    COR_LIGGGHTS_HISTORY,
+    COR_YADE_HERTZ_MINDLIN,
+    COR_YADE_VISCEL,
+    COR_YADE_CUNDALL_STRACK,
+    COR_MERCURYDPM_SLIDING_FRICTION,
+    COR_TANGENTIAL_MODELS
+};
+struct cor_tangential_model {
+    const char *name, *from;
+    int memory, constant_stiffness, damper_in_cap;
+};
+extern const struct cor_tangential_model cor_tangential_models[COR_TANGENTIAL_MODELS];
+
+/* Fills *tangential for a model, the spring k x^p, N/m^(1+p), and the damper C_t x^b, N s/m^(b+1), of a contact with
+ * known mass and stiffness at an impact speed. Returns COR_OK, or COR_FAULT_RANGE. */
+int cor_scene_tangential_scaled(struct cor_tangential *tangential, const struct cor_scene_contact *contact,
+                                enum cor_tangential_id model_id, double stiffness, double damping_coefficient,
+                                double speed_m_s);
+
 /* An oblique impact: u'/u, the velocity of the contact point along the surface after over before (the tangential
  * restitution coefficient of the literature is -u'/u); eps; tan of the rebound angle, u'/(eps g); the tangential
  * impulse over m g; whether the contact stuck, slipped, or both, a sum of the next two. */
@@ -586,6 +619,7 @@ struct cor_simulator {
 
     /* For spheres that yield: a sentence; or the name of Luding's model with a template of its lines; or NULL */
     const char *yielding, *luding, *luding_lines;
+    unsigned tangential; /* its tangential models, bits 1 << id of enum cor_tangential_id; 0: not known */
 };
 extern const struct cor_simulator cor_simulators[];
 extern const size_t cor_simulator_count;

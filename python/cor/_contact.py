@@ -255,6 +255,71 @@ class Contact:
         mask = ma.getmaskarray(speed_m_s)
         return ma.array(table, mask=mask) if mask.any() else table.view(np.recarray)[()]
 
+    def oblique(
+        self,
+        angle_degrees: ArrayLike,
+        speed_m_s: ArrayLike,
+        friction: float,
+        tangential: str = "displacement",
+        tangential_stiffness: Optional[float] = None,
+        tangential_damping: Optional[float] = None,
+        end: Optional[str] = None,
+    ) -> Any:
+        """Returns a record for each oblique impact, with the columns of corgen contact --friction --angle.
+
+        angle_degrees: the angle of the velocity of the contact point to the normal. speed_m_s: its normal component.
+        tangential: a model of corgen contact --tangential, such as "mindlin_rescale", or a simulator. The stiffness,
+        N/m^(1+p), is Mindlin's if omitted. tangential_damping: the tangential damper over the normal one (0; viscous:
+        1). COR_OBLIQUE_ERROR bounds the error of tangential_restitution. Impacts after which the bodies stay are NaN.
+        """
+        contact = self._one()
+        models = [string(model.name) for model in lib.cor_tangential_models]
+        simulator = lib.cor_simulator_named(tangential.encode())
+        linear = contact.law.elastic == contact.law.denominator
+        suits = [linear or not model.constant_stiffness for model in lib.cor_tangential_models]
+        has = [k for k in range(len(models)) if simulator and simulator.tangential >> k & 1]
+        found = [k for k, name in enumerate(models) if name == tangential] or [k for k in has if suits[k]] or has
+        if not found:
+            allowed = ", ".join(models)
+            raise ValueError(
+                f"tangential: {tangential!r} is not a model; allowed: {allowed}, or the name of a simulator"
+            )
+        viscous = lib.cor_tangential_models[found[0]].memory == lib.COR_REMEMBERS_NOTHING
+        if tangential_stiffness is None and not viscous and (math.isnan(contact.radius_m) or not suits[found[0]]):
+            raise ValueError(f"tangential_stiffness of {models[found[0]]} is missing; give it in N/m^(1+p)")
+        one, two = (lib.cor_scene_body(self._scene, k) for k in (1, 2))
+        kappa = lib.cor_tangential_kappa(
+            one.young_modulus_pa, one.poisson_ratio, two.young_modulus_pa, two.poisson_ratio
+        )
+        spring = 0 if viscous else contact.stiffness / 3.5 * kappa
+        spring = spring if tangential_stiffness is None else number("tangential_stiffness", tangential_stiffness)
+        ratio = (
+            (1 if viscous else 0) if tangential_damping is None else number("tangential_damping", tangential_damping)
+        )
+        damper = ratio * lib.cor_scene_damping(ffi.addressof(contact), lib.COR_SCENE_DAMPING_COEFFICIENT)
+        angles, speeds = np.broadcast_arrays(np.asarray(angle_degrees, float), np.asarray(speed_m_s, float))
+        names = ("speed_m_s", "angle_degrees", "tangential_speed_m_s", "tangential_restitution")
+        kinds = [(name, np.float64) for name in (*names, "rebound_angle_degrees", "spin_rad_s")] + [("regime", "U5")]
+        table, scaled, made = np.zeros(angles.shape, kinds), ffi.new("struct cor_tangential *"), self._end(end)
+        impact, mu = ffi.new("struct cor_oblique_impact *"), number("friction", friction)
+        spin = 5 / 7 * contact.mass_kg / one.mass_kg / one.radius_m
+        for at, angle in np.ndenumerate(angles):
+            if not 0 <= angle < 90:
+                raise ValueError(f"angle_degrees: {angle!r} is not an angle from 0 to below 90 degrees")
+            speed, u = float(speeds[at]), math.tan(math.radians(angle)) * float(speeds[at])
+            if not 0 < speed < math.inf:
+                raise ValueError(f"speed_m_s: {speed!r} is not above 0 and finite")
+            if lib.cor_scene_tangential_scaled(
+                scaled, ffi.addressof(contact), found[0], spring, damper, speed
+            ) or lib.cor_scene_oblique(
+                impact, ffi.addressof(contact), scaled, mu, speed, math.tan(math.radians(angle)), made
+            ):
+                raise ValueError(f"oblique: {speed!r} m/s, {angle!r} degrees or friction {mu!r} is out of range")
+            regime = ("rest", "stick", "slip", "both")[impact.regime]
+            rebound = math.degrees(math.atan(impact.rebound_tangent))
+            table[at] = (speed, angle, u, -impact.restitution, rebound, u * (1 - impact.restitution) * spin, regime)
+        return table.view(np.recarray)[()]
+
 
 def _made(bodies: Tuple[Body, ...], options: Dict[str, Any]) -> Contact:
     return Contact(*bodies, **options)

@@ -11,6 +11,7 @@
 
 #include <float.h>
 
+#include "cor/status.h"
 #include "runtime/scene/exponents.h"
 #include "runtime/scene/motion.h"
 
@@ -275,6 +276,19 @@ static double expand_mode(struct slide *s, int *next, double *side)
 
 /* ---- an impact ---- */
 
+/* Length and time in which mass, stiffness and impact speed are 1 */
+struct scales {
+    double length, time;
+};
+
+static struct scales speed_scales(const struct cor_scene_contact *contact, double speed_m_s)
+{
+    const double a = cor_elastic(&contact->law), ratio = cor_quiet_quotient(contact->mass_kg, contact->stiffness),
+                 time = cor_quiet_product(cor_quiet_power(ratio, 1 / (a + 1)),
+                                          cor_quiet_power(speed_m_s, (1 - a) / (1 + a)));
+    return (struct scales){cor_quiet_product(time, speed_m_s), time};
+}
+
 /* Sets the units of the normal motion: those of the speed, and smaller ones where damping or a constant force outweighs
  * the inertia. Returns 0 where the motion leaves the doubles. */
 static int begin(struct slide *s, const struct cor_scene_contact *contact, const struct cor_tangential *tangential,
@@ -283,9 +297,7 @@ static int begin(struct slide *s, const struct cor_scene_contact *contact, const
     const struct cor_exponents *const law = &contact->law;
     const double a = cor_elastic(law), b = cor_damping(law), beta = cor_scene_beta(contact, speed_m_s);
     const int twice = law->denominator % 2 ? 2 : 1, d = twice * law->denominator;
-    const double ratio = cor_quiet_quotient(contact->mass_kg, contact->stiffness);
-    const double time =
-        cor_quiet_product(cor_quiet_power(ratio, 1 / (a + 1)), cor_quiet_power(speed_m_s, (1 - a) / (1 + a)));
+    const double time = speed_scales(contact, speed_m_s).time;
     const double press = contact->force_n > 0 ? cor_quiet_quotient(cor_quiet_product(contact->force_n, time),
                                                                    cor_quiet_product(contact->mass_kg, speed_m_s))
                                               : 0;
@@ -438,4 +450,48 @@ int cor_scene_oblique(struct cor_oblique_impact *oblique, const struct cor_scene
             return status;
     }
     return follow_impact(oblique, contact, tangential, friction, speed_m_s, tangent, end);
+}
+
+/* ---- models of simulators ---- */
+
+const struct cor_tangential_model cor_tangential_models[COR_TANGENTIAL_MODELS] = {
+    {"displacement", "", COR_REMEMBERS_DISPLACEMENT, 0, 1},
+    {"force", "", COR_REMEMBERS_FORCE, 0, 1},
+    {"rescaled", "", COR_REMEMBERS_DISPLACEMENT_RESCALED, 0, 1},
+    {"rescaled-force", "", COR_REMEMBERS_FORCE_RESCALED, 0, 1},
+    {"viscous", "", COR_REMEMBERS_NOTHING, 0, 1},
+    {"mindlin", "LAMMPS", COR_REMEMBERS_DISPLACEMENT, 0, 1},
+    {"mindlin/force", "LAMMPS", COR_REMEMBERS_FORCE, 0, 1},
+    {"mindlin_rescale", "LAMMPS", COR_REMEMBERS_DISPLACEMENT_RESCALED, 0, 1},
+    {"mindlin_rescale/force", "LAMMPS", COR_REMEMBERS_FORCE_RESCALED, 0, 1},
+    {"linear_history", "LAMMPS", COR_REMEMBERS_DISPLACEMENT, 1, 1},
+    {"linear_nohistory", "LAMMPS", COR_REMEMBERS_NOTHING, 1, 1},
+    {"history", "LIGGGHTS", COR_REMEMBERS_DISPLACEMENT, 0, 0},
+    {"hertz-mindlin", "YADE, MindlinPhys", COR_REMEMBERS_FORCE, 0, 0},
+    {"viscel", "YADE, ViscElPhys", COR_REMEMBERS_FORCE, 1, 0},
+    {"cundall-strack", "YADE, FrictPhys", COR_REMEMBERS_FORCE, 1, 0},
+    {"sliding-friction", "MercuryDPM", COR_REMEMBERS_DISPLACEMENT, 1, 1},
+};
+
+int cor_scene_tangential_scaled(struct cor_tangential *tangential, const struct cor_scene_contact *contact,
+                                enum cor_tangential_id model_id, double stiffness, double damping_coefficient,
+                                double speed_m_s)
+{
+    const double a = cor_elastic(&contact->law), b = cor_damping(&contact->law), nothing = NAN;
+    *tangential = (struct cor_tangential){0, 0, 0, nothing, nothing};
+    if (!cor_contact_is_sound(contact) || !cor_si_in_range(speed_m_s) || (int)model_id < 0 ||
+        model_id >= COR_TANGENTIAL_MODELS || !(isgreater(contact->mass_kg, 0) && isgreater(contact->stiffness, 0)))
+        return COR_FAULT_RANGE;
+    const struct cor_tangential_model *const model = &cor_tangential_models[model_id];
+    const struct scales unit = speed_scales(contact, speed_m_s);
+    const double p = model->constant_stiffness ? 0 : a - 1;
+    const double spring =
+        cor_quiet_product(cor_quiet_quotient(stiffness, contact->stiffness), cor_quiet_power(unit.length, p - (a - 1)));
+    const double damper = cor_quiet_product(cor_quiet_quotient(damping_coefficient, contact->mass_kg),
+                                            cor_quiet_product(unit.time, cor_quiet_power(unit.length, b)));
+    *tangential = (struct cor_tangential){model->memory, model->constant_stiffness, model->damper_in_cap, 3.5 * spring,
+                                          3.5 * damper};
+    return is_within(tangential->kappa, COR_OBLIQUE_MOST) && is_within(tangential->damping, COR_OBLIQUE_MOST)
+               ? COR_OK
+               : COR_FAULT_RANGE;
 }

@@ -696,23 +696,29 @@ static const struct cor_simulator_model modelica[] = {
         EVERYWHERE("Modelica.Mechanics.Translational.Components.ElastoGap gap(c={K}, d={n}, n=1.5, s_rel0=0);\n")),
 };
 
+#define BIT(id) 1U << COR_##id
 const struct cor_simulator cor_simulators[] = {
     {SIMULATOR(lammps, "lammps", "LAMMPS", VERLET_HALF_STEP), SCRIPT,
      .setup = "Goes with: units si, atom_style sphere, newton off, comm_modify vel yes." FRICTION,
      .time_step = "timestep {dt}\n", .version = "29 Sep 2021", .packaged = 20210929,
+     .tangential = BIT(LAMMPS_MINDLIN) | BIT(LAMMPS_MINDLIN_FORCE) | BIT(LAMMPS_MINDLIN_RESCALE) |
+                   BIT(LAMMPS_MINDLIN_RESCALE_FORCE) | BIT(LAMMPS_LINEAR_HISTORY) | BIT(LAMMPS_LINEAR_NOHISTORY),
      .yielding = "LAMMPS of 2025 and later has mdr, which takes E, nu and the yield stress: elastic-plastic with "
                  "another yield criterion, so that its eps is another one. It was not run."},
     {SIMULATOR(liggghts, "liggghts", "LIGGGHTS", VERLET_HALF_STEP), SCRIPT,
      .setup = "Goes with: units si, atom_style granular, newton off, communicate single vel yes, {types} type{s} in "
               "create_box." FRICTION,
-     .time_step = "timestep {dt}\n", .version = "3.8.0", .packaged = 30800, .luding = "LIGGGHTS, luding",
+     .time_step = "timestep {dt}\n", .version = "3.8.0", .packaged = 30800, .tangential = BIT(LIGGGHTS_HISTORY),
+     .luding = "LIGGGHTS, luding",
      .luding_lines = "pair_style gran model luding tangential history\n" LUDING("0", "LoadingStiffness", "{k1[]}")
          LUDING("1", "UnloadingStiffness", "{kp/k1[]}") LUDING("2", "coefficientAdhesionStiffness", "{0[]}")
              LUDING("3", "coefficientPlasticityDepth", "{depth[]}") LUDING("4", "pullOffForce", "{0[]}")
                  LUDING("5", "coefficientRestitution", "{1[]}")},
     {SIMULATOR(yade, "yade", "YADE", LEAPFROG), SCRIPT,
      .setup = "SI units. cor_contact is one of O.engines; NewtonIntegrator has damping=0." FRICTION,
-     .time_step = "O.dt = {dt}\n", .version = "2023.02", .packaged = 20230200, .wall_divides = 1.4142135623730951,
+     .time_step = "O.dt = {dt}\n", .version = "2023.02", .packaged = 20230200,
+     .tangential = BIT(YADE_HERTZ_MINDLIN) | BIT(YADE_VISCEL) | BIT(YADE_CUNDALL_STRACK),
+     .wall_divides = 1.4142135623730951,
      .wall = "YADE's walls have K/sqrt(2), its facets K sqrt(2/3), where K is Hertz's: contacts last longer.",
      .density = "cor_material gets the density that YADE chooses, 1000 kg/m^3: add that of your bodies.",
      .luding = "YADE, LudingMat",
@@ -721,7 +727,7 @@ const struct cor_simulator cor_simulators[] = {
                      "cor_contact = InteractionLoop([Ig2_Sphere_Sphere_ScGeom()], "
                      "[Ip2_LudingMat_LudingMat_LudingPhys()], [Law2_ScGeom_LudingPhys_Basic()])\n"},
     {SIMULATOR(mercurydpm, "mercurydpm", "MercuryDPM", VERLET_HALF_STEP), CPP, .setup = "SI units.",
-     .time_step = "setTimeStep({dt});\n"},
+     .tangential = BIT(MERCURYDPM_SLIDING_FRICTION), .time_step = "setTimeStep({dt});\n"},
     {SIMULATOR(chrono, "chrono", "Chrono", SYMPLECTIC_EULER), CPP, .setup = "SI units.",
      .time_step = "const double time_step = {dt}; // s, for DoStepDynamics\n"},
     {SIMULATOR(chrono_multicore, "chrono-multicore", "chrono-multicore", NO_INTEGRATOR)},

@@ -311,3 +311,32 @@ def test_a_tolerance_may_stand_for_the_options_of_a_rigid_wall():
 def test_dir_is_what_is_public():
     for module in (cor.sphere, cor.contact, cor.disk, cor.law, cor.simulators):
         assert set(dir(module)) == set(module.__all__)
+
+
+@pytest.mark.parametrize("model", ["displacement", "mindlin_rescale/force", "liggghts", "yade", "viscous"])
+def test_oblique_impacts_are_those_of_corgen(model):
+    given = dict(**GLASS, restitution=0.8, at=1.0, end="zero-force")
+    out = corgen("contact", "--format", "csv", **given, friction=0.3, angle=(0, 20, 70), speed=(1, 2), tangential=model)
+    rows = list(csv.reader(io.StringIO(out.stdout)))
+    made = cor.Contact(**given).oblique([[0, 20, 70]] * 2, [[1], [2]], 0.3, model)
+    assert made.dtype.names == tuple(rows[0])
+    for got, row in zip(made.ravel(), rows[1:]):
+        assert got.regime == row[-1]
+        assert list(got)[:-1] == pytest.approx([float(cell) for cell in row[:-1]], rel=1e-9, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    "words, changed",
+    [
+        ("angle_degrees: 90", {"angle_degrees": 90}),
+        ("angle_degrees: nan", {"angle_degrees": np.nan}),
+        ("speed_m_s: 0", {"speed_m_s": 0}),
+        ("tangential: 'foo' is not a model; allowed: displacement.* simulator", {"tangential": "foo"}),
+        ("tangential_stiffness of viscel is missing", {"tangential": "viscel"}),
+        ("friction -1.0 is out of range", {"friction": -1}),
+    ],
+)
+def test_oblique_impacts_refuse(words, changed):
+    contact = cor.Contact(**GLASS, restitution=0.8, at=1.0, end="zero-force")
+    with pytest.raises(ValueError, match=words):
+        contact.oblique(**{"angle_degrees": 10, "speed_m_s": 1, "friction": 0.3, **changed})

@@ -1,0 +1,181 @@
+/* SPDX-License-Identifier: MIT */
+#include "contact/oblique.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "contact/contact.h"
+#include "support/console.h"
+
+#define DEGREE 0.017453292519943295
+enum { NAMES = 512 };
+
+/* The model of a name, or the one of a simulator that suits the spring of the contact; -1 after a message */
+static int model_of(const char *name, const struct cor_scene_contact *contact)
+{
+    const struct cor_simulator *const simulator = cor_simulator_named(name);
+    const bool linear = contact->law.elastic == contact->law.denominator;
+    char names[NAMES] = "";
+    for (int id = 0; id < COR_TANGENTIAL_MODELS; id++) {
+        const struct cor_tangential_model *const model = &cor_tangential_models[id];
+        const size_t length = strlen(names);
+        if (strcmp(model->name, name) == 0 ||
+            (simulator && (simulator->tangential >> id & 1U) != 0 &&
+             (linear || !model->constant_stiffness || simulator->tangential >> id == 1)))
+            return id;
+        snprintf(names + length, sizeof names - length, "%s, ", model->name);
+    }
+    return usage_error(
+               "--tangential: '%s' is not a model of a tangential force; allowed: %sor the name of a simulator: "
+               "lammps, liggghts, yade, mercurydpm",
+               name, names),
+           -1;
+}
+
+/* Spring and damper of a contact at an end, in SI units. Returns STATUS_OK, or STATUS_USAGE after a message. */
+static int spring_of(double *spring, double *damper, const struct contacts *contacts, int k, int end, int id,
+                     const struct oblique_request *request)
+{
+    const struct cor_scene_contact *const c = &contacts->contact[k];
+    const struct cor_tangential_model *const model = &cor_tangential_models[id];
+    const bool nothing = model->memory == COR_REMEMBERS_NOTHING,
+               hertz = !isnan(c->radius_m) && !model->constant_stiffness;
+    const double ratio = isnan(request->damping_ratio) ? (nothing ? 1 : 0) : request->damping_ratio;
+    *damper = ratio * cor_scene_damping(c, COR_SCENE_DAMPING_COEFFICIENT);
+    *spring = nothing ? 0 : request->stiffness;
+    if (!isnan(request->restitution))
+        return contact_status(cor_scene_tangential(spring, damper, c, request->restitution, end));
+    if (!isnan(*spring))
+        return STATUS_OK;
+    if (!hertz)
+        return usage_error("the tangential stiffness of %s is not known: give --tangential-stiffness KT, in N/m%s",
+                           model->name, c->law.elastic == c->law.denominator ? ", or --tangential-restitution E" : "");
+    const struct cor_body one = cor_scene_body(&contacts->scene, 1), two = cor_scene_body(&contacts->scene, 2);
+    *spring = c->stiffness / 3.5 *
+              cor_tangential_kappa(one.young_modulus_pa, one.poisson_ratio, two.young_modulus_pa, two.poisson_ratio);
+    return STATUS_OK;
+}
+
+/* The impact of one speed and tangent */
+static int impact_of(struct cor_oblique_impact *impact, const struct contacts *contacts, int k, int end, int id,
+                     const struct oblique_request *request, double speed, double tangent)
+{
+    const struct cor_scene_contact *const c = &contacts->contact[k];
+    struct cor_tangential tangential;
+    double spring, damper;
+    int status = spring_of(&spring, &damper, contacts, k, end, id, request);
+    if (status != STATUS_OK)
+        return status;
+    status = cor_scene_tangential_scaled(&tangential, c, (enum cor_tangential_id)id, spring, damper, speed);
+    if (status == COR_FAULT_NONE)
+        status = cor_scene_oblique(impact, c, &tangential, request->friction, speed, tangent, end);
+    return status == COR_FAULT_NONE
+               ? STATUS_OK
+               : fail("the oblique impact at %g m/s with the tangential speed %g m/s is beyond the "
+                      "range of the integration",
+                      speed, speed * tangent);
+}
+
+/* ---- Walton's three numbers ---- */
+
+/* The largest error of max(-beta_0, 1 - slip/tangent) */
+static double largest_error(const double *tangent, const double *restitution, size_t n, double slip, double beta_0)
+{
+    double largest = 0;
+    for (size_t i = 0; i < n; i++)
+        largest = fmax(largest, fabs(fmax(-beta_0, 1 - slip / tangent[i]) - restitution[i]));
+    return largest;
+}
+
+/* Searches both numbers on grids that shrink around the best place. Returns the largest error. */
+static double fit_walton(double *slip, double *beta_0, const double *tangent, const double *restitution, size_t n)
+{
+    enum { GRID = 40, ROUNDS = 12 };
+    double best = INFINITY, middle[2] = {*slip, 0}, half[2] = {0.9 * *slip, 1.2};
+    for (int round = 0; round < ROUNDS; round++) {
+        const double from[2] = {middle[0], middle[1]};
+        for (int k = 0; k < (GRID + 1) * (GRID + 1); k++) {
+            const double try[2] = {from[0] + half[0] * (2.0 * (k % (GRID + 1)) / GRID - 1),
+                                   from[1] + half[1] * (2.0 * (k / (GRID + 1)) / GRID - 1)};
+            const double error = largest_error(tangent, restitution, n, try[0], try[1]);
+            if (error < best) {
+                best = error;
+                memcpy(middle, try, sizeof middle);
+            }
+        }
+        half[0] /= 4;
+        half[1] /= 4;
+    }
+    *slip = middle[0];
+    *beta_0 = middle[1];
+    return best;
+}
+
+/* ---- tables ---- */
+
+int contact_oblique(struct table *table, const struct contacts *contacts, const struct oblique_request *request,
+                    int digits)
+{
+    static const char *const regimes[] = {"rest", "stick", "slip", "both"};
+    const bool damped = contacts->contact[0].damping > 0;
+    const bool both = damped && (contacts->count > 1 || contact_end(contacts, 0) == COR_BOTH_ENDS);
+    const int id = model_of(request->model ? request->model : "displacement", &contacts->contact[0]);
+    const struct cor_body body = cor_scene_body(&contacts->scene, 1);
+    double *const tangent = xmalloc(2 * request->count * sizeof *tangent), *const ratio = tangent + request->count;
+    char text[DECIMAL_TEXT];
+    int status = id < 0 ? STATUS_USAGE : STATUS_OK;
+    if (request->walton)
+        table_init(table,
+                   both ? "speed_m_s,eps,friction,beta_0,largest_error,end"
+                        : "speed_m_s,eps,friction,beta_0,largest_error",
+                   "tnnnnt");
+    else
+        table_init(table,
+                   both ? "speed_m_s,angle_degrees,tangential_speed_m_s,tangential_restitution,rebound_angle_degrees,"
+                          "spin_rad_s,regime,end"
+                        : "speed_m_s,angle_degrees,tangential_speed_m_s,tangential_restitution,rebound_angle_degrees,"
+                          "spin_rad_s,regime",
+                   "tnnnnntt");
+    for (int end = 0; end < COR_SCENE_ENDS; end++)
+        for (size_t i = 0; i < request->speeds; i++) {
+            const int k = contacts->count > 1 ? end : 0;
+            const double speed = request->speed_m_s[i];
+            const char *const name = cor_scene_end_name(&contacts->contact[k], end);
+            struct cor_oblique_impact impact = {NAN, NAN, NAN, NAN, 0};
+            if (!both && end != (contact_end(contacts, 0) == COR_END_ZERO_FORCE))
+                continue;
+            for (size_t j = 0; j < request->count && status == STATUS_OK; j++) {
+                const double given = request->given[j];
+                tangent[j] = request->angles ? tan(given * DEGREE) : given / speed;
+                status = impact_of(&impact, contacts, k, end, id, request, speed, tangent[j]);
+                ratio[j] = impact.restitution;
+                if (request->walton || status != STATUS_OK)
+                    continue;
+                const double u = tangent[j] * speed;
+                table_add_text(table, decimal_text(text, speed));
+                table_add_number(table, request->angles ? given : atan(tangent[j]) / DEGREE, digits);
+                table_add_number(table, u, digits);
+                table_add_number(table, -ratio[j], digits);
+                table_add_number(table, atan(impact.rebound_tangent) / DEGREE, digits);
+                table_add_number(
+                    table, 5.0 / 7 * u * (1 - ratio[j]) * contacts->contact[k].mass_kg / body.mass_kg / body.radius_m,
+                    digits);
+                table_add_text(table, regimes[impact.regime]);
+                if (both)
+                    table_add_text(table, name);
+            }
+            if (request->walton && status == STATUS_OK) {
+                double slip = 3.5 * request->friction * (1 + impact.eps), beta_0;
+                const double factor = 3.5 * (1 + impact.eps),
+                             error = fit_walton(&slip, &beta_0, tangent, ratio, request->count);
+                const double value[] = {impact.eps, slip / factor, beta_0, error};
+                table_add_text(table, decimal_text(text, speed));
+                for (size_t j = 0; j < sizeof value / sizeof *value; j++)
+                    table_add_number(table, value[j], j == 3 ? 3 : CONTACT_DIGITS_TEXT);
+                if (both)
+                    table_add_text(table, name);
+            }
+        }
+    free(tangent);
+    return status;
+}

@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT */
+/* Oblique impacts with friction, the rows of corgen contact --friction MU --angle LIST */
+#ifndef COR_GEN_CONTACT_OBLIQUE_H
+#define COR_GEN_CONTACT_OBLIQUE_H
+
+#include "contact/contact.h"
+
+/* model: a name of cor_tangential_models or of a simulator, NULL: displacement. given: angles in degrees, or tangential
+ * speeds. stiffness, damping_ratio, restitution: NaN if not given; stiffness is then the one of Mindlin. damping_ratio:
+ * the tangential damper over the normal one. walton: a row for each speed with Walton's numbers */
+struct oblique_request {
+    const char *model;
+    double friction, stiffness, damping_ratio, restitution;
+    const double *given, *speed_m_s;
+    size_t count, speeds;
+    bool angles, walton;
+};
+
+/* A row for each speed with each angle, and for each end where that matters and is not given. Returns STATUS_OK, or
+ * another status after a message. */
+int contact_oblique(struct table *table, const struct contacts *contacts, const struct oblique_request *request,
+                    int digits);
+
+#endif
