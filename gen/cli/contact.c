@@ -236,40 +236,43 @@ static int print_for_simulator(const struct contact_arguments *o, const struct c
     return status;
 }
 
-/* Sets stiffness and damping of a contact of ERP and CFM: K = ERP/(h CFM), C = (1 - ERP)/CFM; spring: both numbers */
-static void set_engine(struct contact_arguments *o, struct decimal spring[2])
+/* Sets stiffness and damping of a contact of ERP and CFM: K = ERP/(h CFM), C = (1 - ERP)/CFM */
+static void set_engine(struct contact_arguments *o, struct decimal *stiffness, struct decimal *damping)
 {
     const fmpq *const erp = o->erp.value, *const cfm = o->cfm.value, *const h = o->time_step.value;
-    const bool damped = !fmpq_is_one(erp);
-    decimal_set(&spring[0], "1");
-    decimal_set(&spring[1], "0");
-    EXACT(spring[0].value, "erp/(h*cfm)", erp, h, cfm);
-    EXACT(spring[1].value, "(1 - erp)/cfm", erp, cfm);
-    o->scene.number[COR_SCENE_STIFFNESS] = spring[0];
-    o->scene.number[damped ? COR_SCENE_DAMPING_COEFFICIENT : COR_SCENE_ZETA] = spring[1];
+    decimal_set(stiffness, "1");
+    decimal_set(damping, "0");
+    EXACT(stiffness->value, "erp/(h*cfm)", erp, h, cfm);
+    EXACT(damping->value, "(1 - erp)/cfm", erp, cfm);
+    o->scene.number[COR_SCENE_STIFFNESS] = *stiffness;
+    o->scene.number[fmpq_is_one(erp) ? COR_SCENE_ZETA : COR_SCENE_DAMPING_COEFFICIENT] = *damping;
     o->scene.law = COR_LAW_LINEAR;
     o->integrator = COR_IMPLICIT_EULER;
 }
 
-static int run_contact_of(const struct contact_arguments *o)
+static int run_contact(const void *arguments)
 {
+    struct contact_arguments copy = *(const struct contact_arguments *)arguments;
+    const struct contact_arguments *const o = &copy;
+    __attribute__((cleanup(decimal_clear))) struct decimal stiffness = {0}, damping = {0};
     struct contacts contacts;
     if (o->plot && gnuplot_check(o->plot) != STATUS_OK)
         return STATUS_USAGE;
+    if (o->erp.text && !(o->time_step.text && embed_given(&o->scene, COR_SCENE_EFFECTIVE_MASS)))
+        return usage_error("--erp and --cfm need --time-step and --effective-mass, as --erp 0.8 --cfm 1e-3 "
+                           "--time-step 0.01 --effective-mass 1 --speed 1");
+    if (o->erp.text)
+        set_engine(&copy, &stiffness, &damping);
     if (o->materials && !o->simulator)
         return usage_error("--materials needs --for SIMULATOR, as --for lammps; --for list names them");
     /* a list, a name that is none, and materials need no contact */
     if (o->simulator && (o->materials || (o->version && strcmp(o->version, CONTACT_SIMULATOR_LIST) == 0) ||
                          !cor_simulator_named(o->simulator)))
         return print_for_simulator(o, NULL);
-    struct own_law own;
+    OWN_LAW(own);
     int status = own_law_init(&own, &o->scene);
-    if (own.law && status == STATUS_OK)
-        status = print_own(o, &own);
-    const bool done = own.law || status != STATUS_OK;
-    own_law_clear(&own);
-    if (done)
-        return status;
+    if (own.law || status != STATUS_OK)
+        return status == STATUS_OK ? print_own(o, &own) : status;
     status = contacts_of_request(&contacts, &o->scene);
     if (status == STATUS_OK)
         status = check_options(o, &contacts);
@@ -284,21 +287,6 @@ static int run_contact_of(const struct contact_arguments *o)
     if (o->plot)
         status = draw_eps(o, &contacts);
     return status == STATUS_OK ? print_tables(o, &contacts) : status;
-}
-
-static int run_contact(const void *arguments)
-{
-    struct contact_arguments o = *(const struct contact_arguments *)arguments;
-    struct decimal spring[2] = {{0}};
-    if (o.erp.text && !(o.time_step.text && embed_given(&o.scene, COR_SCENE_EFFECTIVE_MASS)))
-        return usage_error("--erp and --cfm need --time-step and --effective-mass, as --erp 0.8 --cfm 1e-3 "
-                           "--time-step 0.01 --effective-mass 1 --speed 1");
-    if (o.erp.text)
-        set_engine(&o, spring);
-    const int status = run_contact_of(&o);
-    decimal_clear(&spring[0]);
-    decimal_clear(&spring[1]);
-    return status;
 }
 
 const char help_contact[] = HELP_CONTACT_TEXT;

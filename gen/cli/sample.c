@@ -35,7 +35,7 @@ static int run_sample(const void *arguments)
     if ((o->log || o->cubic) && (format == SAMPLE_MODELICA || format == SAMPLE_OPENFOAM))
         return usage_error("--format %s: its reader interpolates linearly in the speed; no --log or --cubic",
                            sample_format_names[format]);
-    struct own_law own;
+    OWN_LAW(own);
     int status = own_law_init(&own, &scene);
     if (status == STATUS_OK && own.law)
         status = own_law_check(&own, request.speed_min, request.speed_max);
@@ -45,10 +45,8 @@ static int run_sample(const void *arguments)
     if (status == STATUS_OK && !own.law && o->duration && isnan(contacts.contact[0].mass_kg))
         status = usage_error("--durations needs bodies, or --stiffness and --effective-mass, which set the unit of "
                              "time, as --stiffness 1e9 --effective-mass 1e-3");
-    if (status != STATUS_OK) {
-        own_law_clear(&own);
+    if (status != STATUS_OK)
         return status;
-    }
     if (!own.law) {
         request.end = (enum cor_end)contacts.scene.end;
         contact_warn_yield(&contacts, request.speed_max);
@@ -61,7 +59,6 @@ static int run_sample(const void *arguments)
         status = output_commit(&out);
     }
     sample_clear(&sample);
-    own_law_clear(&own);
     return status;
 }
 

@@ -130,7 +130,6 @@ static void set_cubics(struct own_law *law, const fmpq *speed, const fmpq *eps)
     }
     end_slope(slope, d, last > 1 ? d + 1 : d, h, last > 1 ? h + 1 : h);
     end_slope(slope + last, d + last - 1, last > 1 ? d + last - 2 : d, h + last - 1, last > 1 ? h + last - 2 : h);
-    law->cubic = _arb_vec_init(CUBIC * last);
     for (slong i = 0; i <= last; i++) {
         law->speed[i] = decimal_nearest(speed + i);
         law->place[i] = log(law->speed[i]);
@@ -211,6 +210,7 @@ int own_law_init(struct own_law *law, const struct embed_request *request)
         law->law = request->law;
         law->formula = f->formula;
         law->number = _fmpq_vec_init(2);
+        law->cubic = _arb_vec_init(CUBIC * OWN_ROWS_MOST);
         if (table)
             continue;
         fmpq_set(law->number, request->number[f->first].value);
@@ -230,10 +230,10 @@ int own_law_init(struct own_law *law, const struct embed_request *request)
 
 void own_law_clear(struct own_law *law)
 {
-    if (law->number)
+    if (law->law) {
         _fmpq_vec_clear(law->number, 2);
-    if (law->cubic)
-        _arb_vec_clear(law->cubic, CUBIC * (law->rows - 1));
+        _arb_vec_clear(law->cubic, CUBIC * OWN_ROWS_MOST);
+    }
     free(law->speed);
     *law = (struct own_law){0};
 }
@@ -261,8 +261,7 @@ slong own_law_row(double *end, const struct own_law *law, double x)
 /* The operands of a formula */
 #define OPERANDS_OF(law, row)                                                                                          \
     const fmpq *const a = (law)->number, *const b = a + 1;                                                             \
-    const arb_srcptr k = (law)->cubic ? (law)->cubic + CUBIC * (row) : NULL, c0 = k + 1, c1 = k + 2, c2 = k + 3,       \
-                     c3 = k + 4
+    const arb_srcptr k = (law)->cubic + CUBIC * (row), c0 = k + 1, c1 = k + 2, c2 = k + 3, c3 = k + 4
 
 bool own_law_function(arb_poly_t eps, const arb_poly_t x, const struct own_law *law, slong row)
 {
@@ -290,10 +289,10 @@ double own_law_value(const struct own_law *law, double speed)
         own_law_eps(x, law, x, CUBIC_BITS);
         return ball_middle(x);
     }
-    const double *const c = law->near + CUBIC * own_law_row(&end, law, log(speed)), t = law->near ? speed - c[0] : 0;
-    return law->law == EMBED_LAW_POWER         ? fmin(1, a * power)
-           : law->law == EMBED_LAW_EXPONENTIAL ? a + (1 - a) * exp(-speed / b)
-                                               : fmin(1, c[1] + t * (c[2] + t * (c[3] + t * c[4])));
+    if (law->law != EMBED_LAW_TABLE)
+        return law->law == EMBED_LAW_POWER ? fmin(1, a * power) : a + (1 - a) * exp(-speed / b);
+    const double *const c = law->near + CUBIC * own_law_row(&end, law, log(speed)), t = speed - c[0];
+    return fmin(1, c[1] + t * (c[2] + t * (c[3] + t * c[4])));
 }
 
 void own_law_onset(arb_t speed, const struct own_law *law, slong prec)

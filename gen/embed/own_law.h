@@ -22,14 +22,15 @@ struct own_law {
     double own_part[6];
     slong rows;                   /* of the table; 0: no table */
     double *speed, *place, *near; /* their speeds, ln(speed), and the doubles nearest to `cubic` */
-    arb_ptr cubic;                /* five for each row but the last: speed, then the coefficients of (v - speed)^k */
+    arb_ptr cubic; /* five for each row but the last: speed, then the coefficients of (v - speed)^k; else zeros */
     char text[OWN_TEXT];
 };
 
-/* Returns STATUS_OK, or STATUS_USAGE after a message about missing or contradictory options, or about the table. In
- * both cases own_law_clear frees the memory. */
+/* Returns STATUS_OK, or STATUS_USAGE after a message about missing or contradictory options, or about the table; then
+ * own_law_clear frees the memory. */
 int own_law_init(struct own_law *law, const struct embed_request *request);
 void own_law_clear(struct own_law *law);
+#define OWN_LAW(x) __attribute__((cleanup(own_law_clear))) struct own_law x = {0} /* cleared where its block ends */
 
 /* Refuses speeds that a table does not have. */
 int own_law_check(const struct own_law *law, double speed_min, double speed_max);

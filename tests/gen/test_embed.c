@@ -310,13 +310,8 @@ TEST(test_constant)
     }
 }
 
-/* Laws of one's own: the forms against formulas in long double, a table against values of PchipInterpolator of SciPy
- * 1.10, and the proofs. A range or a law of a single number is refused or becomes a constant. */
-static long double own_eps(int law, long double a, long double b, long double v)
-{
-    return law == EMBED_LAW_POWER ? fminl(1, a * powl(v, -b)) : a + (1 - a) * expl(-v / b);
-}
-
+/* Laws of one's own: proofs of the forms; a table against values of SciPy 1.10's PchipInterpolator; the ranges that are
+ * refused. tests/python/test_own_law.py compares the headers with formulas. */
 TEST(test_own_laws)
 {
     static const char rows[] = "eps,x,speed_m_s\n# a plateau, a peak\n0.9,1,0.01\n0.8,1,0.05\n0.8,1,0.2\n0.85,1,0.7\n"
@@ -331,10 +326,7 @@ TEST(test_own_laws)
     } laws[] = {{EMBED_LAW_POWER, "0.115739", "0.234", "1e-6", "1", "1e-6", EMBED_DOUBLE, STATUS_OK},
                 {EMBED_LAW_POWER, "0.5", "-1/10", "1e-3", "1023", "1e-9", EMBED_DOUBLE, STATUS_OK},
                 {EMBED_LAW_POWER, "0.5", "-0.1", "1e-3", "1025", "1e-9", EMBED_DOUBLE, STATUS_USAGE},
-                {EMBED_LAW_POWER, "0.5", "0", "1e-3", "1e3", "1e-9", EMBED_FLOAT, STATUS_OK},
-                {EMBED_LAW_POWER, "8", "0.5", "1", "64", "1e-9", EMBED_FLOAT, STATUS_OK},
                 {EMBED_LAW_EXPONENTIAL, "0.3", "0.01", "1e-4", "1", "1e-5", EMBED_FLOAT, STATUS_OK},
-                {EMBED_LAW_EXPONENTIAL, "0", "2", "1e-3", "9", "1e-12", EMBED_DOUBLE, STATUS_OK},
                 {EMBED_LAW_TABLE, NULL, NULL, "0.01", "4", "1e-12", EMBED_DOUBLE, STATUS_OK},
                 {EMBED_LAW_TABLE, NULL, NULL, "0.02", "3.9", "1e-6", EMBED_FLOAT, STATUS_OK},
                 {EMBED_LAW_TABLE, NULL, NULL, "0.0099", "4", "1e-6", EMBED_DOUBLE, STATUS_USAGE},
@@ -355,23 +347,9 @@ TEST(test_own_laws)
         if (laws[i].status == STATUS_OK) {
             embed_search(w.form, &w.s);
             w.chosen = &w.form[embed_choose(w.form, PURPOSE_SCALAR)];
-            const bool constant = w.s.constant;
-            assert_true(w.chosen->found && constant == (w.chosen->numerator == 0));
-            if (!constant)
-                check_proof(w.chosen, &w.s);
-            for (int k = 0; k < (table ? (int)COUNT_OF(known) : 100); k++) {
-                const double ratio = embed_number(&request, EMBED_SPEED_MAX) / embed_number(&request, EMBED_SPEED_MIN);
-                const double speed = embed_rounded(
-                    &w.s, table ? known[k][0] : embed_number(&request, EMBED_SPEED_MIN) * pow(ratio, (k + 0.5) / 100));
-                const long double eps = table
-                                            ? (long double)known[k][1]
-                                            : own_eps(laws[i].law, (long double)decimal_value(&request.number[number]),
-                                                      (long double)decimal_value(&request.number[number + 1]), speed);
-                const double value = embed_form_value(w.chosen, speed, false);
-                check(fabsl((long double)value / eps - 1) < (long double)w.s.tolerance, "law %zu at %g: %.17g", i,
-                      speed, value);
-                assert_near(own_law_value(&w.s.own, speed), (double)eps, w.s.single && table ? 1e-7 : 1e-13);
-            }
+            check_proof(w.chosen, &w.s);
+            for (size_t k = 0; k < COUNT_OF(known) && table; k++)
+                assert_near(embed_form_value(w.chosen, known[k][0], false), known[k][1], w.s.tolerance);
         }
         found_clear(&w, &request);
     }

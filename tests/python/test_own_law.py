@@ -15,15 +15,12 @@ SEED = random.SystemRandom().getrandbits(32)
 LONG = np.longdouble
 
 
-def drawn_table(rng, rows):
-    """Rows that rise, fall and stay, at unequal distances"""
-    speed = np.cumsum(rng.uniform(0.01, 1, rows)) * 10 ** rng.uniform(-3, 0)
-    return [(float(f"{v:.9g}"), float(f"{e:.3g}")) for v, e in zip(speed, rng.choice(rng.uniform(0.1, 1, 5), rows))]
-
-
 def laws(folder):
+    """Options, range and eps of each law. The rows of the table rise, fall and stay, at unequal distances."""
     rng = np.random.default_rng(SEED)
-    table = drawn_table(rng, int(rng.integers(2, 40)))
+    rows = int(rng.integers(2, 40))
+    speed = np.cumsum(rng.uniform(0.01, 1, rows)) * 10 ** rng.uniform(-3, 0)
+    table = [(float(f"{v:.9g}"), float(f"{e:.3g}")) for v, e in zip(speed, rng.choice(rng.uniform(0.1, 1, 5), rows))]
     text = "\ufeffn, eps ,speed_m_s\r\n# rows\r\n" + "".join(f"1,{e!r},{v!r}\r\n" for v, e in table)
     (folder / "table.csv").write_bytes(text.encode())
     # SciPy has no PCHIP of two rows
@@ -45,7 +42,7 @@ def output(command, *words):
 
 LOOP = """
 void loop(const {type} *v, {type} *eps, int n) {{ for (int i = 0; i < n; i++) eps[i] = f(v[i]); }}
-double call(double v) {{ return f_callback((const struct reb_simulation *)0, v); }}
+double call(double v) {{ return f_callback(0, v); }}
 """
 
 
