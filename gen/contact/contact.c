@@ -113,9 +113,9 @@ void contact_warn_yield(const struct contacts *contacts, double speed_m_s)
 
 /* For the completion of shells; tests/gen/test_contact.c compares it with cor_simulators. */
 const char *const contact_simulator_names[] = {
-    "lammps",  "liggghts", "yade",          "mercurydpm", "chrono",
-    "mfix",    "openfoam", "esys-particle", "mujoco",     "drake",
-    "simbody", "bullet",   "rebound",       "modelica",   CONTACT_SIMULATOR_LIST,
+    "lammps",     "liggghts", "yade",   "mercurydpm", "chrono",   "mfix",    "openfoam", "esys-particle",
+    "dem-engine", "exadem",   "mujoco", "newton",     "drake",    "simbody", "bullet",   "gazebo",
+    "physx",      "isaac",    "pfc",    "edem",       "simscape", "rebound", "modelica", CONTACT_SIMULATOR_LIST,
     NULL};
 
 static long write_text(char *text, size_t size, const struct cor_simulator_request *request)

@@ -593,6 +593,8 @@ static double word_number(const char *word, const struct block *block, const str
                  {"kp/k1", task->hardening},
                  {"depth", task->depth},
                  {"dt", block->time_step_s},
+                 {"erp", block->time_step_s * k / (block->time_step_s * k + number)},
+                 {"cfm", 1 / (block->time_step_s * k + number)},
                  {"types", types},
                  {"i", i + 1},
                  {"j", j + 1},
@@ -1182,27 +1184,36 @@ static int check_task(struct task *task)
            refuse_task(task, "no model of %s has lines for a wall", task->simulator->title);
 }
 
-/* No model has the law. Where one is linear, a spring of the same duration at the speed takes its place. */
-static void refuse_law(struct task *task)
+/* No model has the law. Where one is linear, a spring of the same duration at the speed, K = m (pi/T)^2 with T of the
+ * contact without damping, takes the place of the contact in *request. False: none is, or the contact is not like one */
+static int replace_law(struct cor_simulator_request *request, struct cor_scene *scene,
+                       struct cor_scene_contact contacts[COR_SCENE_ENDS], const struct task *task)
 {
-    const struct cor_simulator_request *const request = task->request;
-    const struct cor_scene_contact *const contact = request->contacts;
+    const struct cor_scene_contact *const contact = task->request->contacts;
     const struct cor_simulator_target *const target = &task->target[PAIR];
-    char instead[SENTENCE] = "";
-    for (int i = 0; i < task->simulator->model_count && !*instead; i++)
-        if (task->simulator->models[i].lines && task->simulator->models[i].law == COR_LAW_LINEAR &&
-            isgreater(contact->mass_kg, 0) && !task->pressed && !contact->plastic && !contact->plate &&
-            islessequal(target->eps, 1))
-            snprintf(
-                instead, sizeof instead,
-                ". A linear spring takes its place at %s m/s; the duration is that of --dissipation-time 0 at this "
-                "speed. Type: corgen contact --law linear --duration %s --effective-mass %s --restitution %s%s "
-                "--for %s",
-                TEXT(target->speed_m_s), INPUT(cor_scene_elastic_duration_s(contact, target->speed_m_s)),
-                INPUT(contact->mass_kg), INPUT(target->eps),
-                request->scene->wall ? " --end zero-force --wall" : " --end zero-force", task->simulator->name);
-    refuse_task(task, "%s has no model for the law %s%s%s", task->simulator->name, task->law,
-                request->version ? " in this version" : "", instead);
+    struct cor_scene_fault fault;
+    int has_linear = 0;
+    for (int i = 0; i < task->simulator->model_count; i++)
+        has_linear =
+            has_linear || (task->simulator->models[i].lines && task->simulator->models[i].law == COR_LAW_LINEAR);
+    if (!has_linear || !isgreater(contact->mass_kg, 0) || task->pressed || contact->plastic || contact->plate ||
+        !islessequal(target->eps, 1))
+        return 0;
+    const double duration = cor_scene_elastic_duration_s(contact, target->speed_m_s);
+    *scene = (struct cor_scene){.law = cor_law_exponents[COR_LAW_LINEAR],
+                                .wall = task->request->scene->wall,
+                                .end = COR_BOTH_ENDS,
+                                .solver = task->request->scene->solver};
+    for (int i = 0; i < COR_SCENE_NUMBERS; i++)
+        scene->number[i] = NAN;
+    scene->number[COR_SCENE_EFFECTIVE_MASS] = contact->mass_kg;
+    scene->number[COR_SCENE_STIFFNESS] =
+        cor_quiet_product(contact->mass_kg, cor_quiet_power(cor_quiet_quotient(COR_PI, duration), 2));
+    scene->number[COR_SCENE_RESTITUTION] = target->eps;
+    *request = *task->request;
+    request->scene = scene;
+    request->contacts = contacts;
+    return cor_scene_contacts(contacts, &request->count, &fault, scene) == COR_FAULT_NONE;
 }
 
 static int check_numbers(struct task *task)
@@ -1529,21 +1540,33 @@ static int put_materials(struct text *t, struct task *task)
 long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_request *request)
 {
     struct task task = {.request = request};
+    struct text t = {text, size, 0, NULL, 0, 1, 1};
     if (request->materials) {
-        if (find_simulator(&task) && check_materials(&task)) {
-            struct text t = {text, size, 0, task.simulator, 0, 1, 1};
-            if (put_materials(&t, &task))
-                return (long)t.length;
-        }
+        t.simulator = find_simulator(&task) ? task.simulator : NULL;
+        if (t.simulator && check_materials(&task) && put_materials(&t, &task))
+            return (long)t.length;
     } else if (check_numbers(&task) && check_task(&task) && find_speed(&task)) {
-        struct text t = {text, size, 0, task.simulator, 0, 1, 1};
-        if (put_all(&t, &task)) {
+        struct cor_simulator_request linear;
+        struct cor_scene scene;
+        struct cor_scene_contact spring[COR_SCENE_ENDS];
+        t.simulator = task.simulator;
+        int found = put_all(&t, &task);
+        if (!found && !*task.refusal && replace_law(&linear, &scene, spring, &task)) {
+            put_comment(&t,
+                        "%s has no model for the law %s. A linear spring takes its place, of the same duration at %s "
+                        "m/s without damping: eps and duration of the contact are right at this speed only.",
+                        task.simulator->title, task.law, TEXT(task.target[PAIR].speed_m_s));
+            task = (struct task){.request = &linear};
+            found = check_task(&task) && find_speed(&task) && put_all(&t, &task);
+        }
+        if (found) {
             if (request->contacts[0].plastic)
                 put_yielding(&t, &task);
             return (long)t.length;
         }
         if (!*task.refusal)
-            refuse_law(&task);
+            refuse_task(&task, "%s has no model for the law %s%s", task.simulator->name, task.law,
+                        request->version ? " in this version" : "");
     }
     snprintf(text, size, "%s", task.refusal);
     return -1;

@@ -204,6 +204,8 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
 #define NUMBER(name)                                                                                                   \
     .most = 1, .number_of_damping = name##_of_damping, .damping_of_number = damping_of_##name, .scale = scale_of_##name
 #define OPEN 0x1p-1022 /* e > 0 */
+#define IMPLICIT "As the time step goes to zero: its method is implicit, and longer steps damp more."
+#define PFC(mode) EVERYWHERE("contact cmat default model linear property kn {K} dp_nratio {n} dp_mode " mode "\n")
 /* Lines for the input. Both kinds of lines: for two bodies, and for a body and a wall */
 #define EVERYWHERE(text) .lines = text, .wall_lines = text
 #define PAIRS(text) .lines = text
@@ -558,12 +560,17 @@ static const struct cor_simulator_model esys_particle[] = {
 
 static const struct cor_simulator_model dem_engine[] = {
     ROW(DEM_ENGINE_HERTZ, OF("src/DEM/DEMModelSnippets", "source", "source a1dc2312"), "full Hertz model, CoR", "e",
-        TSUJI, ZERO_OVERLAP, ASKED(exact_at_zero_overlap, OPEN, 1), "Exact.", NO_LINES),
+        TSUJI, ZERO_OVERLAP, ASKED(exact_at_zero_overlap, OPEN, 1), "Exact; of two materials SetMaterialPropertyPair.",
+        PAIRS("auto cor_material = DEMSim.LoadMaterial({\n"
+              "    {\n        \"E\", {youngpair}}, {\n        \"nu\", {poisson}}, {\n        \"CoR\", {n}}, {\n"
+              "        \"mu\", 0.0f}, {\n        \"Crr\", 0.0f}});\n")),
 };
 
 static const struct cor_simulator_model exadem[] = {
     ROW(EXADEM_DAMP_RATE, OF("src/contact", "source", "source 0d0dc656"), "damp_rate", "damp_rate", LINEAR, ZERO_FORCE,
-        NUMBER(damping_ratio), "Exact.", NO_LINES),
+        NUMBER(damping_ratio), "Exact.",
+        PAIRS("-- contact_sphere:\n    symetric: true\n    config: {\n"
+              "      kn: {K}, kt: 0, kr: 0, mu: 0, damp_rate: {n} }\n")),
 };
 
 static const struct cor_simulator_model mujoco[] = {
@@ -579,7 +586,9 @@ static const struct cor_simulator_model mujoco[] = {
 static const struct cor_simulator_model newton[] = {
     ROW(NEWTON_SEMI_IMPLICIT, OF("newton/_src/solvers/semi_implicit/kernels_contact.py", "source", "source 41a5392c"),
         "SolverSemiImplicit, Featherstone; warp example_dem", "kd, kg/s", LINEAR, APPROACH_ONLY, NUMBER(dashpot),
-        "The damper works while the bodies approach only.", NO_LINES),
+        "The damper works while the bodies approach only.",
+        EVERYWHERE("cor_shape = newton.ModelBuilder.ShapeConfig(ke={K}, kd={n}, kf=0.0, mu=0.0) # of both shapes\n"
+                   "# particles: model.particle_ke = {K}; model.particle_kd = {n}; model.particle_kf = 0.0\n")),
 };
 
 static const struct cor_simulator_model drake[] = {
@@ -646,12 +655,39 @@ static const struct cor_simulator_model bullet[] = {
             "// each body: body->setCollisionFlags(body->getCollisionFlags() | "
             "btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);\n"),
         .has_function = 1),
+    ROW(BULLET_STIFFNESS,
+        OF("src/BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.cpp", "source", "3.24"),
+        "setContactStiffnessAndDamping", "damping of the pair, kg/s", LINEAR, ZERO_FORCE, NUMBER(dashpot), IMPLICIT,
+        EVERYWHERE(
+            "body->setContactStiffnessAndDamping({2K}, {n/2}); // each of two bodies, or of a body and a wall\n")),
 };
 
 static const struct cor_simulator_model gazebo[] = {
     ROW(GAZEBO_BOUNCE, OF("gazebo/physics/ode/ODEPhysics.cc", "source", "gazebo 11"), "ODE, restitution_coefficient",
         "e", IMPULSE, INSTANT, ASKED(loss_of_impulse, 0, 1),
         "The smaller e of both; eps is 0 up to the smaller threshold, 100000 m/s if none is set.", NO_LINES),
+    ROW(GAZEBO_KP_KD, OF("gazebo/physics/ode/ODEPhysics.cc", "source", "gazebo 11"),
+        "ODE, kp and kd; soft_erp, soft_cfm", "kd of the pair, kg/s", LINEAR, ZERO_FORCE, NUMBER(dashpot), IMPLICIT,
+        EVERYWHERE("<surface><contact><ode> <!-- of both collisions; ODE puts kp in series and adds kd -->\n"
+                   "  <kp>{2K}</kp><kd>{n/2}</kd><min_depth>0</min_depth><max_vel>1e6</max_vel>\n"
+                   "</ode></contact></surface>\n"
+                   "?<!-- ODE without Gazebo, at the step {dt} s: soft_erp = {erp}, soft_cfm = {cfm} -->\n")),
+};
+
+static const struct cor_simulator_model physx[] = {
+    ROW(PHYSX_COMPLIANT, OF("PxMaterial", "documentation", "its documentation of 5.5"), "compliant contact",
+        "damping, kg/s", LINEAR, ZERO_FORCE, NUMBER(dashpot), IMPLICIT,
+        EVERYWHERE("material->setRestitution(-{K}); // of both bodies; up to PhysX 5.3 with eCOMPLIANT_CONTACT\n"
+                   "material->setDamping({n});\n")),
+};
+
+static const struct cor_simulator_model isaac[] = {
+    ROW(ISAAC_COMPLIANT, OF("PhysxMaterialAPI", "documentation", "its USD schema of 2026"), "compliant contact",
+        "compliantContactDamping, kg/s", LINEAR, ZERO_FORCE, NUMBER(dashpot), IMPLICIT,
+        EVERYWHERE("cor_material = PhysxSchema.PhysxMaterialAPI.Apply(material.GetPrim()) # of both bodies\n"
+                   "cor_material.CreateCompliantContactAccelerationSpringAttr().Set(False)\n"
+                   "cor_material.CreateCompliantContactStiffnessAttr().Set({K})\n"
+                   "cor_material.CreateCompliantContactDampingAttr().Set({n})\n")),
 };
 
 static const struct cor_simulator_model lethe[] = {
@@ -664,7 +700,30 @@ static const struct cor_simulator_model lethe[] = {
 static const struct cor_simulator_model pfc[] = {
     ROW(PFC_LINEAR, OF("linear model", "documentation", "its documentation of PFC 5 and later"), "linear, dp_nratio",
         "dp_nratio", LINEAR, ZERO_OVERLAP, NUMBER(damping_ratio), "Exact; dp_mode 1 and 3 end it at zero force.",
-        NO_LINES),
+        PFC("0")),
+    ROW(PFC_LINEAR_PUSHES, OF("linear model", "documentation", "its documentation of PFC 5 and later"),
+        "linear, dp_nratio, dp_mode 1", "dp_nratio", LINEAR, ZERO_FORCE, NUMBER(damping_ratio), "Exact.", PFC("1")),
+};
+
+static const struct cor_simulator_model edem[] = {
+    ROW(EDEM_HERTZ, OF("Hertz-Mindlin (no slip)", "documentation", "its documentation of 2025"),
+        "Hertz-Mindlin (no slip), coefficient of restitution", "e", TSUJI, ZERO_OVERLAP,
+        ASKED(exact_at_zero_overlap, OPEN, 1), "Exact, if the force may pull, as its documented formula does.",
+        EVERYWHERE("Coefficient of Restitution: {n}\n")),
+};
+
+/* MATLAB's variables for the block Translational Hard Stop */
+#define SIMSCAPE(rebound)                                                                                              \
+    EVERYWHERE("% Hard stop model: Full stiffness and damping applied at bounds, " rebound "\n"                        \
+               "cor_stiffness = {K}; % contact stiffness at the bound, N/m\n"                                          \
+               "cor_damping = {n}; % contact damping at the bound, N/(m/s)\n")
+static const struct cor_simulator_model simscape[] = {
+    ROW(SIMSCAPE_DAMPED, OF("Translational Hard Stop", "documentation", "its documentation of 2026"),
+        "hard stop, damped rebound", "damping, kg/s", LINEAR, ZERO_OVERLAP, NUMBER(dashpot),
+        "The stop pulls before the bodies part.", SIMSCAPE("damped rebound")),
+    ROW(SIMSCAPE_UNDAMPED, OF("Translational Hard Stop", "documentation", "its documentation of 2026"),
+        "hard stop, undamped rebound", "damping, kg/s", LINEAR, APPROACH_ONLY, NUMBER(dashpot),
+        "The damper works while the bodies approach only.", SIMSCAPE("undamped rebound")),
 };
 
 static const struct cor_simulator_model rebound[] = {
@@ -738,21 +797,28 @@ const struct cor_simulator cor_simulators[] = {
     {SIMULATOR(granulars_jl, "granulars.jl", "granulars.jl", NO_INTEGRATOR)},
     {SIMULATOR(esys_particle, "esys-particle", "ESyS-Particle", SYMPLECTIC_EULER), SCRIPT,
      .setup = "SI units." FRICTION, .time_step = "sim.setTimeStepSize({dt})\n"},
-    {SIMULATOR(dem_engine, "dem-engine", "dem-engine", NO_INTEGRATOR)},
-    {SIMULATOR(exadem, "exadem", "exadem", NO_INTEGRATOR)},
+    {SIMULATOR(dem_engine, "dem-engine", "DEM-Engine", NO_INTEGRATOR), CPP, .setup = "SI units." FRICTION},
+    {SIMULATOR(exadem, "exadem", "exaDEM", NO_INTEGRATOR), SCRIPT, .setup = "SI units." FRICTION},
     {SIMULATOR(mujoco, "mujoco", "MuJoCo", SYMPLECTIC_EULER), XML,
      .setup = "Units of the model: m, kg, s. To be put into <mujoco>." FRICTION,
      .time_step = "<option timestep=\"{dt}\"/>\n", .version = "2.2.2", .packaged = 20202},
-    {SIMULATOR(newton, "newton", "newton", SYMPLECTIC_EULER)},
+    {SIMULATOR(newton, "newton", "Newton", SYMPLECTIC_EULER), SCRIPT, .setup = "SI units." FRICTION,
+     .time_step = "cor_dt = {dt} # s, of a substep\n"},
     {SIMULATOR(drake, "drake", "Drake", NO_INTEGRATOR), XML, .setup = "SI units."},
     {SIMULATOR(simbody, "simbody", "Simbody", NO_INTEGRATOR), CPP,
      .setup = "SI units." FRICTION " The integrator chooses the time step.", .version = "3.7", .packaged = 30700},
     {SIMULATOR(opensees, "opensees", "opensees", NO_INTEGRATOR)},
     {SIMULATOR(bullet, "bullet", "Bullet", NO_INTEGRATOR), CPP, .setup = "SI units.", .version = "3.24",
      .packaged = 32400},
-    {SIMULATOR(gazebo, "gazebo", "gazebo", NO_INTEGRATOR)},
+    {SIMULATOR(gazebo, "gazebo", "Gazebo", NO_INTEGRATOR), XML, .setup = "SI units. To be put into <collision>."},
+    {SIMULATOR(physx, "physx", "PhysX", NO_INTEGRATOR), CPP, .setup = "SI units."},
+    {SIMULATOR(isaac, "isaac", "Isaac Sim", NO_INTEGRATOR), SCRIPT, .setup = "Units of the stage: m, kg, s."},
     {SIMULATOR(lethe, "lethe", "lethe", SYMPLECTIC_EULER)},
-    {SIMULATOR(pfc, "pfc", "pfc", VERLET_HALF_STEP)},
+    {SIMULATOR(pfc, "pfc", "PFC", VERLET_HALF_STEP), COMMENT("; ", ""), .setup = "SI units.",
+     .time_step = "model mechanical timestep fix {dt}\n"},
+    {SIMULATOR(edem, "edem", "EDEM", NO_INTEGRATOR), SCRIPT, .setup = "Of the interaction in Physics."},
+    {SIMULATOR(simscape, "simscape", "Simscape", NO_INTEGRATOR), COMMENT("% ", ""),
+     .setup = "SI units. The solver chooses the time step."},
     {SIMULATOR(rebound, "rebound", "REBOUND", NO_INTEGRATOR), CPP, .setup = "cor_eps takes m/s."},
     {SIMULATOR(modelica, "modelica", "Modelica", NO_INTEGRATOR), CPP,
      .setup = "SI units. The integrator chooses the time step."},

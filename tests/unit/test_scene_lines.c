@@ -499,11 +499,12 @@ TEST(speeds_in_any_order)
         const char *const at = found(text_for("mfix", NULL, &scene, low), "realises eps = ");
         is_near(at, eps, 1e-5);
         is_near(found(at, " at "), low, 1e-5);
-        /* a host of linear springs only: what to type */
-        const char *const refusal = text_for("mujoco", NULL, &scene, low);
-        is_near(found(refusal, "--law linear --duration "), cor_scene_elastic_duration_s(&contact, low), 1e-11);
-        is_near(found(refusal, " --effective-mass "), contact.mass_kg, 1e-11);
-        is_near(found(refusal, " --restitution "), eps, 1e-11);
+        /* a host of linear springs only: one that lasts as long as Hertz's contact, 2.943275 (5m/(4K))^(2/5) g^(-1/5) */
+        const char *const spring = found(text_for("mujoco", NULL, &scene, low), " solref=\"-");
+        const double duration = 2.9432750 * pow(1.25 * contact.mass_kg / contact.stiffness, 0.4) * pow(low, -0.2);
+        is_near(spring, PI * PI / (duration * duration), 1e-6);
+        const double l_mujoco = strtod(strstr(spring, "-"), NULL) / -2 * duration / PI; /* zeta */
+        check(fabs(cor_law_eps(COR_LAW_LINEAR, COR_END_ZERO_FORCE, l_mujoco) - eps) < 1e-6, "zeta %g", l_mujoco);
     }
 }
 
