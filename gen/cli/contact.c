@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define SCENE_ENDS contact_end_options_all
 #include "cli/commands.h"
 #include "cli/scene_options.h"
 #include "contact/oblique.h"
@@ -80,12 +81,16 @@ static int check_options(const struct contact_arguments *o, const struct contact
     if (o->integrator == COR_IMPLICIT_EULER && !(c->law.elastic == c->law.denominator && c->law.damping == 0))
         return usage_error(
             "--integrator implicit-euler is for --law linear, a spring and a dashpot as engines have them");
+    if (contacts->scene.end == COR_END_APPROACH_ONLY && (!cor_scene_has_end(c, COR_END_APPROACH_ONLY) || o->plot))
+        return usage_error("--end approach-only: eps of this end is known for the laws viscoelastic, linear, tsuji, "
+                           "hertz-dashpot and hunt-crossley, without force, yield and liquid, and --plot lacks it");
     const bool refused = c->adhesion_j_m2 > 0 || c->liquid_speed_m_s > 0;
-    if ((c->plastic || (!o->simulator && refused)) && request_of(o, NULL).step_errors)
-        return usage_error(
-            "the error of a time step is not known for --adhesion-model jkr, --viscosity-liquid and --law "
-            "elastic-plastic; leave out these options, or --steps, --time-step, --step-tolerance, "
-            "--step-corrected and --integrator");
+    if ((c->plastic || (!o->simulator && (refused || contacts->scene.end == COR_END_APPROACH_ONLY))) &&
+        request_of(o, NULL).step_errors)
+        return usage_error("the error of a time step is not known for --end approach-only, --adhesion-model jkr, "
+                           "--viscosity-liquid and --law "
+                           "elastic-plastic; leave out these options, or --steps, --time-step, --step-tolerance, "
+                           "--step-corrected and --integrator");
     return STATUS_OK;
 }
 
@@ -298,7 +303,7 @@ static const char help[] =
     "A contact ends at zero overlap, or at zero force, where the force would become attractive.\n" HELP_CONTACT
     "\nOutput:\n"
     "  --speed LIST     impact speeds, m/s: values and ranges such as 0.1,1,10 or 0.01:10:log:7\n"
-    "  --end E          zero-overlap, zero-force, or surface in its place under a constant force:\n"
+    "  --end E          zero-overlap, zero-force, approach-only, surface under a constant force:\n"
     "                   where eps was measured, what --plot shows (both)\n"
     "  --steps N        time_step_s is the shortest duration over N (default " DEFAULT_STEPS ")\n"
     "  --time-step DT   time_step_s is DT, s\n"

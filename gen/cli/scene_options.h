@@ -5,6 +5,10 @@
 #ifndef COR_GEN_CLI_SCENE_OPTIONS_H
 #define COR_GEN_CLI_SCENE_OPTIONS_H
 
+#ifndef SCENE_ENDS
+#define SCENE_ENDS contact_end_options_pressed
+#endif
+
 #include "cli/options.h"
 #include "contact/contact.h"
 #include "embed/request.h"
@@ -98,8 +102,7 @@
         SCENE_OWN("eps-inf", EMBED_EPS_INF, &option_own_eps, APART),                                                   \
         SCENE_OWN("decay-speed", EMBED_DECAY_SPEED, &option_positive, APART),                                          \
         SCENE_TEXT("table", table, SCENE_OWN_APART APART), SCENE_TEXT("elastic", elastic, "law " APART),               \
-        SCENE_TEXT("damping", damping, "law " APART),                                                                  \
-        SCENE_WORD("end", end, contact_end_options_pressed, "an end of contact", APART)
+        SCENE_TEXT("damping", damping, "law " APART), SCENE_WORD("end", end, SCENE_ENDS, "an end of contact", APART)
 #define SCENE_PURPOSE(APART) SCENE_WORD("for", purpose, embed_purpose_names, "a use", APART)
 
 #endif

@@ -64,6 +64,10 @@ int contacts_of_request(struct contacts *contacts, const struct embed_request *r
         status = cor_scene_contacts(contacts->contact, &contacts->count, &fault, &contacts->scene);
     if (status <= 0)
         return status == COR_FAULT_NONE ? STATUS_OK : STATUS_FAILED;
+    if (fault.fault == COR_FAULT_NO_DAMPING && contacts->scene.end == COR_END_APPROACH_ONLY)
+        return usage_error("--end approach-only: no damping is known for this restitution; allowed: the laws "
+                           "viscoelastic, linear, tsuji, hertz-dashpot and hunt-crossley, without force, yield and "
+                           "liquid");
     if (fault.fault == COR_FAULT_NO_DAMPING)
         return fail("no damping found for which eps is %g", embed_number(request, COR_SCENE_RESTITUTION));
     if (fault.fault == COR_FAULT_VISCOSITY)

@@ -191,10 +191,12 @@ static int add_hertz(struct table *table, const struct contacts *contacts, int k
         status = cor_scene_set_damping(&hertz, COR_SCENE_RESTITUTION, eps, contacts->at_m_s, end);
     if (status == COR_FAULT_NONE)
         status = cor_scene_impact(&impact, &hertz, speed_m_s);
+    if (status == COR_FAULT_NONE)
+        status = cor_scene_eps(&eps, &hertz, speed_m_s, end);
     if (status != COR_FAULT_NONE)
         return contact_status(status);
-    table_add_number(table, impact.eps[end], digits);
-    table_add_number(table, impact.duration_s[end], digits);
+    table_add_number(table, eps, digits);
+    table_add_number(table, end < COR_SCENE_ENDS ? impact.duration_s[end] : (double)NAN, digits);
     table_add_number(table, impact.max_overlap_m, digits);
     return STATUS_OK;
 }
@@ -257,7 +259,8 @@ int contact_rows(struct table *table, const struct contacts *contacts, const str
         status = step_for(&time_step, row, rows, request);
     const struct cor_scene_quantity *const quantity = corrected_quantity(contacts);
     const char *const end[] = {end_of(contacts, 0), end_of(contacts, 1)};
-    const bool both = contact_end(contacts, 0) == COR_BOTH_ENDS;
+    const bool both = contact_end(contacts, 0) == COR_BOTH_ENDS,
+               approach = contacts->scene.end == COR_END_APPROACH_ONLY;
     char header[HEADER], errors[HEADER / 4] = "", kinds[] = "nnnnnnnnnnnnnnnnnnn";
     if (contacts->count > 1)
         kinds[9 + (request->step_errors ? (both ? 4 : 2) : 0) + (request->step_corrected ? 2 : 0)] = 't';
@@ -267,10 +270,10 @@ int contact_rows(struct table *table, const struct contacts *contacts, const str
                  end[0], end[0], end[1], end[1]);
     snprintf(header, sizeof header,
              "speed_m_s,beta,eps_%s,eps_%s,duration_s_%s,duration_s_%s,max_overlap_m,max_force_n,time_step_s"
-             "%s%s%s%s%s%s",
+             "%s%s%s%s%s%s%s",
              end[0], end[1], end[0], end[1], errors, request->step_corrected ? ",damping_correction,corrected_" : "",
              request->step_corrected ? quantity->name : "", contacts->count > 1 ? ",measured_end" : "",
-             spheres ? ",contact_radius_m,max_pressure_pa" : "",
+             spheres ? ",contact_radius_m,max_pressure_pa" : "", approach ? ",eps_approach_only" : "",
              contacts->hertz.stiffness > 0 ? ",hertz_eps,hertz_duration_s,hertz_max_overlap_m" : "");
     table_init(table, header, kinds);
     for (size_t i = 0; i < rows && status == STATUS_OK; i++) {
@@ -300,6 +303,9 @@ int contact_rows(struct table *table, const struct contacts *contacts, const str
             table_add_number(table, cor_scene_contact_radius(contact, impact->max_overlap_m), digits);
             table_add_number(table, cor_scene_pressure(contact, impact->max_overlap_m), digits);
         }
+        double eps;
+        if (approach && cor_scene_eps(&eps, contact, row[i].speed_m_s, COR_END_APPROACH_ONLY) == COR_FAULT_NONE)
+            table_add_number(table, eps, digits);
         if (contacts->hertz.stiffness > 0)
             status = add_hertz(table, contacts, (int)(i / speeds), row[i].speed_m_s, digits);
     }

@@ -9,6 +9,7 @@
 
 const char *const contact_end_options[] = {"zero-overlap", "zero-force", NULL};
 const char *const contact_end_options_pressed[] = {"zero-overlap", "zero-force", "surface", NULL};
+const char *const contact_end_options_all[] = {"zero-overlap", "zero-force", "surface", "approach-only", NULL};
 const char *const contact_end_names[] = {"zero_overlap", "zero_force", "surface"};
 
 int contact_end_given(int *end, bool pressed)

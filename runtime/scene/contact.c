@@ -37,9 +37,24 @@ double cor_scene_speed_exponent(const struct cor_scene_contact *contact)
     return (double)(2 * law->damping - law->elastic + law->denominator) / (double)(law->elastic + law->denominator);
 }
 
+static enum cor_law law_of(const struct cor_exponents *law)
+{
+    if (cor_law_is_hunt_crossley(law))
+        return COR_LAW_HUNT_CROSSLEY;
+    for (int i = 0; i < COR_LAW_PLATE; i++)
+        if (cor_law_is_same(law, &cor_law_exponents[i]) &&
+            cor_law_function((enum cor_law)i, COR_END_ZERO_OVERLAP, COR_EPS))
+            return (enum cor_law)i;
+    /* eps of q = 0 is the same function of zeta for all exponents */
+    return cor_law_is_constant(law) ? COR_LAW_LINEAR : COR_LAWS;
+}
+
 int cor_scene_has_end(const struct cor_scene_contact *contact, int end)
 {
-    return end == COR_END_ZERO_OVERLAP || !contact->plate;
+    const int simple = !contact->plastic && contact->force_n + contact->adhesion_j_m2 + contact->liquid_speed_m_s == 0;
+    return end == COR_END_ZERO_OVERLAP ||
+           (!contact->plate && (end == COR_END_ZERO_FORCE || (end == COR_END_APPROACH_ONLY && simple &&
+                                                              cor_law_function(law_of(&contact->law), end, COR_EPS))));
 }
 
 int cor_scene_ends_differ(const struct cor_scene_contact *contact)
@@ -187,18 +202,6 @@ struct functions {
 static double value_of(const struct functions *f, int end, enum cor_quantity quantity, double x)
 {
     return cor_law_value(f->law, (enum cor_end)end, quantity, x);
-}
-
-static enum cor_law law_of(const struct cor_exponents *law)
-{
-    if (cor_law_is_hunt_crossley(law))
-        return COR_LAW_HUNT_CROSSLEY;
-    for (int i = 0; i < COR_LAW_PLATE; i++)
-        if (cor_law_is_same(law, &cor_law_exponents[i]) &&
-            cor_law_function((enum cor_law)i, COR_END_ZERO_OVERLAP, COR_EPS))
-            return (enum cor_law)i;
-    /* eps of q = 0 is the same function of zeta for all exponents */
-    return cor_law_is_constant(law) ? COR_LAW_LINEAR : COR_LAWS;
 }
 
 static struct functions functions_of(const struct cor_exponents *law)
@@ -529,6 +532,8 @@ int cor_scene_set_damping(struct cor_scene_contact *contact, int number, double 
             is_constant ? value / beta_per_damping(contact) : cor_quiet_product(value, cor_quiet_power(speed_m_s, -q));
         break;
     case COR_SCENE_RESTITUTION:
+        if (end == COR_END_APPROACH_ONLY && !cor_scene_has_end(&undamped, end))
+            return COR_FAULT_NO_DAMPING;
         if (f.law != COR_LAWS && !pressed)
             parameter = value_of(&f, end, COR_DAMPING_OF_EPS, value);
         else if (value < 1)

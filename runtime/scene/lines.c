@@ -292,7 +292,7 @@ static void fill_pairs(struct task *task, const struct cor_scene_contact *contac
 /* The end at which eps is asked for */
 static int end_of(const struct cor_scene *scene)
 {
-    return scene->end == COR_END_ZERO_FORCE ? COR_END_ZERO_FORCE : COR_END_ZERO_OVERLAP;
+    return scene->end == COR_BOTH_ENDS ? COR_END_ZERO_OVERLAP : scene->end;
 }
 
 /* True if the version of the request has the model */
@@ -307,7 +307,7 @@ static int model_suits(const struct cor_simulator_model *model, const struct tas
 {
     return (task->request->materials ? model->many != NULL
                                      : model->lines && (!task->request->scene->wall || model->wall_lines)) &&
-           is_requested(model, task) &&
+           is_requested(model, task) && !(model->has_function && task->request->scene->end == COR_END_APPROACH_ONLY) &&
            (has_law ? cor_simulator_has_law(model, task->request->contacts)
                     : cor_simulator_has_one_eps(model, task->request->contacts));
 }

@@ -269,6 +269,8 @@ static int rate_of_duration(double *rate, const struct cor_scene_contact *contac
 {
     struct cor_scene_contact unit = *contact;
     struct cor_scene_impact impact;
+    if (end > COR_END_ZERO_FORCE)
+        return COR_FAULT_NO_STIFFNESS;
     unit.mass_kg = unit.stiffness = 1;
     impact.duration_s[end] = cor_scene_elastic_duration_s(&unit, speed_m_s);
     const int status = isgreater(contact->damping, 0) ? cor_scene_impact(&impact, &unit, speed_m_s) : COR_FAULT_NONE;
