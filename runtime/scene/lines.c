@@ -1185,7 +1185,7 @@ static int check_task(struct task *task)
 }
 
 /* No model has the law. Where one is linear, a spring of the same duration at the speed, K = m (pi/T)^2 with T of the
- * contact without damping, takes the place of the contact in *request. False: none is, or the contact is not like one */
+ * contact without damping, takes the place of the contact in *request. False: no model is, or no spring is like the contact */
 static int replace_law(struct cor_simulator_request *request, struct cor_scene *scene,
                        struct cor_scene_contact contacts[COR_SCENE_ENDS], const struct task *task)
 {
@@ -1402,7 +1402,7 @@ static int fill_contacts(struct task *task, const struct cor_simulator_model *mo
     return rank;
 }
 
-/* Where the number depends on the mass: what it realises between the largest balls of both types */
+/* Where the number depends on the mass: eps between the largest balls of both types */
 static void put_largest(struct text *t, const struct block *block, const struct task *own)
 {
     const struct cor_simulator_model *const model = block->model;
@@ -1427,7 +1427,7 @@ static void put_largest(struct text *t, const struct block *block, const struct 
                     TEXT(speed), TEXT(wanted));
 }
 
-/* What is known of a contact, and what the model realises */
+/* Prints how the damping of a contact is known, and the eps that follow. */
 static void put_contact(struct text *t, const struct block *block, const struct task *own)
 {
     const struct cor_simulator_request *const r = own->request;

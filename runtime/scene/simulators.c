@@ -810,7 +810,7 @@ const struct cor_simulator cor_simulators[] = {
     {SIMULATOR(opensees, "opensees", "opensees", NO_INTEGRATOR)},
     {SIMULATOR(bullet, "bullet", "Bullet", NO_INTEGRATOR), CPP, .setup = "SI units.", .version = "3.24",
      .packaged = 32400},
-    {SIMULATOR(gazebo, "gazebo", "Gazebo", IMPLICIT_EULER), XML, .setup = "SI units. To be put into <collision>."},
+    {SIMULATOR(gazebo, "gazebo", "Gazebo", NO_INTEGRATOR), XML, .setup = "SI units. To be put into <collision>."},
     {SIMULATOR(physx, "physx", "PhysX", NO_INTEGRATOR), CPP, .setup = "SI units."},
     {SIMULATOR(isaac, "isaac", "Isaac Sim", NO_INTEGRATOR), SCRIPT, .setup = "Units of the stage: m, kg, s."},
     {SIMULATOR(lethe, "lethe", "lethe", SYMPLECTIC_EULER)},

@@ -364,7 +364,8 @@ TEST(unlike_bodies_of_a_constant_law)
 
 /* A wall, two balls and a wall: types 3, 1, 2 and 4. The first ball has a dissipation time, the second one the time of
  * a measured contact of two of its balls; the contact of the first ball and the first wall was measured. In LAMMPS and
- * LIGGGHTS F = kn sqrt(R x) (x + (3/2) A x'), eta_n = gamman = (3/2) A kn/m; Chrono with R = 1 m: kn = K, gn = (3/2) A K/m. */
+ * LIGGGHTS F = kn sqrt(R x) (x + (3/2) A x'), eta_n = gamman = (3/2) A kn/m; Chrono with
+ * R = 1 m: kn = K, gn = (3/2) A K/m. */
 TEST(several_materials)
 {
     enum { TYPES = 4 };
@@ -499,7 +500,7 @@ TEST(speeds_in_any_order)
         const char *const at = found(text_for("mfix", NULL, &scene, low), "realises eps = ");
         is_near(at, eps, 1e-5);
         is_near(found(at, " at "), low, 1e-5);
-        /* a host of linear springs only: one that lasts as long as Hertz's contact, 2.943275 (5m/(4K))^(2/5) g^(-1/5) */
+        /* a host of linear springs only: of the same duration, 2.943275 (5m/(4K))^(2/5) g^(-1/5) */
         const char *const spring = found(text_for("mujoco", NULL, &scene, low), " solref=\"-");
         const double duration = 2.9432750 * pow(1.25 * contact.mass_kg / contact.stiffness, 0.4) * pow(low, -0.2);
         is_near(spring, PI * PI / (duration * duration), 1e-6);
