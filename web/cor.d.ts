@@ -32,9 +32,9 @@ export interface Laws {
 export type Law = string;
 /** surface: under a constant force, in place of zero-force */
 export type End = "zero-overlap" | "zero-force" | "surface";
-export type Simulator = "lammps" | "liggghts" | "yade" | "mercurydpm" | "chrono" | "mfix" | "openfoam" | "esys-
-    particle" | "dem-engine" | "exadem" | "mujoco" | "newton" | "drake" | "simbody" | "bullet" | "gazebo" | "physx" |
-    "isaac" | "pfc" | "edem" | "simscape" | "rebound" | "modelica";
+export type Simulator = "lammps" | "liggghts" | "yade" | "mercurydpm" | "chrono" | "mfix" | "openfoam"
+    | "esys-particle" | "dem-engine" | "exadem" | "mujoco" | "newton" | "drake" | "simbody" | "bullet" | "gazebo"
+    | "physx" | "isaac" | "pfc" | "edem" | "simscape" | "rebound" | "modelica";
 
 /** The options of `corgen contact`, with _ for each hyphen: bodies or a spring, one way to give the damping, a law. */
 export interface ContactOptions {

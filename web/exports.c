@@ -85,6 +85,7 @@ WEB_EXPORT(web_options) const char *web_options(void)
     web_text_clear();
     for (int i = 0; i < COR_SCENE_NUMBERS; i++)
         web_put("%s,%s\n", cor_scene_options[i].name, cor_scene_options[i].unit);
+    web_put("speed,m/s\nspeed-min,m/s\nspeed-max,m/s\n");
     return web_text();
 }
 
@@ -380,65 +381,43 @@ WEB_EXPORT(web_lines) const char *web_lines(void)
 
 /* ---- curves of eps over the speed ---- */
 
-enum { CURVES = 12 };
-struct curve {
-    const struct cor_simulator_model *model; /* NULL: eps of the contact */
-    int contact, end;
-};
-
-/* Fills the curves of the contact, one for each requested end, then those of the models that realise an eps at the
- * lowest speed of the plot. Returns their number. */
-static int find_curves(struct curve curves[CURVES])
+/* Fills the ends of the contact that have a curve: the requested ones, or one if eps is the same. Returns their number. */
+static int find_ends(int ends[COR_SCENE_ENDS])
 {
-    const struct web_request *const r = &web_now;
-    int count = 0, next = 0;
-    for (int end = 0; r->count > 0 && end < COR_SCENE_ENDS; end++) {
-        const int k = r->count > 1 ? end : 0;
-        const int requested = r->scene.end == COR_BOTH_ENDS || r->scene.end == end;
-        if (requested && cor_scene_has_end(&r->contact[k], end) &&
-            (count == 0 || cor_scene_ends_differ(&r->contact[k])))
-            curves[count++] = (struct curve){NULL, k, end};
+    int count = 0;
+    for (int end = 0; web_now.count > 0 && end < COR_SCENE_ENDS; end++) {
+        const struct cor_scene_contact *const contact = &web_now.contact[web_now.count > 1 ? end : 0];
+        if ((web_now.scene.end == COR_BOTH_ENDS || web_now.scene.end == end) && cor_scene_has_end(contact, end) &&
+            (count == 0 || cor_scene_ends_differ(contact)))
+            ends[count++] = end;
     }
-    for (const struct cor_simulator_model *model; count < CURVES && (model = next_model(r, &next));)
-        if (!isnan(find_realised(model, r, r->speed_min_m_s)))
-            curves[count++] = (struct curve){model, 0, (int)model->end};
     return count;
 }
 
-/* Returns a line for each curve: its end, or both_ends; then of a model its simulator, its name, the requested eps and
- * the realised eps, with tabs. */
-WEB_EXPORT(web_curves) const char *web_curves(int digits)
+/* Returns a line for each curve of the contact: its end, or both_ends. */
+WEB_EXPORT(web_curves) const char *web_curves(void)
 {
-    struct curve curves[CURVES];
-    const int count = find_curves(curves);
-    const struct asked asked = find_asked(&web_now);
+    int ends[COR_SCENE_ENDS];
+    const int count = find_ends(ends);
     web_text_clear();
-    for (int i = 0; i < count; i++) {
-        const struct cor_scene_contact *const contact = &web_now.contact[curves[i].contact];
-        web_put("%s", curves[i].model || cor_scene_ends_differ(contact) ? web_end(curves[i].end & 1) : "both_ends");
-        if (curves[i].model) {
-            web_put("\t%s\t%s", web_now.simulator->title, curves[i].model->model);
-            web_put_cell('\t', asked.eps, digits);
-            web_put_cell('\t', find_realised(curves[i].model, &web_now, asked.speed_m_s), digits);
-        }
-        web_put("\n");
-    }
+    for (int i = 0; i < count; i++)
+        web_put("%s\n", cor_scene_ends_differ(&web_now.contact[0]) ? web_end(ends[i]) : "both_ends");
     return web_text();
 }
 
-/* Fills eps of curve i at n speeds. */
+/* Fills eps of curve i at n speeds: of the contact, then of the models in the order of web_models. */
 WEB_EXPORT(web_curve) void web_curve(const double *speed_m_s, double *y, size_t n, int i)
 {
-    struct curve curves[CURVES];
-    if (i >= find_curves(curves))
-        return;
-    for (size_t k = 0; k < n; k++) {
-        y[k] = NAN;
-        if (curves[i].model)
-            y[k] = find_realised(curves[i].model, &web_now, speed_m_s[k]);
+    int ends[COR_SCENE_ENDS], next = 0;
+    const int count = find_ends(ends);
+    const struct cor_simulator_model *model = NULL;
+    for (int k = count; k <= i; k++)
+        model = next_model(&web_now, &next);
+    for (size_t k = 0; k < n; k++)
+        if (i < count)
+            cor_scene_eps(&y[k], &web_now.contact[web_now.count > 1 ? ends[i] : 0], speed_m_s[k], ends[i]);
         else
-            cor_scene_eps(&y[k], &web_now.contact[curves[i].contact], speed_m_s[k], curves[i].end);
-    }
+            y[k] = model ? find_realised(model, &web_now, speed_m_s[k]) : (double)NAN;
 }
 
 /* ---- commands ---- */
@@ -473,51 +452,35 @@ WEB_EXPORT(web_command) const char *web_command(void)
     return web_text();
 }
 
-/* The command of a header of a contact under a constant force */
-static void put_pressed_header(const struct web_request *r, int end)
-{
-    static const char *const other[] = {"for",   "simulator-version", "speed-min", "speed-max", "speed",
-                                        "steps", "tolerance",         "end",       NULL};
-    if (cor_law_is_constant(&r->contact[0].law)) {
-        web_put("/* the law %s has no header under a constant force; see corgen plan */\n", cor_law_name(r->law));
-        return;
-    }
-    put_command("embed", other);
-    web_put(" --speed-min %.15g --speed-max %.15g --tolerance %.15g --end %s --output cor_scene_eps.h\n",
-            r->speed_min_m_s, r->speed_max_m_s, r->tolerance, web_end_option(r, end));
-}
-
 /* The command that writes a C header of eps over the speeds; where eps is the same at every speed, the header */
 WEB_EXPORT(web_header) const char *web_header(void)
 {
+    static const char *const other[] = {"for",   "simulator-version", "speed-min", "speed-max", "speed",
+                                        "steps", "tolerance",         "end",       NULL};
     const struct web_request *const r = &web_now;
+    int ends[COR_SCENE_ENDS];
+    const int count = find_ends(ends);
     web_text_clear();
-    for (int end = 0; end < COR_SCENE_ENDS; end++) {
-        const struct cor_scene_contact *const contact = &r->contact[r->count > 1 ? end : 0];
-        const int wanted = r->scene.end == COR_BOTH_ENDS || r->scene.end == end;
+    for (int i = 0; i < count; i++) {
+        const struct cor_scene_contact *const contact = &r->contact[r->count > 1 ? ends[i] : 0];
+        const int constant = cor_law_is_constant(&contact->law);
         double eps;
-        if (!wanted || !cor_scene_has_end(contact, end) || (length > 0 && !cor_scene_ends_differ(contact)))
-            continue;
-        web_put(length > 0 ? "\n" : "");
-        if (contact->force_n > 0 && contact->damping > 0) {
-            put_pressed_header(r, end);
-        } else if (cor_law_is_constant(&contact->law)) {
-            cor_scene_eps(&eps, contact, 1, end);
-            web_put(
-                "/* eps of the law %s, contact ends at %s */\nstatic inline double cor_scene_eps%s(double speed_m_s)\n"
-                "{\n    (void)speed_m_s; /* the same at every speed */\n    return ",
-                cor_law_name(r->law), cor_end_names[end],
-                r->scene.end != COR_BOTH_ENDS ? ""
-                : end                         ? "_zero_force"
-                                              : "_zero_overlap");
+        web_put(i > 0 ? "\n" : "");
+        if (contact->damping > 0 && contact->force_n > 0 && constant) {
+            web_put("/* the law %s has no header under a constant force; see corgen plan */\n", cor_law_name(r->law));
+        } else if (constant) {
+            cor_scene_eps(&eps, contact, 1, ends[i]);
+            web_put("/* eps of the law %s, contact ends at %s */\nstatic inline double cor_scene_eps%s%s(double "
+                    "speed_m_s)\n"
+                    "{\n    (void)speed_m_s; /* the same at every speed */\n    return ",
+                    cor_law_name(r->law), cor_end_names[ends[i]], count > 1 ? "_" : "",
+                    count > 1 ? web_end(ends[i]) : "");
             put_exact(eps);
             web_put(";\n}\n");
         } else if (contact->damping > 0) {
-            web_put("corgen embed%s%s --g-star ", r->law == COR_LAW_VISCOELASTIC || contact->plate ? "" : " --law ",
-                    r->law == COR_LAW_VISCOELASTIC || contact->plate ? "" : cor_law_name(r->law));
-            web_put_number(cor_scene_damping(contact, COR_SCENE_G_STAR), 15);
+            put_command("embed", other);
             web_put(" --speed-min %.15g --speed-max %.15g --tolerance %.15g --end %s --output cor_scene_eps.h\n",
-                    r->speed_min_m_s, r->speed_max_m_s, r->tolerance, web_end_option(r, end));
+                    r->speed_min_m_s, r->speed_max_m_s, r->tolerance, web_end_option(r, ends[i]));
         } else {
             web_put("/* no dissipation: eps is 1 at every speed */\n");
         }
