@@ -60,6 +60,8 @@ struct disk_collide_arguments {
     struct option_common common;
     struct sweep_request request; /* without its tolerance, format and output */
     struct decimal tolerance;
+    const char *part; /* "I/N"; NULL: not given */
+    slong join;       /* 0: not given */
 };
 
 struct embed_arguments {

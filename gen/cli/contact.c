@@ -302,7 +302,8 @@ static const char help[] =
     "for each impact speed eps, durations, largest overlap and force, and a time step.\n"
     "A contact ends at zero overlap, or at zero force, where the force would become attractive.\n" HELP_CONTACT
     "\nOutput:\n"
-    "  --speed LIST     impact speeds, m/s: values and ranges such as 0.1,1,10 or 0.01:10:log:7\n"
+    "  --speed LIST     impact speeds, m/s: values and ranges such as 0.1,1,10 or 0.01:10:log:7;\n"
+    "                   @FILE: from a file\n"
     "  --end E          zero-overlap, zero-force, approach-only, surface under a constant force:\n"
     "                   where eps was measured, what --plot shows (both)\n"
     "  --steps N        time_step_s is the shortest duration over N (default " DEFAULT_STEPS ")\n"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* corgen disk-collide: sweeps of the full dynamics of disks. docs/disks.md. */
 #include <stdlib.h>
+#include <string.h>
 
 #include "cli/commands.h"
 #include "cor/disk.h"
@@ -10,6 +11,7 @@
 
 #define DEFAULT_TOLERANCE "1e-8"
 #define DEFAULT_HARD_WALL_TOLERANCE "1e-5"
+enum { MOST_PARTS = 1000 }; /* --join opens the files of all parts */
 
 static const struct option_numbers tolerance_numbers = {
     .range = {TEXT_OF(COR_DISK_COLLISION_MIN_TOLERANCE), "1", true, false, true,
@@ -17,6 +19,20 @@ static const struct option_numbers tolerance_numbers = {
 static const struct option_numbers hard_wall_tolerance = {
     .range = {TEXT_OF(COR_DISK_HARD_WALL_MIN_TOLERANCE), "1", true, false, true,
               "a number from " TEXT_OF(COR_DISK_HARD_WALL_MIN_TOLERANCE) " to below 1 (--hard-wall)"}};
+
+/* Reads I/N of --part. */
+static int read_part(struct sweep *sweep, const char *text)
+{
+    const size_t first = strspn(text, "0123456789"),
+                 second = text[first] == '/' ? strspn(text + first + 1, "0123456789") : 0;
+    const bool is_part = first > 0 && second > 0 && first + 1 + second == strlen(text) && first < 9 && second < 9;
+    sweep->part = is_part ? atol(text) : 0;
+    sweep->parts = is_part ? atol(text + first + 1) : 0;
+    return sweep->part > 0 && sweep->part <= sweep->parts && sweep->parts <= MOST_PARTS
+               ? STATUS_OK
+               : usage_error("--part: '%s' is not I/N, two whole numbers with 1 <= I <= N <= %d, as 2/8", text,
+                             MOST_PARTS);
+}
 
 static int run_disk_collide(const void *arguments)
 {
@@ -35,6 +51,14 @@ static int run_disk_collide(const void *arguments)
     if (sweep->hard_wall && o->tolerance.text &&
         options_check_real("tolerance", &hard_wall_tolerance, &o->tolerance) != STATUS_OK)
         return STATUS_USAGE;
+    sweep->part = 1;
+    sweep->parts = o->join > 0 ? o->join : 1;
+    request.joins = o->join > 0;
+    request.is_part = o->part != NULL;
+    if (o->part && read_part(sweep, o->part) != STATUS_OK)
+        return STATUS_USAGE;
+    if (o->part && output_is_direct(o->common.output))
+        return usage_error("--part needs --output FILE, the name of a regular file, as --output eps.csv");
     if (request.plot && gnuplot_check(request.plot) != STATUS_OK)
         return STATUS_USAGE;
     sweep->tolerance =
@@ -62,13 +86,18 @@ static const char help[] =
     "                   in 1 - eps^2, 1e-7 to below 1 (default " DEFAULT_HARD_WALL_TOLERANCE ")\n"
     "  --phi-points M   angles on a quadrant where the wall's force is evaluated, 1 to 16384\n"
     "                   (default: as many as the tolerance needs)\n"
+    "  --part I/N       compute every N-th row from row I, 1 <= I <= N <= 1000, into FILE.I-of-N.part of --output "
+    "FILE\n"
+    "  --join N         check the files of N parts and join them to the output of the same command without --part;\n"
+    "                   1 to 1000\n"
     "  --threads K      1 to 1024 (default: as many as processors)\n"
     "  --plot FILE      eps over the speed as .svg, .png or .pdf, by gnuplot; up to 12 curves\n"
     "  --format F       text (default), csv or json\n"
     "  --output FILE    write to FILE (default: standard output). FILE.part keeps the rows until all are\n"
     "                   there; the same command continues an interrupted run\n"
     "  --profile        print the seconds of each step and the peak memory on standard error\n"
-    "\nLIST: values and ranges, separated by commas. A value is 0.1, 1.5e-3 or 1/3; a range is\n"
+    "\nLIST: values and ranges, separated by commas; or @FILE, a file of them with commas, spaces or lines\n"
+    "between, where # begins a comment. A value is 0.1, 1.5e-3 or 1/3; a range is\n"
     "  A:B:+S     A, A + S, A + 2 S, ... up to B      (-S: down to B)\n"
     "  A:B:lin:N  N values from A to B at equal distances\n"
     "  A:B:log:N  N values from A to B at equal ratios\n"
@@ -91,7 +120,9 @@ static const struct option_rule options[] = {
            .why = "walls that need more are not computed"),
     OPTION("hard-wall", FLAG, request.sweep.hard_wall, .excludes = "alpha modes phi-points"),
     OPTION("rayleigh", FLAG, request.sweep.rayleigh, .excludes = "alpha tolerance phi-points hard-wall"),
-    OPTION_PLAIN("plot", FILE, request.plot),
+    OPTION("plot", FILE, request.plot, .excludes = "part"),
+    OPTION("part", TEXT, part, .needs = "output", .excludes = "join format"),
+    OPTION("join", WHOLE, join, .range.whole = {1, MOST_PARTS}, .why = "all files are open at once", .needs = "output"),
     OPTION("threads", WHOLE, request.threads, .range.whole = {1, PARALLEL_MAX_THREADS},
            .why = "no machine has use for more"),
     OPTION_FORMAT(option_formats),

@@ -42,18 +42,20 @@ int journal_add(struct journal *journal, const char *line)
 
 /* ---- opening ---- */
 
-/* Opens and locks the file; without a lock on a file system that has none. */
-static int journal_open_locked(struct journal *journal)
+/* Opens and locks the file, to write or, a part, to read; without a lock on a file system that has none. */
+static int journal_open_locked(struct journal *journal, bool part)
 {
-    struct flock region = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
+    struct flock region = {.l_type = part ? F_RDLCK : F_WRLCK, .l_whence = SEEK_SET};
+    const int flags = part ? O_RDONLY | O_NONBLOCK : O_RDWR | O_APPEND | O_CREAT;
+    const char *const verb = part ? "read" : "write";
     struct stat opened;
     /* a symbolic link could lead anywhere, so it is not followed */
-    const int fd = open(journal->path, O_RDWR | O_APPEND | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
-    journal->stream = fd < 0 ? NULL : fdopen(fd, "a+");
+    const int fd = open(journal->path, flags | O_NOFOLLOW | O_CLOEXEC, 0666);
+    journal->stream = fd < 0 ? NULL : fdopen(fd, part ? "r" : "a+");
     if (!journal->stream || fstat(fd, &opened) != 0)
-        return journal_failure("write", journal);
+        return journal_failure(verb, journal);
     if (!S_ISREG(opened.st_mode))
-        return fail("cannot write %s: it is not a regular file", journal->path);
+        return fail("cannot %s %s: it is not a regular file", verb, journal->path);
     if (fcntl(fd, F_SETLK, &region) != 0 && (errno == EACCES || errno == EAGAIN))
         return fail("%s is in use by another process; wait for it or choose another --output", journal->path);
     return STATUS_OK;
@@ -151,7 +153,7 @@ int journal_open(struct journal *journal, const char *file, const char *title, u
         xprintf("\ncorgen: interrupted; the same command continues after the last row of %s\n", shown);
     free(shown);
     output_report_size_limit();
-    int status = journal_open_locked(journal);
+    int status = journal_open_locked(journal, false);
     if (status == STATUS_OK)
         status = journal_recover(journal, title, most);
     if (status == STATUS_OK)
@@ -159,6 +161,36 @@ int journal_open(struct journal *journal, const char *file, const char *title, u
     else
         journal_close(journal, false);
     return status;
+}
+
+int journal_open_part(struct journal *journal, const char *file, const char *title, uint64_t rows)
+{
+    char *line = NULL;
+    bool damaged = false;
+    *journal = (struct journal){.path = xprintf("%s.part", file), .check = COR_MODE_FILE_CHECK_START};
+    int status = journal_open_locked(journal, true);
+    if (status == STATUS_OK && (!read_line(journal, &line) || strcmp(line, title) != 0))
+        status = journal_refuse_foreign(journal, line);
+    if (status == STATUS_OK) {
+        check_line(&journal->check, line);
+        const uint32_t start = journal->check;
+        while (read_row(journal, &line, &journal->check, &damaged))
+            journal->lines++;
+        if (damaged || *line || journal->lines != rows)
+            status = fail("%s has %" PRIu64 " correct rows of %" PRIu64 "%s; run the part again with its --part",
+                          journal->path, journal->lines, rows, damaged ? ", and the next line was changed" : "");
+        journal->check = start;
+        rewind(journal->stream);
+        read_line(journal, &line);
+    }
+    free(line);
+    return status;
+}
+
+bool journal_next(struct journal *journal, char **line)
+{
+    bool damaged;
+    return read_row(journal, line, &journal->check, &damaged);
 }
 
 int journal_read(struct journal *journal, void (*visit)(void *context, const char *line), void *context)

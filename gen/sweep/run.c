@@ -33,8 +33,8 @@ struct collide {
     uint64_t again_row;
 
     double modes_seconds, rows_seconds, rows_started; /* times of this run; modes_seconds: for one material */
-    uint64_t finished, done;                          /* rows in all, and rows of this run */
-    uint64_t first;                                   /* of a loop, with ROWS_AT_A_TIME results */
+    uint64_t rows, finished, done;                    /* of the part; those that exist; those of this run */
+    uint64_t first;                                   /* of a loop in the part, with ROWS_AT_A_TIME results */
     struct sweep_result *result;
     size_t materials_left;
 };
@@ -85,10 +85,23 @@ static int refuse_corners(const struct sweep *s, const struct cor_disk_modes *mo
 
 /* ---- rows ---- */
 
+/* The number in the sweep of a row of the part, and the number of rows of the part before a row of the sweep */
+static uint64_t number_of(const struct sweep *sweep, uint64_t i)
+{
+    return i * (uint64_t)sweep->parts + (uint64_t)sweep->part - 1;
+}
+
+static uint64_t rows_before(const struct sweep *sweep, uint64_t number)
+{
+    const uint64_t part = (uint64_t)sweep->part, parts = (uint64_t)sweep->parts;
+    return number < part ? 0 : (number - part) / parts + 1;
+}
+
 static void collide_row(void *context, slong i)
 {
     struct collide *run = context;
-    sweep_collide(&run->result[i], &run->sweep, run->first + (uint64_t)i, &run->modes, &run->tables);
+    sweep_collide(&run->result[i], &run->sweep, number_of(&run->sweep, run->first + (uint64_t)i), &run->modes,
+                  &run->tables);
 }
 
 static int row_finished(void *context, slong i)
@@ -121,8 +134,8 @@ static void sweep_tick(void *context)
 {
     const struct collide *const run = context;
     const double seconds = run->rows_seconds + clock_seconds() - run->rows_started;
-    const double rows = seconds * (double)(run->sweep.rows - run->finished) / (double)run->done;
-    progress_left("collisions", (long)run->finished, (long)run->sweep.rows,
+    const double rows = seconds * (double)(run->rows - run->finished) / (double)run->done;
+    progress_left("collisions", (long)run->finished, (long)run->rows,
                   run->done == 0 ? -1 : rows + run->modes_seconds * (double)run->materials_left);
 }
 
@@ -131,15 +144,15 @@ static int collide_all(struct collide *run, uint64_t first)
 {
     const uint64_t each = sweep_rows_of_material(&run->sweep);
     run->finished = first;
-    if (first > 0 && first < run->sweep.rows && run->journal.last) {
+    if (first > 0 && first < run->rows && run->journal.last) {
         run->again = run->journal.last;
         run->again_row = first - 1;
         first--;
     }
     run->result = xmalloc(ROWS_AT_A_TIME * sizeof *run->result);
-    for (uint64_t end; first < run->sweep.rows; first = end) {
-        const size_t material = (size_t)(first / each);
-        end = (first / each + 1) * each;
+    for (uint64_t end; first < run->rows; first = end) {
+        const size_t material = (size_t)(number_of(&run->sweep, first) / each);
+        end = rows_before(&run->sweep, (material + 1) * each);
         run->materials_left = run->sweep.poisson.count - material - 1;
         int status = find_modes(run, material);
         if (status == STATUS_OK && is_soft(&run->sweep))
@@ -174,7 +187,7 @@ static int report_rows(const struct sweep_printer *p)
 }
 
 /* The line that identifies a sweep by its command, malloc'ed */
-static char *title_of(const struct sweep *s)
+static char *title_of_whole(const struct sweep *s)
 {
     char tolerance[DECIMAL_TEXT];
     decimal_text(tolerance, s->tolerance);
@@ -189,21 +202,81 @@ static char *title_of(const struct sweep *s)
                    s->poisson.text, s->alpha.text, s->modes.text, tolerance, (long)s->phi_points);
 }
 
+/* The same with the part, and with the check of the files of lists as a comment */
+static char *title_of(const struct sweep *s, const struct sweep_request *request)
+{
+    const uint32_t check = s->speed.check ^ 3 * s->poisson.check ^ 5 * s->alpha.check ^ 7 * s->modes.check;
+    char *const whole = title_of_whole(s), part[DECIMAL_TEXT] = "", files[DECIMAL_TEXT] = "";
+    if (request->is_part || request->joins)
+        snprintf(part, sizeof part, " --part %ld/%ld", (long)s->part, (long)s->parts);
+    if (check)
+        snprintf(files, sizeof files, " # files %08" PRIx32, check);
+    char *const title = xprintf("%s%s%s", whole, part, files);
+    free(whole);
+    return title;
+}
+
+/* The name of the journal of a part without its .part, malloc'ed */
+static char *part_file(const struct sweep *s, const struct sweep_request *request)
+{
+    return xprintf("%s.%ld-of-%ld", request->output, (long)s->part, (long)s->parts);
+}
+
+/* Computes a part into its journal, which is kept. */
+static int collide_part(struct collide *run, const struct sweep_request *request)
+{
+    char *const title = title_of(&run->sweep, request), *const file = part_file(&run->sweep, request);
+    int status = journal_open(&run->journal, file, title, run->rows);
+    if (status == STATUS_OK)
+        status = collide_all(run, run->journal.lines);
+    if (status == STATUS_OK)
+        journal_close(&run->journal, false);
+    free(title);
+    free(file);
+    return status;
+}
+
+/* Prints the rows of all parts in the order of the sweep. */
+static int join_parts(struct collide *run, const struct sweep_request *request)
+{
+    struct sweep *const s = &run->sweep;
+    struct journal *const part = xmalloc((size_t)s->parts * sizeof *part);
+    char *line = NULL;
+    slong opened = 0;
+    int status = STATUS_OK;
+    for (s->part = 1; s->part <= s->parts && status == STATUS_OK; s->part++) {
+        char *const title = title_of(s, request), *const file = part_file(s, request);
+        status = journal_open_part(&part[opened++], file, title, rows_before(s, s->rows));
+        free(title);
+        free(file);
+    }
+    for (uint64_t i = 0; i < s->rows && status == STATUS_OK; i++)
+        if (journal_next(&part[i % (uint64_t)s->parts], &line))
+            sweep_print(&run->printer, line);
+        else
+            status = fail("another program has changed %s", part[i % (uint64_t)s->parts].path);
+    while (opened > 0)
+        journal_close(&part[--opened], false);
+    free(part);
+    free(line);
+    return status;
+}
+
 /* A file is written from its finished journal, all other outputs row by row. */
 static int collide_to_output(struct collide *run, const struct sweep_request *request)
 {
-    const bool kept = !output_is_direct(request->output);
+    const bool kept = !output_is_direct(request->output) && !request->joins;
     int status = output_open(&run->out, request->output);
     if (status != STATUS_OK)
         return status;
     sweep_print_start(&run->printer, &run->sweep, request->format, run->out.file);
     if (kept) {
-        char *const title = title_of(&run->sweep);
+        char *const title = title_of(&run->sweep, request);
         status = journal_open(&run->journal, request->output, title, run->sweep.rows);
         free(title);
     }
     if (status == STATUS_OK)
-        status = collide_all(run, run->journal.lines);
+        status = request->joins ? join_parts(run, request) : collide_all(run, run->journal.lines);
     if (status == STATUS_OK && kept)
         status = journal_read(&run->journal, sweep_print, &run->printer);
     if (status == STATUS_OK)
@@ -268,8 +341,9 @@ int sweep_run(const struct sweep_request *request)
         status = refuse_corners(&run.sweep, &modes);
     if (status == STATUS_OK && request->plot)
         status = refuse_curves(&run);
+    run.rows = rows_before(&run.sweep, run.sweep.rows);
     if (status == STATUS_OK)
-        status = collide_to_output(&run, request);
+        status = request->is_part ? collide_part(&run, request) : collide_to_output(&run, request);
     if (run.sweep.eps && run.printer.rows == run.sweep.rows) {
         const int drawn = draw_rows(&run.sweep, request->plot);
         status = status == STATUS_OK ? drawn : status;

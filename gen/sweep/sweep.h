@@ -23,8 +23,9 @@ enum { SWEEP_COLUMNS = 12, SWEEP_LINE = SWEEP_COLUMNS * DECIMAL_TEXT };
 struct sweep {
     struct values speed, poisson, alpha, modes;
     bool hard_wall, rayleigh;
-    double tolerance; /* of eps; for the hard wall of 1 - eps^2 */
-    slong phi_points; /* 0: as many as the tolerance needs */
+    double tolerance;  /* of eps; for the hard wall of 1 - eps^2 */
+    slong phi_points;  /* 0: as many as the tolerance needs */
+    slong part, parts; /* computes the rows part - 1, part - 1 + parts, ...; 1 of 1: all */
     uint64_t rows;
     double *eps; /* NULL, or an element for each row that is printed */
 };
@@ -77,6 +78,8 @@ struct sweep_request {
     enum output_format format;
     const char *output; /* file; NULL: standard output */
     const char *plot;   /* a picture of eps over the speed; NULL: none */
+    bool is_part;       /* writes the rows of a part to FILE.PART-of-PARTS.part */
+    bool joins;         /* reads all rows from the files of the parts */
 };
 
 /* Returns STATUS_OK, or another status after a message. */
@@ -100,6 +103,11 @@ struct journal {
  * is cut off, with a message if a row is complete but not correct. Until the journal is closed, signals that end the
  * program say how to continue. Returns STATUS_OK, or STATUS_FAILED after a message. */
 int journal_open(struct journal *journal, const char *file, const char *title, uint64_t most);
+
+/* Opens the rows of a finished part for journal_next. The file must have this title and `rows` correct rows, and stays
+ * as it is. Returns STATUS_OK, or STATUS_FAILED after a message. */
+int journal_open_part(struct journal *journal, const char *file, const char *title, uint64_t rows);
+bool journal_next(struct journal *journal, char **line); /* *line: NULL or the last row; malloc'ed */
 
 /* Adds a row, given without its line end. It is then safe from the end of this process. */
 int journal_add(struct journal *journal, const char *line);

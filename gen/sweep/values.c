@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 #include "sweep/values.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
+#include "runtime/disk/mode_file.h"
 #include "support/console.h"
 #include "support/formula.h"
 #include "support/local.h"
@@ -173,10 +176,51 @@ static void values_drop_repeated(struct values *values)
     free(repeated);
 }
 
+/* Reads the list of a file with commas between its members, which a comma, white space or a comment may end. Returns
+ * NULL after a message; otherwise free it. */
+static char *read_list(uint32_t *check, const struct values_rule *rule, const char *path)
+{
+    enum { MOST_BYTES = 1 << 26 };
+    struct stat found;
+    FILE *const file = stat(path, &found) == 0 && S_ISREG(found.st_mode) ? fopen(path, "r") : NULL;
+    char *const list = file && found.st_size < MOST_BYTES ? xmalloc((size_t)found.st_size + 1) : NULL;
+    const char *wrong = errno ? strerror(errno) : "it is not a regular file";
+    size_t length = 0;
+    bool comment = false;
+    if (list)
+        wrong = "no values";
+    else if (file)
+        wrong = "64 MiB or more";
+    *check = COR_MODE_FILE_CHECK_START;
+    for (int c; list && (c = getc(file)) != EOF && length < (size_t)found.st_size;) {
+        const char byte = (char)c;
+        *check = cor_mode_file_check(*check, &byte, 1);
+        comment = c == '#' || (comment && c != '\n');
+        const bool ends = comment || c == ',' || isspace(c);
+        if (!ends || (length > 0 && list[length - 1] != ','))
+            list[length++] = ends ? ',' : c ? byte : '?'; /* no number has it */
+    }
+    if (file)
+        fclose(file);
+    length -= length > 0 && list[length - 1] == ',';
+    if (length > 0) {
+        list[length] = '\0';
+        return list;
+    }
+    free(list);
+    usage_error("--%s: cannot read a list from '%s': %s; allowed: a file of values and ranges with commas, spaces or "
+                "ends of lines between",
+                rule->option, path, wrong);
+    return NULL;
+}
+
 int values_parse(struct values *values, const struct values_rule *rule, const char *text)
 {
     *values = (struct values){.text = text};
-    char *copy = xstrdup(text);
+    errno = 0;
+    char *copy = *text == '@' ? read_list(&values->check, rule, text + 1) : xstrdup(text);
+    if (!copy)
+        return STATUS_USAGE;
     int status = STATUS_OK;
     for (char *member = copy, *next; member && status == STATUS_OK; member = next) {
         next = strchr(member, ',');

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Lists of exact numbers on a command line, the LIST of corgen disk-collide --help. A value that occurs again is left
- * out. Values count as equal if their nearest doubles are. */
+/* Lists of exact numbers on a command line or in a file, the LIST of corgen disk-collide --help. A value that
+ * occurs again is left out. Values count as equal if their nearest doubles are. */
 #ifndef COR_GEN_SWEEP_VALUES_H
 #define COR_GEN_SWEEP_VALUES_H
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "support/decimal.h"
 
@@ -23,6 +24,7 @@ struct values {
     fmpq *exact;     /* inside a log range: the nearest double */
     double *nearest; /* the double nearest to each */
     double least, largest;
+    uint32_t check; /* of the file of a list @FILE; 0: the list is on the command line */
 };
 
 /* Returns STATUS_OK, or STATUS_USAGE after a message about the first error. */
