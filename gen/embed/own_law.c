@@ -15,8 +15,8 @@ enum { BYTES_MOST = 1 << 20, CELL_MOST = 40, CUBIC = 5, CUBIC_BITS = 400 };
 
 /* ---- the table ---- */
 
-static const struct decimal_range range_of_speed = {"0", NULL, false, false, true, "a number above 0, in m/s"},
-                                  range_of_eps = {"0", "1", false, true, true, "a number above 0 and up to 1"};
+static const struct decimal_range range_of_speed = {"0", NULL, false, false, true, NULL},
+                                  range_of_eps = {"0", "1", false, true, true, NULL};
 
 /* Splits a line at its commas. Returns the number of cells, of which only the first `most` are stored. */
 static int split_line(char **cell, int most, char *line)
@@ -66,31 +66,20 @@ static slong read_rows(fmpq *speed, fmpq *eps, char *text, const char *path)
             }
             columns = cells;
             if (at_speed < 0 || at_eps < 0)
-                return usage_error("--table: %s has no column %s; its first line is speed_m_s,eps, with a comma "
-                                   "between the names",
-                                   path, at_speed < 0 ? "speed_m_s" : "eps"),
-                       0;
+                return usage_error("--table: %s: the first line is not speed_m_s,eps with a comma between", path), 0;
             continue;
         }
-        if (cells != columns)
-            return usage_error("--table: line %d of %s has %d cells, and the first line has %d; numbers have a decimal "
-                               "point, as 0.1,0.35",
-                               number, path, cells, columns),
-                   0;
-        if (rows == OWN_ROWS_MOST)
-            return usage_error("--table: %s has more than %d rows; leave out rows that lie close together", path,
-                               OWN_ROWS_MOST),
-                   0;
-        const bool fast = read_cell(speed + rows, cell[at_speed], &range_of_speed);
-        if (!fast || !read_cell(eps + rows, cell[at_eps], &range_of_eps))
-            return usage_error("--table: line %d of %s: '%s' is not %s", number, path, cell[fast ? at_eps : at_speed],
-                               (fast ? &range_of_eps : &range_of_speed)->allowed),
-                   0;
-        if (rows > 0 && fmpq_cmp(speed + rows - 1, speed + rows) >= 0)
-            return usage_error("--table: line %d of %s: the speed %s is not above the one before it; sort the rows by "
-                               "speed, and give each speed once",
-                               number, path, cell[at_speed]),
-                   0;
+        const char *const wrong =
+            cells != columns ? "another number of cells than in the first line; write 0.1, not 0,1"
+            : rows == OWN_ROWS_MOST
+                ? "more than " TEXT_OF(OWN_ROWS_MOST) " rows; leave out rows that lie close together"
+            : !read_cell(speed + rows, cell[at_speed], &range_of_speed) ? "the speed is not a number above 0, in m/s"
+            : !read_cell(eps + rows, cell[at_eps], &range_of_eps)       ? "eps is not a number above 0 and up to 1"
+            : rows > 0 && fmpq_cmp(speed + rows - 1, speed + rows) >= 0
+                ? "the speed is not above the one before it; sort the rows by speed, and give each speed once"
+                : NULL;
+        if (wrong)
+            return usage_error("--table: line %d of %s: %s", number, path, wrong), 0;
         rows++;
     }
     if (rows < 2)

@@ -10,7 +10,8 @@
 
 #include "embed/request.h"
 
-enum { OWN_ROWS_MOST = 400, OWN_TEXT = 512 };
+#define OWN_ROWS_MOST 400
+enum { OWN_TEXT = 512 };
 
 struct own_law {
     int law; /* of the request; 0: its law is one of cor/law.h, and all else is 0 */
