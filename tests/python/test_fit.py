@@ -662,6 +662,15 @@ def test_a_loss_that_explains_nothing_is_zero():
     assert theta[1] == p.low[1] and found[1, 0, 0] == -math.inf and math.isfinite(found[1, 0, 1])
 
 
+def test_outliers_need_scatter():
+    """Heights that are rounded may not scatter at all, or only in one line: nothing is judged by rounding."""
+    for h0, h1 in ([100, 100, 50, 50], [64, 64, 32, 32]), ([100, 80, 60, 40], [64, 51.2, 38.4, 25.6]):
+        exact = cor.fit({"h0_cm": h0, "h1_cm": h1}, law="constant")
+        assert "without scatter" in " ".join(exact.remarks()) and "too few to judge any" in exact.verdict()
+    data = {"h0_cm": [150, 120, 90, 60], "h1_cm": [110.9, 88.8, 66.6, 44.4]}
+    assert not cor.fit(data, law="constant").groups[""].outliers
+
+
 def test_wrong_options():
     data = points([1.0, 2.0, 3.0], [0.8, 0.8, 0.7])
     with pytest.raises(ValueError, match="law: 'viscous' is not a model; allowed: all, viscoelastic"):
@@ -674,7 +683,7 @@ def test_wrong_options():
         cor.fit(data, young=1e9)
     with pytest.raises(TypeError, match="'colour' is not an argument"):
         cor.fit(data, colour=3)
-    with pytest.raises(DataError, match="has 1 points; allowed: 2 or more"):
+    with pytest.raises(DataError, match="has 1 point of speed and eps; allowed: 2 or more"):
         cor.fit(points([1.0], [0.8]))
     with pytest.raises(ValueError, match="lighter than the air"):
         likelihood.Field.of(Air(mass_kg=1e-5, diameter_m=0.1, fit_drag=True), G)

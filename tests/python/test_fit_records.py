@@ -41,9 +41,11 @@ READ = [
     ("h0_cm,h_1_mm,h1_sigma_cm\n100,640,1\n", {}, Heights, dict(drop_m=[1], rebound_m=[0.64], rebound_sigma_m=[0.01])),
     ("h_0 (cm),h_1 (cm)\n100,64\n,63\n50,30\n", {}, Heights, dict(drop_m=[1, 1, 0.5])),
     ("h0,h1\n100,64\n", dict(unit="cm"), Heights, dict(drop_m=[1], rebound_m=[0.64])),
-    ("rebound height [cm]\n64\n63\n", dict(drop_height_m=1), Heights, dict(drop_m=[1, 1], rebound_m=[0.64, 0.63])),
+    ("rebound [cm]\n64\n63\n", dict(drop_height_m=1), Heights, dict(drop_m=[1, 1], rebound_m=[0.64, 0.63])),
     ("h_cm\n64\n40\n", {}, Apexes, dict(height_m=[0.64, 0.4], start=[0, 2])),
     ("ball,apex_cm\nA,64\nB,60\nB,36\n", dict(drop_height_m=1), Apexes, dict(height_m=[1, 0.64, 1, 0.6, 0.36])),
+    ("timestamp (ms)\n0\n1000\n1800\n", {}, Times, dict(time_s=[0, 1, 1.8])),
+    ('"Latest: Time (s)","Latest: Flag"\n0,a\n1,b\n1.8,c\n', {}, Times, dict(time_s=[0, 1, 1.8])),
     ("t_s\n0\n1\n1.8\n", {}, Times, dict(time_s=[0, 1, 1.8], height_m=[np.nan])),
     ('"Time (ms)"\n0\n1000\n', dict(drop_height_m=1.5), Times, dict(time_s=[0, 1], height_m=[1.5])),
     (CARRIED.replace("0,\n", "0,150\n"), {}, Times, dict(height_m=[1.5])),
@@ -71,7 +73,7 @@ def test_read(text, form, kind, fields):
 # the message after the name of the file, as a regular expression; text; options
 REFUSED = [
     ("line 1: the file is empty; allowed: .*, as speed_m_s,eps", "", {}),
-    ("line 1: no column speed_m_s; allowed: .* as speed_m_s,eps", "1,0.5\n2,0.4\n", {}),
+    ("line 1: '1', '0.5': no such column is read; allowed: .* as speed_m_s,eps.*with #", "1,0.5\n2,0.4\n", {}),
     ("line 1: no column eps or speed_out_m_s; allowed", "speed_m_s,b\n1,0.5\n", {}),
     ("line 1: no column h0_cm, or --drop-height", "h1_cm\n64\n", {}),
     ("line 1, column eps: the file has two columns of this name", "speed_m_s,eps,eps\n1,0.5,0.5\n", {}),
@@ -88,7 +90,7 @@ REFUSED = [
     ("line 3: 4 cells, but .* 2 columns; .* commas, .* decimal point", POINTS + "1,0.5\n0,5,0,85\n", {}),
     ("line 2, column eps: '0,85' has a decimal comma; .* as 0.85, or --decimal-comma", POINTS + '1,"0,85"\n', {}),
     ("line 2, column eps: '.5' has a decimal point, but .*without", "speed_m_s;eps\n2;.5\n", dict(decimal_comma=True)),
-    ("line 1: no column speed_m_s", "speed_m_s;eps\n1;0.5\n", dict(separator=",")),
+    ("line 1: 'speed_m_s;eps': no such column", "speed_m_s;eps\n1;0.5\n", dict(separator=",")),
     ("line 3, column eps: 'half' is not .*; allowed: a number from 0 to 1, as 0.85", POINTS + "1,0.5\n2,half\n", {}),
     ("line 2, column speed_m_s: 'NaN' is not allowed; allowed: a speed above 0 and up", POINTS + "NaN,1\n", {}),
     ("line 3, column speed_m_s: '-2' is not allowed", POINTS + "1,0.5\n-2,0.4\n", {}),
@@ -108,7 +110,7 @@ REFUSED = [
     ("line 1: has a control character", "speed_m_s,eps\r1,0.5\r", {}),
     ("line 1: longer than 65536 characters", "x" * 65538, {}),
     ("line 3: longer than 65536 characters", POINTS + "1,1\n" + "x" * 200000, {}),
-    ("line 1: no column speed_m_s", "x" * 65536, {}),
+    ("line 1: 'x{40}': no such column", "x" * 65536, {}),
     ("line 1: more than 256 cells", POINTS.strip() + ",a" * 255, {}),
     ("line 4, column t_s: 0.5 is not after the bounce before", TIMES + "0\n1\n0.5\n", {}),
     ("line 3, column t_s: '-1' is not allowed; allowed: a time from 0 to", TIMES + "0\n-1\n", {}),
@@ -123,6 +125,7 @@ REFUSED = [
     ("line 1, column eps: not with t_s", "t_s,eps\n0,1\n", {}),
     ("line 2, column Time .s.: 399 steps of 0.001 s are a recorded waveform, .* 1000 Hz", "", dict(waveform=1e3)),
     ("line 2, column Time .s.: 399 steps of 2.3e-05 s are a recorded waveform", "", dict(waveform=44100.0)),
+    ("line 2, column Time .s.: 399 steps of 2e-05 s are a recorded", "", dict(waveform=44100.0, digits=5)),
     ("line 2, column y .m.: the heights grow downward", "", dict(track=40)),
     ("line 1000002: more than 1000000 rows", POINTS + "1,0.5\n" * 1000001, {}),
 ]  # fmt: skip
@@ -132,8 +135,8 @@ REFUSED = [
 def test_refused(message, text, form):
     form = dict(form)
     if "waveform" in form:
-        rate = form.pop("waveform")
-        text = "Time (s),Sound pressure (a.u.)\n" + "".join(f"{k / rate:.6f},{k % 7}\n" for k in range(400))
+        rate, digits = form.pop("waveform"), form.pop("digits", 6)
+        text = "Time (s),Sound pressure (a.u.)\n" + "".join(f"{k / rate:.{digits}f},{k % 7}\n" for k in range(400))
     if "track" in form:
         text = "t_s,y (m)\n" + "".join(f"{k / 60},{(k / 60) ** 2}\n" for k in range(form.pop("track")))
     with pytest.raises(DataError) as error:

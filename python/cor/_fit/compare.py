@@ -22,6 +22,7 @@ from .models import POWER_LAW, Curve, Model
 SIGNIFICANCE = 0.01  # a curve with a smaller p value does not fit
 REACH = 67  # bounces after a time that still determine its error
 MAX_OUTLIERS = 8
+NO_SCATTER = 1e-12  # residuals of eps below come from rounding, not from errors
 NEAR = 2.0  # models whose AIC differs by less are as good
 
 
@@ -135,8 +136,8 @@ def groups_p_value(r: Floats, parameters: int) -> float:
     parts = [r[j * n // groups : (j + 1) * n // groups] for j in range(groups)]
     between = sum(part.size * part.mean() ** 2 for part in parts)
     within = sum(((part - part.mean()) ** 2).sum() for part in parts)
-    if not within > 0:
-        return 0.0 if between > 0 else 1.0
+    if not within > n * NO_SCATTER**2:
+        return math.nan
     ratio = between / (groups - parameters) / (within / (n - groups))
     return float(scipy("special").fdtrc(groups - parameters, n - groups, ratio))
 
@@ -289,7 +290,7 @@ def find_outliers(data: Data, sample: Sample, models: Sequence[Model], setup: Se
     while left_out:
         progress("outliers", 0, 0)
         e = estimate(curve, rest(), plain, False, e)
-        if e is None:
+        if e is None or (not sample.has_sigma and e.scale < NO_SCATTER):
             return []
         spread = max(math.sqrt(e.chi2 / e.problem.freedom), 1.0) if sample.has_sigma else 1.0
         insignificant = []

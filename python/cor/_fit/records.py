@@ -31,9 +31,9 @@ speed speed 1e-30 v v0 vin speedin vbefore speedbefore velocity velocityin impac
 speed_out speed 0 v1 vout vafter speedafter velocityout reboundspeed reboundvelocity
 eps - -1e31 epsilon ε e cor restitution coefficientofrestitution
 h0 height 1e-30 dropheight hbefore heightbefore hdrop initialheight
-h1 height 0 reboundheight hafter heightafter hrebound bounceheight
-h height 1e-30 apex apexheight y z
-t time 0 bouncetime timeofbounce
+h1 height 0 rebound reboundheight hafter heightafter hrebound bounceheight
+h height 1e-30 apex apexheight y z position positiony
+t time 0 timestamp bouncetime timeofbounce
 interval time 1e-30 intervals timeinterval timebetweenbounces dt δt deltat flight flighttime
 run label 0
 ball label 0
@@ -85,7 +85,7 @@ def _split_name(name: str) -> Tuple[str, Optional[str]]:
     if not found:
         return _plain(name), None
     unit = (found["in"] if found["in"] is not None else found["end"]).strip().lower()
-    return _plain(found["base"]), ALIASES.get(unit, unit)
+    return _plain(found["base"].rpartition(": ")[2]), ALIASES.get(unit, unit)
 
 
 def _is_near(a: str, b: str) -> bool:
@@ -276,7 +276,9 @@ def choose_columns(table: Table) -> Tuple[str, List[str]]:
     if not kind:
         missing = "eps or speed_out_m_s" if "speed" in named else "h1_cm" if "h0" in named else "speed_m_s"
         missing = "h0_cm, or --drop-height" if "h1" in named and "h0" not in named else missing
-        table.refuse(line, None, f"no column {missing}; allowed: {WANTED}")
+        names = ", ".join(f"'{name[:SHOWN]}'" for name in table.header[:4])
+        why = f"no column {missing}" if named else f"{names}: no such column is read"
+        table.refuse(line, None, f"{why}; allowed: {WANTED}; lines above the names begin with #")
     table.found = {key: named[key][-1] for key in ["eps", *keys] if key in named}
     if "eps" in named and kind not in ("points", "speeds"):
         other = table.header[named[needed[0]][0]]
@@ -430,7 +432,8 @@ def _times(table: Table, ball: Ints, run: List[str], key: str) -> Times:
 def _refuse_waveform(table: Table, key: str, flight: Floats) -> None:
     """Refuse time steps that are equal up to rounding: samples of a sound or of a force."""
     step = float(np.median(flight)) if len(flight) >= WAVEFORM_ROWS else np.nan
-    if np.mean(np.abs(flight - step) <= 0.1 * step) > 0.9 if len(flight) else False:
+    is_rounded = step > 0 and np.unique(np.round(flight / step, 3)).size <= 3  # as 0.02, 0.02, 0.03 ms
+    if is_rounded or np.mean(np.abs(flight - step) <= 0.1 * step) > 0.9 if len(flight) else False:
         why = (
             f"{len(flight)} steps of {step:.4g} s are a recorded waveform, sampled at {1 / step:.5g} Hz, and not times"
         )

@@ -7,7 +7,17 @@ from typing import Any, Callable, Dict, List, Optional, Tuple
 
 import numpy as np
 
-from .compare import SIGNIFICANCE, Comparison, Estimate, Outlier, Setup, compare, find_outliers, finite_theta
+from .compare import (
+    NO_SCATTER,
+    SIGNIFICANCE,
+    Comparison,
+    Estimate,
+    Outlier,
+    Setup,
+    compare,
+    find_outliers,
+    finite_theta,
+)
 from .data import GRAVITY_M_S2, Air, Data, DataError, Floats, Form, Points, Times
 from .intervals import LEVELS, covariance_of, profile, quantile, unit_of
 from .likelihood import HUBER, MANY, Field, Sample, scipy
@@ -137,6 +147,8 @@ class Result:
             errors = "no eps_sigma: equal weights, and the scatter gives sigma"
         else:
             errors = f"the scatter gives the errors of the {numbers}"
+        if not group.sample.has_sigma and min(e.rms for _, e in group.comparison.fits) < NO_SCATTER:
+            errors = "without scatter nothing can be judged: a column of errors is needed, as h1_sigma_cm"
         return (
             f"{group.sample.size} points{source}: {flights.speed.min():.4g} to {flights.speed.max():.4g} m/s, "
             f"eps {flights.eps.min():.4g} to {flights.eps.max():.4g}; {errors}."
@@ -397,7 +409,8 @@ def fit(
             comparison = compare(sample, models, setup, tell)
             if not comparison.fits and not name:
                 least = min(len(model.curve.kinds) for model in models) + len(free) + 1
-                raise DataError(f"{data.name} has {sample.size} points; allowed: {least} or more for these models")
+                count = f"{data.name} has {sample.size} point{'s' * (sample.size != 1)} of speed and eps"
+                raise DataError(f"{count}; allowed: {least} or more for these models, as with one more bounce")
             if not comparison.fits:
                 continue
             group = Group(name, sample, comparison, find_outliers(mine, sample, models, setup, tell))
