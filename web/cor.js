@@ -197,6 +197,13 @@ function wrap(c) {
                 throw wrong();
             return text(at);
         },
+        block: (names, numbers) => {
+            let at = 0;
+            withText(names, (name) => withArray(numbers, 0, (x, y, n) => { at = c.web_block(name, x, n); }));
+            if (at === 0)
+                throw wrong();
+            return text(at);
+        },
         curve: (speeds, i) => withArray(speeds, 1, (x, y, n) => c.web_curve(x, y, n, i)),
     };
     return cor;

@@ -355,7 +355,19 @@ WEB_EXPORT(web_models) const char *web_models(int digits)
     return web_text();
 }
 
-/* The text of corgen contact --for, or NULL with the reason in web_wrong_text */
+static const char *put_lines(const struct cor_simulator_request *lines)
+{
+    const long all = cor_simulator_lines(web_wrong.text, sizeof web_wrong.text, lines);
+    snprintf(web_wrong.option, sizeof web_wrong.option, lines->materials ? "materials" : "for");
+    if (all < 0)
+        return NULL;
+    web_text_clear();
+    web_put("%*s", (int)all, ""); /* makes room */
+    cor_simulator_lines(text, size, lines);
+    return web_text();
+}
+
+/* Returns the text of corgen contact --for, or NULL with the reason in web_wrong_text. */
 WEB_EXPORT(web_lines) const char *web_lines(void)
 {
     const struct web_request *const r = &web_now;
@@ -369,19 +381,51 @@ WEB_EXPORT(web_lines) const char *web_lines(void)
                                                 .steps = r->steps,
                                                 .step_errors = r->steps_given,
                                                 .integrator = COR_NO_INTEGRATOR};
-    const long all = cor_simulator_lines(web_wrong.text, sizeof web_wrong.text, &lines);
-    snprintf(web_wrong.option, sizeof web_wrong.option, "for");
-    if (all < 0)
-        return NULL;
-    web_text_clear();
-    web_put("%*s", (int)all, ""); /* makes room */
-    cor_simulator_lines(text, size, &lines);
-    return web_text();
+    return put_lines(&lines);
+}
+
+/* Returns the lines of several materials in one block, or NULL as web_lines. names: one in a line. number: six for each
+ * of the n/6 materials: Young's modulus, Poisson's ratio, density, radius (NaN: a wall), eps (NaN: not known) and its
+ * speed. eps is between two balls of the material; of a wall, with a ball of any material. */
+WEB_EXPORT(web_block) const char *web_block(char *names, const double *number, size_t n)
+{
+    enum { MOST = 8, NUMBERS = 6 };
+    static struct cor_material material[MOST];
+    static struct cor_material_pair pair[MOST * MOST];
+    static struct cor_material_contact memory[MOST * MOST];
+    struct cor_scene scene = {.law = web_now.scene.law, .end = web_now.scene.end};
+    const size_t count = n / NUMBERS < MOST ? n / NUMBERS : MOST;
+    size_t pairs = 0;
+    for (int i = 0; i < COR_SCENE_NUMBERS; i++)
+        scene.number[i] = NAN;
+    for (size_t i = 0; i < count; i++) {
+        const double *const x = number + NUMBERS * i, radius = isnan(x[3]) ? (double)INFINITY : x[3];
+        const double mass = isnan(x[3]) ? (double)INFINITY : cor_sphere_mass_kg(x[3], x[2]);
+        material[i] = (struct cor_material){strtok(i == 0 ? names : NULL, "\n"), {x[0], x[1], NAN, radius, mass}, NAN};
+    }
+    for (size_t i = 0; i < count; i++)
+        for (size_t ball = 0; ball < count; ball++)
+            if (!isnan(number[NUMBERS * i + 4]) && !isnan(number[NUMBERS * ball + 3]) &&
+                (ball == i || isnan(number[NUMBERS * i + 3])))
+                pair[pairs++] = (struct cor_material_pair){ball, i, number[NUMBERS * i + 4], number[NUMBERS * i + 5],
+                                                           COR_BOTH_ENDS};
+    return put_lines(&(struct cor_simulator_request){.simulator = web_now.simulator ? web_now.simulator->name : "",
+                                                     .version = *web_now.version ? web_now.version : NULL,
+                                                     .scene = &scene,
+                                                     .speed_m_s = web_now.speed_m_s,
+                                                     .speeds = web_now.speeds,
+                                                     .steps = web_now.steps,
+                                                     .integrator = COR_NO_INTEGRATOR,
+                                                     .materials = material,
+                                                     .pairs = pair,
+                                                     .material_count = count,
+                                                     .pair_count = pairs,
+                                                     .memory = memory});
 }
 
 /* ---- curves of eps over the speed ---- */
 
-/* Fills the ends of the contact that have a curve: the requested ones, or one if eps is the same. Returns their number. */
+/* Fills the ends that have a curve: the requested ones, or one if eps is the same at both. Returns their number. */
 static int find_ends(int ends[COR_SCENE_ENDS])
 {
     int count = 0;

@@ -9,7 +9,8 @@ const MATERIALS = stored("materials"), TERMS = new Map(stored("glossary"));
 const SHOWN = 4, TEXT_DIGITS = 6, CSV_DIGITS = 12, POINTS = 121, KEPT = 5;
 const FIRST = "restitution=0.9&at=1&speed=0.1";
 const WAYS = ["restitution", "g-star", "dissipation-time", "viscosity", "damping-coefficient", "beta", "zeta"];
-const OWN = ["label", "points"]; // options that the module does not have
+const OWN = ["label", "points", "materials"]; // options that the module does not have
+const COLUMNS = ["young", "poisson", "density", "radius", "restitution", "at"]; // of materials, after the name
 const PREFIXES = { n: -9, u: -6, "\u00b5": -6, "\u03bc": -6, m: -3, c: -2, k: 3, M: 6, G: 9 };
 
 let cor, units, right = false; // units by option; right: some input was complete
@@ -72,6 +73,15 @@ const toModule = (options) => Object.fromEntries([...options].filter(([option]) 
 const pointsOf = (text) => text.split("\n")
     .map((line) => line.trim().split(/[;\s]+/).map((part) => Number(part.replace(",", "."))))
     .filter(([speed, eps]) => speed > 0 && eps >= 0);
+
+// Returns the lines for several materials. An empty cell and the radius of a wall are not numbers.
+function blockOf(text) {
+    const rows = text.trim().split("\n").map((line) => line.split(";").map((cell) => cell.trim()));
+    if (rows.length > 8)
+        throw refusal("at most 8 materials and walls are allowed", "materials");
+    return cor.page.block(rows.map(([name], i) => name || `material ${i + 1}`).join("\n"), rows.flatMap(([, ...cells]) => COLUMNS.map((column, i) =>
+        /\d/.test(cells[i] ?? "") ? Number(numberOf(column, cells[i])) : NaN)));
+}
 
 // ---- fields ----
 
@@ -146,7 +156,7 @@ function showFields() {
 function stateOf(input) {
     if (input.tagName === "SELECT")
         return input.selectedOptions[0].text;
-    return input.id === "points" ? `points: ${pointsOf(input.value).length}`
+    return input.tagName === "TEXTAREA" ? `lines: ${input.value.trim().split("\n").length}`
         : `${fields.get(input.id).label} ${input.value} ${/[a-z%]$/i.test(input.value) ? "" : unitOf(input.id)}`.trim();
 }
 
@@ -449,7 +459,7 @@ function showSimulator() {
     table("models", ["model", "version", "law", "contact ends at", `gives, asked ${eps}`, "e to set"], models);
     let lines = "", why = "";
     try {
-        lines = cor.page.text("lines");
+        lines = $("materials").value.trim() === "" ? cor.page.text("lines") : blockOf($("materials").value);
     } catch (error) {
         why = error.message;
     }
@@ -551,13 +561,10 @@ function keepCurves() {
 }
 
 function chooseBodies() {
-    const material = materialNow(), { young, poisson, density, restitution, at, name: label } = material ?? {};
+    const material = materialNow();
     if (material)
-        for (const [name, value] of Object.entries({ radius: $("radius").value || "5 mm", mass: "", young, poisson,
-            density, restitution, at, label }))
-            $(name).value = value;
-    if (material && $("law").value !== "plate")
-        $("way").value = "restitution";
+        for (const name of ["young", "poisson", "density", "radius", "mass"])
+            $(name).value = material[name] ?? (name === "radius" ? $("radius").value || "5 mm" : "");
     $("fold-bodies").open = $("fold-bodies").open || (!material && kind() !== "none");
 }
 

@@ -165,6 +165,15 @@ check("two contacts do not disturb each other", (() => {
 })());
 check("an array of 10^6 numbers, twice, does not fill the memory", cor.sphere.eps_zero_force(new Float64Array(1e6))[9] === 1
     && cor.sphere.eps_zero_force(new Float64Array(1e6)).length === 1e6);
+const balls = [[7e10, 0.24, 2500, 2e-3, 0.9, 1], [2.1e11, 0.3, 7850, 1e-3, 0.85, 2], [2.1e11, 0.3, 7850, NaN, 0.8, 1]];
+const cells = (row) => row.map((x) => Number.isNaN(x) ? "" : x).join();
+writeFileSync(`${folder}/materials.csv`, "name,young_pa,poisson,density_kg_m3,radius_m,wall\n" +
+    balls.map((row, i) => `m${i},${cells(row.slice(0, 4))},${i > 1 ? 1 : 0}\n`).join(""));
+writeFileSync(`${folder}/pairs.csv`, "a,b,restitution,at_m_s\nm0,m0,0.9,1\nm1,m1,0.85,2\nm0,m2,0.8,1\nm1,m2,0.8,1\n");
+cor.page.read({ restitution: 0.9, at: 1, speed: "1,2", end: "zero-force", for: "lammps" });
+check("the block of two materials and a wall is that of corgen", cor.page.block("m0\nm1\nm2", balls.flat()) ===
+    execFileSync(process.env.CORGEN ?? "build/gcc/corgen", ["contact", "--materials", `${folder}/materials.csv`, "--pairs",
+        `${folder}/pairs.csv`, "--end", "zero-force", "--speed", "1,2", "--for", "lammps"], { encoding: "utf8" }));
 check("special values", Object.is(cor.sphere.eps_zero_force([0, Infinity, -1, NaN]).join(), "1,0,NaN,NaN") &&
     cor.sphere.eps_zero_force([]).length === 0);
 const { law, sphere } = cor, eps = sphere.eps_zero_force([0.5]), inverse = law.function("Tsuji", "limited", "damping_of_eps");

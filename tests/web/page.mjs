@@ -201,6 +201,10 @@ await type("speed", "1,10");
 check("1,10 asks which is meant", /may be one number or two/.test(await textOf(page, "#speed-wrong")));
 await page.click("#speed-wrong button:last-child");
 check("and a click answers", await page.$eval("#speed", (e) => e.value) === "1; 10" && (await textOf(page, "#answer")).includes("At 10 m/s"));
+await enter({ restitution: "0.9", at: "1", speed: "1", end: "zero-force", for: "lammps" });
+await type("materials", "glass; 70 GPa; 0,24; 2500; 2 mm; 0.9; 1\nsteel; 210 GPa; 0.3; 7.85 g/cm3; 1 mm; 0.85; 1\nfloor; 210 GPa; 0.3; 7850; wall; 0.8; 1");
+check("several materials and a wall have one block", /glass, radius 0.002 m[^]*steel, radius 0.001 m[^]*floor, a wall[^]*pair_coeff 2 2/.test(await textOf(page, "#lines")),
+    await textOf(page, "#lines") + await textOf(page, "#lines-wrong"));
 await page.click("#ask .term");
 check("a term is explained", (await textOf(page, ".help:not([hidden])")).includes("rebound speed over impact speed"));
 
