@@ -208,6 +208,8 @@ int own_law_init(struct own_law *law, const struct embed_request *request)
             law->real[k] = decimal_nearest(law->number + k);
         snprintf(law->text, sizeof law->text, f->text, request->number[f->first].text, request->number[f->second].text);
     }
+    if (!law->law)
+        return STATUS_OK;
     LOCAL(arb, onset);
     own_law_onset(onset, law, CUBIC_BITS);
     law->part = law->own_part;
