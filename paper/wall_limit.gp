@@ -16,7 +16,7 @@ is(nu, modes, speed, i) = nu == 0.33 && modes == 940 && abs(speed/v[i] - 1) < 1e
 
 set title "a disk of 940 modes and a wall exp(α x), ν = 0.33; lines through α v ≥ 25 √(E/ρ)/R"
 set lmargin 9
-set xrange [-0.0005:0.105]
+set xrange [-0.0005:0.1]
 set yrange [0.6:1.02]
 set xtics 0.02
 set ytics 0.1
@@ -30,4 +30,5 @@ plot for [k = 1:4] [0:0.045] 1 + slope[shown[k]]*v[shown[k]]/limit[shown[k]]*x \
      for [k = 1:4] points using (is($1, $2, $4, shown[k]) ? 1/($3*$4) : NaN):($6/limit[shown[k]]) skip 1 \
          with points pt 6 ps 0.7 lw 1.6 lc rgb colour[k] title sprintf("v = %g √(E/ρ)", v[shown[k]]), \
      for [k = 1:4] csv using (int($0) == shown[k] - 1 ? 0 : NaN):($5/$3) skip 1 with points pt 7 ps 0.8 \
-         lc rgb colour[k] notitle
+         lc rgb colour[k] notitle, \
+     NaN with points pt 7 ps 0.8 lc rgb black title "all modes at a rigid wall"

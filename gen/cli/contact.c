@@ -176,7 +176,9 @@ static int draw_eps(const struct contact_arguments *o, const struct contacts *co
         curve[curves] = (struct eps_curve){title[end], speed_m_s, eps[curves], CURVE_POINTS};
         curves++;
     }
-    return eps_plot(o->plot, law_equation(&contacts->scene.law).text, "impact speed (m/s)", 0, curve, curves);
+    char heading[CONTACT_LAW_TEXT + 32], law[CONTACT_LAW_TEXT];
+    snprintf(heading, sizeof heading, "restitution of a contact, %s", contact_law_text(law, &contacts->contact[0]));
+    return eps_plot(o->plot, heading, "impact speed (m/s)", 0, curve, curves);
 }
 
 /* ---- a law of one's own ---- */

@@ -163,6 +163,14 @@ int eps_plot(const char *path, const char *title, const char *label, double leas
     gnuplot_quote(script, label);
     fprintf(script, "\nset ylabel 'coefficient of restitution ε'\n%s\nset logscale x\nset format x '%%g'\n",
             isnan(least) ? "set yrange [*:1]" : "set yrange [0:1]\nset ytics 0.2\nset mytics 2");
+    double low = INFINITY, high = 0;
+    for (size_t i = 0; i < curves; i++)
+        for (size_t k = 0; k < curve[i].count; k++) {
+            low = fmin(low, curve[i].speed[k]);
+            high = fmax(high, curve[i].speed[k]);
+        }
+    if (low < high) /* the axis ends where the curves end */
+        fprintf(script, "set xrange [%.17g:%.17g]\n", low, high);
     fputs("set title ", script);
     gnuplot_quote(script, title);
     fputs(" noenhanced\n", script);

@@ -90,7 +90,7 @@ def draw(result: Any, group: str = "", every: bool = False) -> Any:
     lower.set_xlabel("impact speed (m/s)")
     upper.set_ylabel("coefficient of restitution")
     lower.set_ylabel("measured - curve")
-    title = basename(result.data.name) + (f", {group}" if group else "")
+    title = f"restitution of {basename(result.data.name)}{', ' if group else ''}{group}, fitted by {model.title}"
     upper.set_title("".join(c if c.isprintable() else "?" for c in title).replace("$", r"\$"), fontsize=10)
     outside = {"loc": "upper left", "bbox_to_anchor": (1.01, 1)} if every else {"loc": "best"}
     handles, labels = upper.get_legend_handles_labels()
