@@ -193,12 +193,12 @@ enum { A, B, RESTITUTION, AT, END, PAIR_LINE, PAIR_COLUMNS };
 
 /* Reads a number of a row in the range of a number of a scene. NaN: an empty cell. Returns an exit status */
 static int read_cell(double *value, const char *option, const struct table *t, char *const *row, int column,
-                     enum cor_scene_number number, bool needed)
+                     enum cor_scene_number number)
 {
     const struct cor_scene_option *const range = &cor_scene_options[number];
     struct decimal d = {0};
     *value = NAN;
-    if (*row[column] == '\0' && !needed)
+    if (*row[column] == '\0')
         return STATUS_OK;
     if (decimal_parse(&d, row[column], DECIMAL_EXPONENT_DIGITS) && d.forms == DECIMAL_PLAIN)
         *value = decimal_value(&d);
@@ -211,24 +211,27 @@ static int read_cell(double *value, const char *option, const struct table *t, c
 
 static int read_material(struct cor_material *m, const struct table *t, char *const *row)
 {
-    const bool wall = strcmp(row[WALL], "1") == 0;
     double density;
+    const struct {
+        double *value;
+        int column;
+        enum cor_scene_number number;
+    } cells[] = {{&m->body.young_modulus_pa, YOUNG, COR_SCENE_YOUNG},
+                 {&m->body.poisson_ratio, POISSON, COR_SCENE_POISSON},
+                 {&density, DENSITY, COR_SCENE_DENSITY},
+                 {&m->body.radius_m, RADIUS, COR_SCENE_RADIUS},
+                 {&m->radius_max_m, RADIUS_MAX, COR_SCENE_RADIUS},
+                 {&m->body.dissipation_time_s, TIME, COR_SCENE_DISSIPATION_TIME}};
+    const bool wall = strcmp(row[WALL], "1") == 0;
+    int status = STATUS_OK;
     m->name = row[NAME];
-    if (!wall && *row[WALL] && strcmp(row[WALL], "0") != 0)
-        return usage_error("--materials, line %s, wall: '%s' is not 0, 1 or empty", row[LINE], row[WALL]);
-    if (wall && (*row[RADIUS] || *row[RADIUS_MAX]))
-        return usage_error("--materials, line %s: a wall has no radius; leave radius_m and radius_max_m empty",
-                           row[LINE]);
-    if (read_cell(&m->body.young_modulus_pa, "materials", t, row, YOUNG, COR_SCENE_YOUNG, true) ||
-        read_cell(&m->body.poisson_ratio, "materials", t, row, POISSON, COR_SCENE_POISSON, true) ||
-        read_cell(&density, "materials", t, row, DENSITY, COR_SCENE_DENSITY, !wall) ||
-        read_cell(&m->body.radius_m, "materials", t, row, RADIUS, COR_SCENE_RADIUS, !wall) ||
-        read_cell(&m->radius_max_m, "materials", t, row, RADIUS_MAX, COR_SCENE_RADIUS, false) ||
-        read_cell(&m->body.dissipation_time_s, "materials", t, row, TIME, COR_SCENE_DISSIPATION_TIME, false))
-        return STATUS_USAGE;
+    for (size_t i = 0; i < sizeof cells / sizeof *cells && status == STATUS_OK; i++)
+        status = read_cell(cells[i].value, "materials", t, row, cells[i].column, cells[i].number);
+    if (status == STATUS_OK && !wall && *row[WALL] && strcmp(row[WALL], "0") != 0)
+        status = usage_error("--materials, line %s, wall: '%s' is not 0, 1 or empty", row[LINE], row[WALL]);
     m->body.mass_kg = wall ? INFINITY : cor_sphere_mass_kg(m->body.radius_m, density);
-    m->body.radius_m = wall ? INFINITY : m->body.radius_m;
-    return STATUS_OK;
+    m->body.radius_m = wall && isnan(m->body.radius_m) ? INFINITY : m->body.radius_m;
+    return status;
 }
 
 static int read_pair(struct cor_material_pair *p, const struct table *t, char *const *row,
@@ -250,8 +253,8 @@ static int read_pair(struct cor_material_pair *p, const struct table *t, char *c
         return usage_error("--pairs, line %s, end: '%s' is not zero-overlap, zero-force or empty", row[PAIR_LINE],
                            row[END]);
     p->end = *row[END] ? p->end : COR_BOTH_ENDS;
-    const int status = read_cell(&p->restitution, "pairs", t, row, RESTITUTION, COR_SCENE_RESTITUTION, true);
-    return status == STATUS_OK ? read_cell(&p->at_m_s, "pairs", t, row, AT, COR_SCENE_AT, false) : status;
+    const int status = read_cell(&p->restitution, "pairs", t, row, RESTITUTION, COR_SCENE_RESTITUTION);
+    return status == STATUS_OK ? read_cell(&p->at_m_s, "pairs", t, row, AT, COR_SCENE_AT) : status;
 }
 
 char *contact_materials_text(struct cor_simulator_request request, const char *materials, const char *pairs)

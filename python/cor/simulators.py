@@ -90,23 +90,24 @@ def realised(simulator: str, model: str, e: ArrayLike) -> Any:
     return like([e], result[()])
 
 
-_MATERIAL = {"young_pa": "young", "poisson": "poisson", "density_kg_m3": "density", "radius_m": "radius"}
-_MATERIAL.update(radius_max_m="radius", dissipation_time_s="dissipation_time", wall="")
+# Columns of numbers, with the arguments of cor.Contact that have their ranges
+_MATERIAL = {"young_pa": "young", "poisson": "poisson", "density_kg_m3": "density", "radius_m": "radius", "wall": ""}
+_MATERIAL.update(radius_max_m="radius", dissipation_time_s="dissipation_time")
 _PAIR = {"restitution": "restitution", "at_m_s": "at"}
 
 
 def _row(argument: str, row: Mapping[str, Any], texts: Tuple[str, ...], numbers: Dict[str, str]) -> Dict[str, Any]:
     """The cells of a row of materials or pairs; numbers are NaN where they are not given."""
-    unknown = [name for name in row if name not in texts and name not in numbers]
-    if unknown:
-        raise ValueError(f"{argument}: the column {unknown[0]!r} is unknown; allowed: {', '.join((*texts, *numbers))}")
-    cells: Dict[str, Any] = {name: "" if row.get(name) is None else str(row[name]) for name in texts}
-    for column, name in numbers.items():
-        given = row.get(column)
+    cells: Dict[str, Any] = {**dict.fromkeys(texts, ""), **dict.fromkeys(numbers, math.nan)}
+    for column, given in row.items():
+        if column not in cells:
+            raise ValueError(f"{argument}: the column {column!r} is unknown; allowed: {', '.join(cells)}")
+        if given is None or given == "":
+            continue
         try:
-            cells[column] = math.nan if given is None or given == "" else float(given)
-            if name and not math.isnan(cells[column]):
-                option_number(name, cells[column])
+            cells[column] = float(given) if column in numbers else str(given)
+            if numbers.get(column) and not math.isnan(cells[column]):
+                option_number(numbers[column], cells[column])
         except ValueError as error:
             raise ValueError(f"{argument}: {column}: {error}") from None
     return cells
@@ -115,33 +116,27 @@ def _row(argument: str, row: Mapping[str, Any], texts: Tuple[str, ...], numbers:
 def _many(request: Any, materials: Sequence[Mapping[str, Any]], pairs: Sequence[Mapping[str, Any]]) -> List[Any]:
     """Puts several materials into a request. Returns what must live as long as it."""
     rows = [_row("materials", row, ("name",), _MATERIAL) for row in materials]
-    measured = [_row("pairs", row, ("a", "b", "end"), _PAIR) for row in pairs]
     names = [row["name"] for row in rows]
-    made = ffi.new("struct cor_material[]", len(rows) or 1)
-    of_pairs = ffi.new("struct cor_material_pair[]", len(measured) or 1)
-    memory = ffi.new("struct cor_material_contact[]", len(rows) ** 2 or 1)
-    kept: List[Any] = [made, of_pairs, memory, *(ffi.new("char[]", _text("materials", name)) for name in names)]
+    texts = [ffi.new("char[]", _text("materials", name)) for name in names]
+    made, measured = ffi.new("struct cor_material[]", len(rows) + 1), []
     for k, row in enumerate(rows):
+        if row["wall"] not in (0, 1) and not math.isnan(row["wall"]):
+            raise ValueError(f"materials: {row['name']}: wall is not 0, 1 or empty")
         wall = row["wall"] == 1
-        for column in ("young_pa", "poisson", *(() if wall else ("density_kg_m3", "radius_m"))):
-            if math.isnan(row[column]):
-                raise ValueError(f"materials: {row['name']}: {column} is missing")
-        if not (wall or math.isnan(row["wall"]) or row["wall"] == 0) or wall and not math.isnan(row["radius_m"]):
-            raise ValueError(f"materials: {row['name']}: wall is 0, 1 or empty, and a wall has no radius")
-        radius = math.inf if wall else row["radius_m"]
+        radius = math.inf if wall and math.isnan(row["radius_m"]) else row["radius_m"]
         mass = math.inf if wall else float(sphere_mass_kg(radius, row["density_kg_m3"]))
-        made[k].name, made[k].radius_max_m = kept[3 + k], row["radius_max_m"]
-        made[k].body = (row["young_pa"], row["poisson"], row["dissipation_time_s"], radius, mass)
-    for k, row in enumerate(measured):
-        if row["a"] not in names or row["b"] not in names or math.isnan(row["restitution"]):
-            raise ValueError(f"pairs: {row['a']}, {row['b']}: a restitution and two names of materials are needed")
-        of_pairs[k].a, of_pairs[k].b = names.index(row["a"]), names.index(row["b"])
-        of_pairs[k].restitution, of_pairs[k].at_m_s = row["restitution"], row["at_m_s"]
-        end = row["end"]
-        of_pairs[k].end = one_of("pairs: end", end, ("zero_overlap", "zero_force")) if end else lib.COR_BOTH_ENDS
-    request.materials, request.pairs, request.memory = made, of_pairs, memory
+        body = (row["young_pa"], row["poisson"], row["dissipation_time_s"], radius, mass)
+        made[k] = (texts[k], body, row["radius_max_m"])
+    for row in [_row("pairs", row, ("a", "b", "end"), _PAIR) for row in pairs]:
+        if row["a"] not in names or row["b"] not in names:
+            raise ValueError(f"pairs: {row['a']}, {row['b']}: not two names of materials")
+        end = one_of("pairs: end", row["end"], ("zero_overlap", "zero_force")) if row["end"] else lib.COR_BOTH_ENDS
+        measured.append((names.index(row["a"]), names.index(row["b"]), row["restitution"], row["at_m_s"], end))
     request.material_count, request.pair_count = len(rows), len(measured)
-    return kept
+    of_pairs = ffi.new("struct cor_material_pair[]", measured or 1)
+    memory = ffi.new("struct cor_material_contact[]", len(rows) ** 2 + 1)
+    request.materials, request.pairs, request.memory = made, of_pairs, memory
+    return [made, texts, of_pairs, memory]
 
 
 def lines(

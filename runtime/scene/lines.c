@@ -188,7 +188,7 @@ static int refuse_task(struct task *task, const char *format, ...)
 /* Several materials: types are their balls, in the order of the request, and then their walls. */
 static int is_wall(const struct cor_material *material)
 {
-    return cor_is_infinity(material->body.radius_m);
+    return cor_is_infinity(material->body.mass_kg);
 }
 
 static size_t count_balls(const struct cor_simulator_request *request)
@@ -1262,6 +1262,12 @@ static double dissipation_time(const struct cor_simulator_request *request, size
     return cor_scene_damping(&like->contact[like->count > 1 ? end : 0], COR_SCENE_DISSIPATION_TIME);
 }
 
+static int refuse_contact(struct task *task, size_t i, size_t j, const char *why)
+{
+    return refuse_task(task, "%s and %s: %s", material_of(task->request, i)->name, material_of(task->request, j)->name,
+                       why);
+}
+
 static int find_contact(struct task *task, size_t i, size_t j)
 {
     const struct cor_simulator_request *const r = task->request;
@@ -1287,17 +1293,14 @@ static int find_contact(struct task *task, size_t i, size_t j)
             number[COR_SCENE_DISSIPATION_TIME] = dissipation_time(r, i, end, &ends);
             number[COR_SCENE_DISSIPATION_TIME_2] = dissipation_time(r, j, end, &ends);
             if (isnan(number[COR_SCENE_DISSIPATION_TIME] + number[COR_SCENE_DISSIPATION_TIME_2]))
-                return refuse_task(
-                    task,
-                    "%s and %s: nothing gives the damping of their contact; allowed: a row of pairs for "
-                    "them, or for each a dissipation time or, of viscoelastic balls, a row of pairs with "
-                    "itself",
-                    one->name, two->name);
+                return refuse_contact(task, i, j,
+                                      "nothing gives the damping of their contact; allowed: a row of pairs for them, "
+                                      "or, for each, a dissipation time or a row of viscoelastic pairs with itself");
         }
         const int status = cor_scene_contacts(found, &c->count, &fault, &c->scene);
         if (status != COR_FAULT_NONE) {
             cor_scene_fault_text(text, sizeof text, &fault, "of the request", NULL);
-            return refuse_task(task, "%s and %s: %s", one->name, two->name, status < 0 ? "not solved" : text);
+            return refuse_contact(task, i, j, status < 0 ? "not solved" : text);
         }
         memcpy(c->contact + end, found, sizeof *found * (size_t)c->count);
     }
@@ -1328,9 +1331,10 @@ static int check_materials(struct task *task)
     for (const struct cor_material *m = r->materials; m < r->materials + types; m++) {
         if (!check_name(task, m->name))
             return 0;
-        if (isless(m->radius_max_m, m->body.radius_m))
-            return refuse_task(task, "%s: the largest radius, %s m, is below the radius, %s m", m->name,
-                               TEXT(m->radius_max_m), TEXT(m->body.radius_m));
+        if (is_wall(m) ? !isinf(m->body.radius_m) || !isnan(m->radius_max_m)
+                       : isless(m->radius_max_m, m->body.radius_m))
+            return refuse_task(task, is_wall(m) ? "%s: a wall has no radius" : "%s: its largest radius is too small",
+                               m->name);
         for (const struct cor_material *other = r->materials; other < m; other++)
             if (strcmp(m->name, other->name) == 0)
                 return refuse_task(task, "%s: two materials have this name", m->name);
@@ -1369,8 +1373,7 @@ static int start_contact(struct task *own, struct task *task, size_t i, size_t j
         task->has_law = own->has_law;
         return 1;
     }
-    return refuse_task(task, "%s and %s: %s", material_of(task->request, i)->name, material_of(task->request, j)->name,
-                       own->refusal);
+    return refuse_contact(task, i, j, own->refusal);
 }
 
 /* Finds the numbers of a model for all contacts, and the contact with the smallest time step, NaN if one is not known.
@@ -1389,16 +1392,11 @@ static int fill_contacts(struct task *task, const struct cor_simulator_model *mo
         if (!start_contact(&own, task, i, j) || !model_suits(model, &own, own.has_law))
             return -1;
         if (!fill_block(&block, &own, model))
-            return refuse_task(task, "%s, %s, %s and %s: %s", task->simulator->name, model->model,
-                               material_of(task->request, i)->name, material_of(task->request, j)->name, block.reason) -
-                   1;
+            return refuse_contact(task, i, j, block.reason) - 1;
         contact_of(task->request, i, j)->number = block.number[PAIR];
         rank += rank_model(model, &own);
-        if (isnan(block.time_step_s) || isless(block.time_step_s, shortest->time_step_s)) {
+        if (isnan(block.time_step_s) || isless(block.time_step_s, shortest->time_step_s))
             *shortest = block;
-            task->i = i;
-            task->j = j;
-        }
     }
     return rank;
 }
@@ -1438,11 +1436,11 @@ static void put_contact(struct text *t, const struct block *block, const struct 
     const int measured = c->measured && c->measured->end != COR_BOTH_ENDS ? c->measured->end : c->scene.end;
     int ends;
     if (c->measured)
-        put_comment(t, "%d %d, %s and %s: measured%s%s, eps = %s%s%s%s", i, j, one, two,
-                    measured == COR_BOTH_ENDS ? "" : " at ", measured == COR_BOTH_ENDS ? "" : cor_end_names[measured],
-                    TEXT(c->measured->restitution), isnan(c->measured->at_m_s) ? "" : " at ",
-                    isnan(c->measured->at_m_s) ? "" : TEXT(c->measured->at_m_s),
-                    isnan(c->measured->at_m_s) ? "" : " m/s");
+        put_comment(t,
+                    isnan(c->measured->at_m_s) ? "%d %d, %s and %s: measured at %s, eps = %s"
+                                               : "%d %d, %s and %s: measured at %s, eps = %s at %s m/s",
+                    i, j, one, two, measured == COR_BOTH_ENDS ? "this end" : cor_end_names[measured],
+                    TEXT(c->measured->restitution), TEXT(c->measured->at_m_s));
     else
         put_comment(t, "%d %d, %s and %s: not measured, from the dissipation times %s s and %s s", i, j, one, two,
                     TEXT(dissipation_time(r, own->i, end, &ends)), TEXT(dissipation_time(r, own->j, end, &ends)));
@@ -1498,9 +1496,7 @@ static int put_materials(struct text *t, struct task *task)
         rank = suits > rank ? suits : rank;
     }
     if (!best.model)
-        return *task->refusal ? 0
-                              : refuse_task(task, "%s has no model for the law %s%s", s->title, task->law,
-                                            given->version ? " in this version" : "");
+        return *task->refusal ? 0 : refuse_task(task, "%s has no model for the law %s", s->title, task->law);
     const struct cor_simulator_model *const model = best.model;
     task->own.step_corrected = given->step_corrected;
     task->own.time_step_s = isless(best.time_step_s, INFINITY) ? best.time_step_s : 0;
@@ -1510,9 +1506,11 @@ static int put_materials(struct text *t, struct task *task)
                 cor_end_names[model->end]);
     for (size_t k = 0; k < types; k++) {
         const struct cor_material *const m = material_of(given, k);
-        put_comment(t, "type %d: %s, %s%s%s%s%s", (int)k + 1, m->name, k < balls ? "radius " : "a wall",
-                    k < balls ? TEXT(m->body.radius_m) : "", isnan(m->radius_max_m) ? "" : " to ",
-                    isnan(m->radius_max_m) ? "" : TEXT(m->radius_max_m), k < balls ? " m" : "");
+        put_comment(t,
+                    k >= balls               ? "type %d: %s, a wall"
+                    : isnan(m->radius_max_m) ? "type %d: %s, radius %s m"
+                                             : "type %d: %s, radius %s to %s m",
+                    (int)k + 1, m->name, TEXT(m->body.radius_m), TEXT(m->radius_max_m));
     }
     if (!task->has_law)
         put_comment(t, "%s does not have the law of the contacts: the lines hold at one speed.", s->title);
@@ -1532,7 +1530,7 @@ static int put_materials(struct text *t, struct task *task)
     put_many(t, model->many, &best, task);
     if (task->own.time_step_s > 0 && s->time_step)
         put_template(t, s->time_step, &best, task);
-    else
+    else if (task->own.time_step_s > 0)
         put_comment(t, "time step: at most %s s", TEXT(best.time_step_s));
     put_text(t, "\n");
     return 1;

@@ -122,6 +122,9 @@ static enum cor_simulator_model_id id;
 static char text[20000];
 static const size_t size = sizeof text;
 static struct cor_simulator_request request[1];
+static struct cor_scene of_law;
+static struct cor_material materials[3];
+static struct cor_material_contact material_memory[9];
 static struct cor_scene_contact contact[1], contacts[COR_SCENE_ENDS], corrected[1], hertz[1];
 static struct cor_scene_fault fault[1];
 static enum cor_simulator_status status[1];
@@ -181,6 +184,22 @@ static void scene_arguments_load(const struct scene_arguments *s)
                                                 .step_errors = s->end == 2 && steps > 0,
                                                 .integrator = COR_NO_INTEGRATOR};
     tangential[0] = (struct cor_tangential){number % COR_TANGENTIAL_MEMORIES, same_law, number % 3, s->x[1], s->x[2]};
+    if (s->number % 3 == 0) { /* three materials, one of them a wall */
+        static const char *const many[] = {"lammps", "liggghts", "yade", "mercurydpm", "chrono", "mfix"};
+        of_law = scene_without_numbers(COR_LAW_VISCOELASTIC);
+        of_law.end = s->end == 2 ? COR_BOTH_ENDS : s->end;
+        for (int i = 0; i < 3; i++) {
+            const double radius = i == 1 ? INFINITY : 1e-3 * (i + 1);
+            materials[i] = (struct cor_material){(const char *const[]){"a", "b", "c"}[i],
+                                                 {1e9, 0.3, 1e-7, radius, 1e-2 * radius},
+                                                 i ? (double)NAN : 2e-3};
+        }
+        request[0].simulator = many[s->number / 3 % 6];
+        request[0].scene = &of_law;
+        request[0].materials = materials;
+        request[0].material_count = 3;
+        request[0].memory = material_memory;
+    }
     memset(&out, 0, sizeof out);
 }
 
