@@ -429,6 +429,7 @@ TEST(several_materials)
         }
     found(found(found(text, "\n# type 2: b b, radius "), "\n# 1 3, a and base: measured at zero force, eps = "),
           "\n# 2 4, b b and side: not measured, from the dissipation times ");
+    assert_null(strstr(text, "cor_wall_1_2"));
     request.simulator = "liggghts";
     assert_true(cor_simulator_lines(text, sizeof text, &request) > 0);
     const char *at = found(text, "\nfix cor_gamman all property/global gamman peratomtypepair 4 ");
@@ -437,6 +438,9 @@ TEST(several_materials)
         is_near(at, eta[low < 2 ? low : 0][high], 1e-9);
     }
     scene.end = COR_END_ZERO_FORCE;
+    request.simulator = "lammps";
+    assert_true(cor_simulator_lines(text, sizeof text, &request) > 0);
+    found(text, " damping viscoelastic limit_damping\n");
     request.simulator = "chrono";
     assert_true(cor_simulator_lines(text, sizeof text, &request) > 0);
     at = found(found(text, "CombineDampingCoefficient"), "pair[] = {\n            ");
