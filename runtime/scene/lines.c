@@ -1185,8 +1185,8 @@ static int check_task(struct task *task)
 }
 
 /* No model has the law. Where one is linear, a spring of the same duration at the speed, K = m (pi/T)^2 with T of the
- * contact without damping, takes the place of the contact in *request. False: no model is, or the contact has a force or
- * no mass */
+ * contact without damping, takes the place of the contact in *request. False: no model is, or the contact has a force
+ * or no mass */
 static int replace_law(struct cor_simulator_request *request, struct cor_scene *scene,
                        struct cor_scene_contact contacts[COR_SCENE_ENDS], const struct task *task)
 {
