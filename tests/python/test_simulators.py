@@ -255,7 +255,7 @@ def test_a_measured_restitution():
         (lambda: simulators.lines("lammps", materials=MATERIALS, speeds=1, young=1e9), "^materials: allowed with"),
         (lambda: simulators.lines("lammps", materials=MATERIALS), "^materials: allowed with speeds"),
         (lambda: simulators.lines("lammps", materials=[], speeds=1), "^no material has balls"),
-        (lambda: simulators.lines("lammps", materials=[{**MATERIALS[1], "radius_m": ""}], speeds=1), "radius is missing"),
+        (lambda: simulators.lines("lammps", materials=[{**MATERIALS[0], "wall": 0}], speeds=1), "floor and floor: radius is missing"),
         (lambda: simulators.lines("lammps", materials=[{"mass": 1}], speeds=1), "^materials: the column 'mass'"),
         (lambda: simulators.lines("lammps", materials=[{"young_pa": -1}], speeds=1), "^materials: young_pa: young: "),
         (lambda: simulators.lines("lammps", materials=[{**MATERIALS[1], "wall": 1}], speeds=1), "a wall has no radius"),
