@@ -15,13 +15,7 @@
 static char *text;
 static size_t size, length;
 
-void web_text_clear(void)
-{
-    length = 0;
-    web_put("%s", "");
-}
-
-void web_put(const char *format, ...)
+__attribute__((format(printf, 1, 2))) static void put(const char *format, ...)
 {
     va_list list, again;
     va_start(list, format);
@@ -40,23 +34,24 @@ void web_put(const char *format, ...)
     va_end(list);
 }
 
-void web_put_number(double x, int digits)
+static void clear_text(void)
+{
+    length = 0;
+    put("%s", "");
+}
+
+static void put_number(double x, int digits)
 {
     if (isnan(x))
-        web_put("nan"); /* of either sign */
+        put("nan"); /* of either sign */
     else
-        web_put("%.*g", digits, x);
+        put("%.*g", digits, x);
 }
 
-void web_put_cell(char before, double x, int digits)
+static void put_cell(char before, double x, int digits)
 {
-    web_put("%c", before);
-    web_put_number(x, digits);
-}
-
-const char *web_text(void)
-{
-    return text ? text : "";
+    put("%c", before);
+    put_number(x, digits);
 }
 
 /* The digits, 15 or more, that read back to the same double */
@@ -68,7 +63,7 @@ static void put_exact(double x)
         if (strtod(exact, NULL) == x)
             break;
     }
-    web_put("%s", exact);
+    put("%s", exact);
 }
 
 /* ---- the contact ---- */
@@ -82,11 +77,11 @@ WEB_EXPORT(web_end) const char *web_end(int end)
 /* Returns csv: the name and the unit of every number that a request may have */
 WEB_EXPORT(web_options) const char *web_options(void)
 {
-    web_text_clear();
+    clear_text();
     for (int i = 0; i < COR_SCENE_NUMBERS; i++)
-        web_put("%s,%s\n", cor_scene_options[i].name, cor_scene_options[i].unit);
-    web_put("speed,m/s\nspeed-min,m/s\nspeed-max,m/s\n");
-    return web_text();
+        put("%s,%s\n", cor_scene_options[i].name, cor_scene_options[i].unit);
+    put("speed,m/s\nspeed-min,m/s\nspeed-max,m/s\n");
+    return text;
 }
 
 static void put_quantity(const char *name, const char *end, const double value[COR_SCENE_ENDS], const char *unit,
@@ -94,10 +89,10 @@ static void put_quantity(const char *name, const char *end, const double value[C
 {
     if (isnan(value[0]))
         return;
-    web_put("%s%s", name, end);
+    put("%s%s", name, end);
     for (int k = 0; k < web_now.count; k++)
-        web_put_cell(',', value[k], digits);
-    web_put(",%s\n", unit);
+        put_cell(',', value[k], digits);
+    put(",%s\n", unit);
 }
 
 /* Returns the csv of corgen contact without --speed. */
@@ -106,8 +101,8 @@ WEB_EXPORT(web_summary) const char *web_summary(int digits)
     const struct cor_scene_contact *const c = web_now.contact;
     const double step = cor_scene_rayleigh_step_s(&web_now.scene);
     const double tabor = cor_scene_tabor_number(c, web_now.scene.number[COR_SCENE_ADHESION], COR_TABOR_DISTANCE_M);
-    web_text_clear();
-    web_put(web_now.count == 1 ? "quantity,value,unit\n" : "quantity,value_%s,value_%s,unit\n", web_end(0), web_end(1));
+    clear_text();
+    put(web_now.count == 1 ? "quantity,value,unit\n" : "quantity,value_%s,value_%s,unit\n", web_end(0), web_end(1));
     for (int i = 0; i < COR_SCENE_QUANTITIES; i++) {
         const int number = cor_scene_quantities[i].number, second = number == COR_SCENE_STICKING_ZERO_FORCE;
         const int sticking = second || number == COR_SCENE_STICKING_ZERO_OVERLAP;
@@ -117,7 +112,15 @@ WEB_EXPORT(web_summary) const char *web_summary(int digits)
     }
     put_quantity("rayleigh_time_step", "", (double[]){step, step}, "s", digits);
     put_quantity("tabor_number", "", (double[]){tabor, tabor}, "1", digits);
-    return web_text();
+    return text;
+}
+
+/* Returns an end of the contact as an option: "zero-overlap", "zero-force", "surface". */
+static const char *end_option(const struct web_request *r, int end)
+{
+    static const char *const names[][COR_SCENE_ENDS] = {
+        {"zero-overlap", "zero-force"}, {"zero-overlap", "surface"}, {"tail", "largest-pull"}};
+    return names[r->contact[0].adhesion_j_m2 > 0 ? 2 : r->contact[0].force_n > 0][end];
 }
 
 /* ---- impacts ---- */
@@ -230,13 +233,13 @@ WEB_EXPORT(web_table) const char *web_table(int digits, int errors)
     static double y[COR_SCENE_ENDS * COLUMNS * WEB_SPEEDS], error[2 * COR_SCENE_ENDS * WEB_SPEEDS];
     const size_t n = web_now.speeds, contacts = (size_t)web_now.count, more = errors ? 2 * (size_t)web_step_ends() : 0;
     const int spheres = !isnan(web_now.contact[0].radius_m) && !(web_now.contact[0].adhesion_j_m2 > 0);
-    web_text_clear();
-    web_put("speed_m_s,beta,eps_%s,eps_%s,duration_s_%s,duration_s_%s,max_overlap_m,max_force_n,time_step_s",
-            web_end(0), web_end(1), web_end(0), web_end(1));
+    clear_text();
+    put("speed_m_s,beta,eps_%s,eps_%s,duration_s_%s,duration_s_%s,max_overlap_m,max_force_n,time_step_s", web_end(0),
+        web_end(1), web_end(0), web_end(1));
     for (int end = 0; more == 4 && end < COR_SCENE_ENDS; end++)
-        web_put(",step_bias_%s,step_scatter_%s", web_end(end), web_end(end));
-    web_put("%s%s%s\n", more == 2 ? ",step_bias,step_scatter" : "", contacts > 1 ? ",measured_end" : "",
-            spheres ? ",contact_radius_m,max_pressure_pa" : "");
+        put(",step_bias_%s,step_scatter_%s", web_end(end), web_end(end));
+    put("%s%s%s\n", more == 2 ? ",step_bias,step_scatter" : "", contacts > 1 ? ",measured_end" : "",
+        spheres ? ",contact_radius_m,max_pressure_pa" : "");
     if (n > 0)
         web_impacts(web_now.speed_m_s, y, n);
     if (n > 0 && errors)
@@ -245,19 +248,19 @@ WEB_EXPORT(web_table) const char *web_table(int digits, int errors)
         const size_t k = row / n, i = row % n;
         put_exact(web_now.speed_m_s[i]);
         for (size_t c = 0; c < COLUMNS; c++)
-            web_put_cell(',', y[(k * COLUMNS + c) * n + i], digits);
+            put_cell(',', y[(k * COLUMNS + c) * n + i], digits);
         for (size_t c = 0; c < more; c++)
-            web_put_cell(',', error[(more * k + c) * n + i], STEP_DIGITS);
-        web_put("%s", contacts == 1 ? "" : ",");
-        web_put("%s", contacts == 1 ? "" : web_end_option(&web_now, (int)k));
+            put_cell(',', error[(more * k + c) * n + i], STEP_DIGITS);
+        put("%s", contacts == 1 ? "" : ",");
+        put("%s", contacts == 1 ? "" : end_option(&web_now, (int)k));
         if (spheres) {
             const double overlap = y[(k * COLUMNS + OVERLAP) * n + i];
-            web_put_cell(',', cor_scene_contact_radius(&web_now.contact[k], overlap), digits);
-            web_put_cell(',', cor_scene_pressure(&web_now.contact[k], overlap), digits);
+            put_cell(',', cor_scene_contact_radius(&web_now.contact[k], overlap), digits);
+            put_cell(',', cor_scene_pressure(&web_now.contact[k], overlap), digits);
         }
-        web_put("\n");
+        put("\n");
     }
-    return web_text();
+    return text;
 }
 
 /* eps at one end, of contact 0 or 1 */
@@ -318,20 +321,20 @@ static double find_realised(const struct cor_simulator_model *model, const struc
 WEB_EXPORT(web_laws) const char *web_laws(void)
 {
     static const char *const labels[] = {COR_CONTACT_LAWS(COR_LAW_LABEL)};
-    web_text_clear();
+    clear_text();
     for (int law = 0; law <= COR_LAW_PLATE; law++)
-        web_put("%s,%s\n", cor_law_name((enum cor_law)law), labels[law]);
-    return web_text();
+        put("%s,%s\n", cor_law_name((enum cor_law)law), labels[law]);
+    return text;
 }
 
 /* csv of the simulators: name,title */
 WEB_EXPORT(web_simulators) const char *web_simulators(void)
 {
-    web_text_clear();
+    clear_text();
     for (size_t i = 0; i < cor_simulator_count; i++)
         if (cor_simulators[i].comment)
-            web_put("%s,%s\n", cor_simulators[i].name, cor_simulators[i].title);
-    return web_text();
+            put("%s,%s\n", cor_simulators[i].name, cor_simulators[i].title);
+    return text;
 }
 
 /* Returns the requested eps, its speed and end; then for each model of the simulator its name, version, law, end, the
@@ -339,20 +342,20 @@ WEB_EXPORT(web_simulators) const char *web_simulators(void)
 WEB_EXPORT(web_models) const char *web_models(int digits)
 {
     const struct asked asked = find_asked(&web_now);
-    web_text_clear();
-    web_put_number(asked.eps, digits);
-    web_put_cell('\t', asked.speed_m_s, digits);
-    web_put("\t%s\n", cor_end_names[asked.end]);
+    clear_text();
+    put_number(asked.eps, digits);
+    put_cell('\t', asked.speed_m_s, digits);
+    put("\t%s\n", cor_end_names[asked.end]);
     int next = 0;
     for (const struct cor_simulator_model *model; (model = next_model(&web_now, &next));) {
         enum cor_simulator_status status;
-        web_put("%s\t%s\t%s\t%s", model->model, model->version ? model->version : "", cor_law_name(model->law),
-                cor_end_names[model->end]);
-        web_put_cell('\t', find_realised(model, &web_now, asked.speed_m_s), digits);
-        web_put_cell('\t', cor_simulator_e(model, asked.eps, &status), digits);
-        web_put("\n");
+        put("%s\t%s\t%s\t%s", model->model, model->version ? model->version : "", cor_law_name(model->law),
+            cor_end_names[model->end]);
+        put_cell('\t', find_realised(model, &web_now, asked.speed_m_s), digits);
+        put_cell('\t', cor_simulator_e(model, asked.eps, &status), digits);
+        put("\n");
     }
-    return web_text();
+    return text;
 }
 
 static const char *put_lines(const struct cor_simulator_request *lines)
@@ -361,10 +364,10 @@ static const char *put_lines(const struct cor_simulator_request *lines)
     snprintf(web_wrong.option, sizeof web_wrong.option, lines->materials ? "materials" : "for");
     if (all < 0)
         return NULL;
-    web_text_clear();
-    web_put("%*s", (int)all, ""); /* makes room */
+    clear_text();
+    put("%*s", (int)all, ""); /* makes room */
     cor_simulator_lines(text, size, lines);
-    return web_text();
+    return text;
 }
 
 /* Returns the text of corgen contact --for, or NULL with the reason in web_wrong_text. */
@@ -443,10 +446,10 @@ WEB_EXPORT(web_curves) const char *web_curves(void)
 {
     int ends[COR_SCENE_ENDS];
     const int count = find_ends(ends);
-    web_text_clear();
+    clear_text();
     for (int i = 0; i < count; i++)
-        web_put("%s\n", cor_scene_ends_differ(&web_now.contact[0]) ? web_end(ends[i]) : "both_ends");
-    return web_text();
+        put("%s\n", cor_scene_ends_differ(&web_now.contact[0]) ? web_end(ends[i]) : "both_ends");
+    return text;
 }
 
 /* Fills eps of curve i at n speeds: of the contact, then of the models in the order of web_models. */
@@ -469,7 +472,7 @@ WEB_EXPORT(web_curve) void web_curve(const double *speed_m_s, double *y, size_t 
 /* A command of corgen with the options of the request, except those in `without`, a list that NULL ends */
 static void put_command(const char *command, const char *const *without)
 {
-    web_put("corgen %s", command);
+    put("corgen %s", command);
     for (const char *line = web_now.options; *line; line += strcspn(line, "\n"), line += *line == '\n') {
         const size_t name = strcspn(line, "="), all = strcspn(line, "\n");
         int skip = all <= name + 1;
@@ -477,10 +480,10 @@ static void put_command(const char *command, const char *const *without)
             skip = skip || (strlen(without[i]) == name && memcmp(line, without[i], name) == 0);
         if (skip)
             continue;
-        web_put(" --%.*s ", (int)name, line);
+        put(" --%.*s ", (int)name, line);
         for (size_t i = name + 1; i < all && strncmp(line, "wall", name) != 0; i++)
             if (line[i] != ' ')
-                web_put("%c", line[i]);
+                put("%c", line[i]);
         if (strncmp(line, "wall", name) == 0)
             length--;
     }
@@ -491,9 +494,9 @@ static void put_command(const char *command, const char *const *without)
 WEB_EXPORT(web_command) const char *web_command(void)
 {
     static const char *const other[] = {"for", "simulator-version", "speed-min", "speed-max", "tolerance", NULL};
-    web_text_clear();
+    clear_text();
     put_command("contact", other);
-    return web_text();
+    return text;
 }
 
 /* The command that writes a C header of eps over the speeds; where eps is the same at every speed, the header */
@@ -504,30 +507,29 @@ WEB_EXPORT(web_header) const char *web_header(void)
     const struct web_request *const r = &web_now;
     int ends[COR_SCENE_ENDS];
     const int count = find_ends(ends);
-    web_text_clear();
+    clear_text();
     for (int i = 0; i < count; i++) {
         const struct cor_scene_contact *const contact = &r->contact[r->count > 1 ? ends[i] : 0];
         const int constant = cor_law_is_constant(&contact->law);
         double eps;
-        web_put(i > 0 ? "\n" : "");
+        put(i > 0 ? "\n" : "");
         if (contact->damping > 0 && contact->force_n > 0 && constant) {
-            web_put("/* the law %s has no header under a constant force; see corgen plan */\n", cor_law_name(r->law));
+            put("/* the law %s has no header under a constant force; see corgen plan */\n", cor_law_name(r->law));
         } else if (constant) {
             cor_scene_eps(&eps, contact, 1, ends[i]);
-            web_put("/* eps of the law %s, contact ends at %s */\nstatic inline double cor_scene_eps%s%s(double "
-                    "speed_m_s)\n"
-                    "{\n    (void)speed_m_s; /* the same at every speed */\n    return ",
-                    cor_law_name(r->law), cor_end_names[ends[i]], count > 1 ? "_" : "",
-                    count > 1 ? web_end(ends[i]) : "");
+            put("/* eps of the law %s, contact ends at %s */\nstatic inline double cor_scene_eps%s%s(double "
+                "speed_m_s)\n"
+                "{\n    (void)speed_m_s; /* the same at every speed */\n    return ",
+                cor_law_name(r->law), cor_end_names[ends[i]], count > 1 ? "_" : "", count > 1 ? web_end(ends[i]) : "");
             put_exact(eps);
-            web_put(";\n}\n");
+            put(";\n}\n");
         } else if (contact->damping > 0) {
             put_command("embed", other);
-            web_put(" --speed-min %.15g --speed-max %.15g --tolerance %.15g --end %s --output cor_scene_eps.h\n",
-                    r->speed_min_m_s, r->speed_max_m_s, r->tolerance, web_end_option(r, ends[i]));
+            put(" --speed-min %.15g --speed-max %.15g --tolerance %.15g --end %s --output cor_scene_eps.h\n",
+                r->speed_min_m_s, r->speed_max_m_s, r->tolerance, end_option(r, ends[i]));
         } else {
-            web_put("/* no dissipation: eps is 1 at every speed */\n");
+            put("/* no dissipation: eps is 1 at every speed */\n");
         }
     }
-    return web_text();
+    return text;
 }

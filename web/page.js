@@ -4,8 +4,7 @@ import { load } from "./cor.js";
 
 const $ = (id) => document.getElementById(id);
 const all = (selector, from = document) => [...from.querySelectorAll(selector)];
-const stored = (id) => JSON.parse($(id).textContent);
-const MATERIALS = stored("materials"), TERMS = new Map(stored("glossary"));
+const MATERIALS = JSON.parse($("materials-known").textContent), TERMS = new Map(JSON.parse($("glossary").textContent));
 const SHOWN = 4, TEXT_DIGITS = 6, CSV_DIGITS = 12, POINTS = 121, KEPT = 5;
 const FIRST = "restitution=0.9&at=1&speed=0.1";
 const WAYS = ["restitution", "g-star", "dissipation-time", "viscosity", "damping-coefficient", "beta", "zeta"];
@@ -13,7 +12,7 @@ const OWN = ["label", "points", "materials"]; // options that the module does no
 const COLUMNS = ["young", "poisson", "density", "radius", "restitution", "at"]; // of materials, after the name
 const PREFIXES = { n: -9, u: -6, "\u00b5": -6, "\u03bc": -6, m: -3, c: -2, k: 3, M: 6, G: 9 };
 
-let cor, units, right = false; // units by option; right: some input was complete
+let cor, units; // the module; units by option
 const fields = new Map(); // by option: { input, label, list, word }
 let kept = [], past = [], settled = ""; // curves as addresses; addresses to go back to; the last complete one
 let drawn = null; // the curves of the picture and its scales
@@ -79,7 +78,8 @@ function blockOf(text) {
     const rows = text.trim().split("\n").map((line) => line.split(";").map((cell) => cell.trim()));
     if (rows.length > 8)
         throw refusal("at most 8 materials and walls are allowed", "materials");
-    return cor.page.block(rows.map(([name], i) => name || `material ${i + 1}`).join("\n"), rows.flatMap(([, ...cells]) => COLUMNS.map((column, i) =>
+    const names = rows.map(([name], i) => name || `material ${i + 1}`).join("\n");
+    return cor.page.block(names, rows.flatMap(([, ...cells]) => COLUMNS.map((column, i) =>
         /\d/.test(cells[i] ?? "") ? Number(numberOf(column, cells[i])) : NaN)));
 }
 
@@ -89,9 +89,7 @@ const materialNow = () => MATERIALS.find(({ name }) => name === $("bodies").valu
 const kind = () => materialNow() ? "bodies" : $("bodies").value;
 
 function element(name, text, more = {}) {
-    const made = document.createElement(name);
-    made.textContent = text;
-    return Object.assign(made, more);
+    return Object.assign(document.createElement(name), { textContent: text, ...more });
 }
 
 // Makes label, input, unit and the place of a message of an element with data-field.
@@ -108,7 +106,6 @@ function makeField(place) {
         element("span", "", { className: "as", id: `${id}-as` }));
     addField(input, label, { list: list !== undefined, word: word !== undefined || lines !== undefined });
 }
-
 function addField(input, label, more) {
     input.parentElement.append(element("span", "", { className: "error", id: `${input.id}-wrong` }));
     input.setAttribute("aria-describedby", `${input.id}-wrong`);
@@ -120,12 +117,10 @@ function addHelp(place) {
     const term = place.dataset.term, text = `${term}: ${TERMS.get(term)}`;
     const button = element("button", "?", { type: "button", className: "term" });
     const help = element("span", text, { className: "help", hidden: true });
-    button.setAttribute("aria-label", `What is ${term}?`);
-    button.setAttribute("aria-expanded", "false");
-    button.addEventListener("click", () => {
+    Object.assign(button, { ariaLabel: `What is ${term}?`, ariaExpanded: "false", onclick() {
         help.hidden = !help.hidden;
-        button.setAttribute("aria-expanded", String(!help.hidden));
-    });
+        button.ariaExpanded = String(!help.hidden);
+    } });
     (place.tagName === "LABEL" ? place : place.querySelector(".as")).after(button, help);
 }
 
@@ -152,7 +147,6 @@ function showFields() {
     if (kept.length > 0)
         $("compare").querySelector(".state").textContent = `${kept.length} more`;
 }
-
 function stateOf(input) {
     if (input.tagName === "SELECT")
         return input.selectedOptions[0].text;
@@ -302,10 +296,10 @@ const escaped = (text) => text.replace(/[<&"]/g, (c) => `&#${c.charCodeAt(0)};`)
 
 // Adds the curves of the last request. The last speed is the user's. Models that give the same eps share a curve.
 function addCurves(curves, speeds, label, colour) {
-    const own = curves.length, ends = tabs(cor.page.text("curves")).flat(), simulator = $("for").selectedOptions[0].text;
+    const own = curves.length, ends = tabs(cor.page.text("curves")).flat();
     const [[asked], ...models] = tabs(cor.page.text("models", 3));
     const names = [...ends.map((end) => end === "both_ends" ? "eps" : end.replace("_", " ")),
-        ...models.map((row) => `${simulator}: asked ${asked}, gives ${row[4]}`)];
+        ...models.map((row) => `${$("for").selectedOptions[0].text}: asked ${asked}, gives ${row[4]}`)];
     for (const [i, name] of names.entries()) {
         const eps = [...cor.page.curve(speeds, i)], here = eps.pop(), model = i >= ends.length;
         const unlike = (curve) => eps.some((e, k) => Math.abs(e - curve.eps[k]) > 2e-4);
@@ -316,7 +310,8 @@ function addCurves(curves, speeds, label, colour) {
 }
 
 function makeCurves(options) {
-    const given = toModule(options), least = Number(given["speed-min"] ?? 1e-3), most = Number(given["speed-max"] ?? 10);
+    const given = toModule(options);
+    const least = Number(given["speed-min"] ?? 1e-3), most = Number(given["speed-max"] ?? 10);
     const speeds = Array.from({ length: POINTS }, (_, k) => least * (most / least) ** (k / (POINTS - 1)));
     const first = Number((given.speed ?? "").split(",")[0]), curves = [], others = [];
     const points = pointsOf(options.get("points") ?? "");
@@ -347,8 +342,6 @@ function speedTicks(least, most, width) {
 }
 
 function showPicture() {
-    if (drawn === null)
-        return;
     const { speeds, least, most, curves, points } = drawn, width = Math.max($("picture").clientWidth, 280);
     const height = Math.min(Math.max(0.55 * width, 240), 400), wide = width > 640, at = (v) => v.toFixed(1);
     const box = { left: 46, right: width - (wide ? 250 : 14), top: 34, bottom: height - 42 };
@@ -411,7 +404,6 @@ function markOf({ first, least, most, curves }, x, y, box, text) {
         own.map(({ here, colour }) => `<circle class="c c${colour} p" cx="${at}" cy="${y(here)}" r="5"/>`).join("") +
         `${text(at + (left ? 4 : -4), box.top - 4, value, left ? "start" : "end", " l")}</g>`;
 }
-
 function moveTo(speed) {
     const [, ...others] = partsOf("speed", `${$("speed").value};`);
     const within = Math.min(Math.max(speed, drawn.least), drawn.most);
@@ -425,10 +417,8 @@ function listenToMark() {
     let held = false;
     picture.addEventListener("pointerdown", (event) => {
         held = event.target.closest("#mark") !== null;
-        if (held) {
+        if (held)
             picture.setPointerCapture(event.pointerId);
-            event.preventDefault();
-        }
     });
     picture.addEventListener("pointermove", (event) => held && moveTo(speedAt(event.clientX)));
     picture.addEventListener("pointerup", () => {
@@ -513,7 +503,6 @@ function update() {
         showWrong(error);
         return;
     }
-    right = true;
     showWrong(null);
     showKept();
     showResults();
@@ -532,9 +521,8 @@ function settle() {
 function isRight(text) {
     try {
         return cor.page.read(toModule(new URLSearchParams(text))) > 0;
-    } catch {
-        return false;
-    }
+    } catch { /* it is left out */ }
+    return false;
 }
 
 function fromAddress(hash) {
@@ -553,7 +541,7 @@ function keepCurves() {
     const options = optionsNow();
     for (const name of ["for", "simulator-version", "speed", "steps", "speed-min", "speed-max", "tolerance", "points"])
         options.delete(name);
-    if (right && isRight(String(options)))
+    if (isRight(String(options)))
         kept.push(String(options));
     $("label").value = "";
     update();
@@ -635,10 +623,7 @@ function listen() {
     on("form", settle, "change");
     on("keep", keepCurves);
     on("share", () => copy(location.href, "The address of this page with its input is copied.", $("command")));
-    on("reset", () => {
-        fromAddress("");
-        settle();
-    });
+    on("reset", () => settle(fromAddress("")));
     on("undo", () => {
         fromAddress(past.pop());
         settled = location.hash;
@@ -648,15 +633,11 @@ function listen() {
     on("save-png", savePng);
     on("save-csv", () => save("curves.csv", curvesText()));
     on("save-impacts", () => save("impacts.csv", cor.page.text("table", CSV_DIGITS, 1)));
-    for (const { dataset: { copy: id } } of all("[data-copy]"))
-        document.querySelector(`[data-copy=${id}]`).addEventListener("click",
-            () => copy($(id).textContent, `The ${id === "lines" ? "lines are" : `${id} is`} copied.`, $(id)));
+    for (const button of all("[data-copy]"))
+        button.onclick = () => copy($(button.dataset.copy).textContent, "The text is copied.", $(button.dataset.copy));
     listenToMark();
-    addEventListener("hashchange", () => {
-        fromAddress(location.hash);
-        settle();
-    });
-    new ResizeObserver(showPicture).observe($("plot"));
+    addEventListener("hashchange", () => settle(fromAddress(location.hash)));
+    new ResizeObserver(() => drawn && showPicture()).observe($("plot"));
 }
 
 // Unpacks the module in the page: base 85 with the digits of RFC 1924, then deflate.

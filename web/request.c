@@ -73,17 +73,34 @@ static int read_speeds(struct web_request *r, const char *option, const char *te
 
 /* ---- words ---- */
 
+/* Returns the index of a word in a list that NULL ends; -1 with a refusal if it is not there. */
+static int find_word(const char *option, const char *noun, const char *text, const char *const *words)
+{
+    char allowed[300] = "";
+    for (int i = 0; words[i]; i++) {
+        if (strcmp(text, words[i]) == 0)
+            return i;
+        snprintf(allowed + strlen(allowed), sizeof allowed - strlen(allowed), "%s%s", i > 0 ? ", " : "", words[i]);
+    }
+    refuse(option, "--%s: '%s' is not %s; allowed: %s", option, text, noun, allowed);
+    return -1;
+}
+
 static int read_law(struct web_request *r, const char *text)
 {
-    char why[300] = "";
-    for (int law = 0; law <= COR_LAW_PLATE; law++) {
-        r->law = (enum cor_law)law;
-        if (strcmp(text, cor_law_name((enum cor_law)law)) == 0)
-            return 1;
-        snprintf(why + strlen(why), sizeof why - strlen(why), "%s%s", law > 0 ? ", " : "",
-                 cor_law_name((enum cor_law)law));
-    }
-    return refuse("law", "--law: '%s' is not a law; allowed: %s", text, why);
+    const char *words[COR_LAW_PLATE + 2] = {NULL};
+    for (int law = 0; law <= COR_LAW_PLATE; law++)
+        words[law] = cor_law_name((enum cor_law)law);
+    const int law = find_word("law", "a law", text, words);
+    r->law = (enum cor_law)(law < 0 ? 0 : law);
+    return law >= 0;
+}
+
+static int read_adhesion(struct web_request *r, const char *text)
+{
+    r->scene.adhesion_model =
+        1 + find_word("adhesion-model", "a model of adhesion", text, (const char *const[]){"dmt", "jkr", NULL});
+    return r->scene.adhesion_model != COR_ADHESION_NONE;
 }
 
 static int read_end(struct web_request *r, const char *text)
@@ -97,22 +114,6 @@ static int read_end(struct web_request *r, const char *text)
                   "--end: '%s' is not an end of contact; allowed: zero-overlap, zero-force, and under a constant "
                   "force surface in its place",
                   text);
-}
-
-const char *web_end_option(const struct web_request *r, int end)
-{
-    static const char *const names[][COR_SCENE_ENDS] = {
-        {"zero-overlap", "zero-force"}, {"zero-overlap", "surface"}, {"tail", "largest-pull"}};
-    return names[r->contact[0].adhesion_j_m2 > 0 ? 2 : r->contact[0].force_n > 0][end];
-}
-
-static int read_adhesion(struct web_request *r, const char *text)
-{
-    r->scene.adhesion_model = strcmp(text, "dmt") == 0   ? COR_ADHESION_DMT
-                              : strcmp(text, "jkr") == 0 ? COR_ADHESION_JKR
-                                                         : COR_ADHESION_NONE;
-    return r->scene.adhesion_model != COR_ADHESION_NONE ||
-           refuse("adhesion-model", "--adhesion-model: '%s' is not a model of adhesion; allowed: dmt, jkr", text);
 }
 
 static int read_simulator(struct web_request *r, const char *text)
@@ -172,29 +173,16 @@ static int read_option(struct web_request *r, const char *name, const char *valu
     return refuse(name, "'%s' is not an option; allowed are those of corgen contact, as young", name);
 }
 
-/* The option at which a fault is shown: that of its number, or what lacks */
+/* Returns the option at which a fault is shown: the one of its number, or the one that is missing. */
 static const char *option_of(const struct cor_scene_fault *fault)
 {
-    switch (fault->fault) {
-    case COR_FAULT_MATERIAL:
-        return "young";
-    case COR_FAULT_NO_SPEED:
-    case COR_FAULT_SPEED_ALONE:
-        return "at";
-    case COR_FAULT_NO_WAY:
-    case COR_FAULT_NO_DAMPING:
-    case COR_FAULT_RANGE:
-        return "restitution";
-    case COR_FAULT_WALL:
-        return "wall";
-    case COR_FAULT_PLATE_END:
-        return "end";
-    case COR_FAULT_SOLVER:
-    case COR_FAULT_NOT_HERTZ:
-        return "law";
-    default:
-        return cor_scene_options[fault->number].name;
-    }
+    static const char *const options[] = {
+        [COR_FAULT_MATERIAL] = "young",     [COR_FAULT_NO_SPEED] = "at",       [COR_FAULT_SPEED_ALONE] = "at",
+        [COR_FAULT_NO_WAY] = "restitution", [COR_FAULT_RANGE] = "restitution", [COR_FAULT_NO_DAMPING] = "restitution",
+        [COR_FAULT_WALL] = "wall",          [COR_FAULT_PLATE_END] = "end",     [COR_FAULT_SOLVER] = "law",
+        [COR_FAULT_NOT_HERTZ] = "law"};
+    const size_t i = (size_t)fault->fault;
+    return i < sizeof options / sizeof *options && options[i] ? options[i] : cor_scene_options[fault->number].name;
 }
 
 static int make_contact(struct web_request *r)
@@ -218,9 +206,8 @@ static int make_contact(struct web_request *r)
 WEB_EXPORT(web_read) int web_read(const char *options)
 {
     static struct web_request r;
-    r = (struct web_request){.scene = {.end = COR_BOTH_ENDS}, .steps = 50, .tolerance = 1e-6};
-    r.speed_min_m_s = 1e-3;
-    r.speed_max_m_s = 10;
+    r = (struct web_request){.steps = 50, .tolerance = 1e-6, .speed_min_m_s = 1e-3, .speed_max_m_s = 10};
+    r.scene.end = COR_BOTH_ENDS;
     for (int i = 0; i < COR_SCENE_NUMBERS; i++)
         r.scene.number[i] = NAN;
     if (strlen(options) >= WEB_OPTIONS)

@@ -1,11 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* What the sources of the browser's module share: a request, read from text, and text that is written. The module keeps
- * one request; every export reads or writes it, so that JavaScript passes text and arrays of doubles and computes
- * nothing. */
+/* The request that the browser's module keeps. Every export reads or writes it, so that JavaScript passes text and arrays
+ * of doubles. */
 #ifndef COR_WEB_WEB_H
 #define COR_WEB_WEB_H
-
-#include <stddef.h>
 
 #include "cor/scene.h"
 
@@ -14,8 +11,6 @@
 #else
 #define WEB_EXPORT(name)
 #endif
-
-/* ---- a request ---- */
 
 enum { WEB_SPEEDS = 64, WEB_VALUE = 100, WEB_OPTIONS = 2048, WEB_NAME = 32 };
 
@@ -40,16 +35,5 @@ extern struct web_request web_now;
 extern struct web_wrong {
     char option[WEB_NAME], text[COR_SIMULATOR_REASON];
 } web_wrong;
-
-/* An end of the contact as an option: "zero-overlap", "zero-force", "surface" */
-const char *web_end_option(const struct web_request *request, int end);
-
-/* ---- text that is written ---- */
-
-void web_text_clear(void);
-void web_put(const char *format, ...) __attribute__((format(printf, 1, 2)));
-void web_put_number(double x, int digits);
-void web_put_cell(char before, double x, int digits);
-const char *web_text(void);
 
 #endif

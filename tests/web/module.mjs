@@ -3,7 +3,6 @@
 // NATIVE is tests/web/native.c as a program. Prints a line for each check, and for what failed.
 import { execFileSync, spawnSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
-import { inflateSync } from "node:zlib";
 import { load } from "../../build/web/package/cor.js";
 import { byCorgen, check, finish, scenes } from "./scenes.mjs";
 
@@ -122,12 +121,9 @@ check(`3000 requests at random: ${read} read, ${refused} refused with a reason`,
     odd.slice(0, 4).join("\n"));
 
 // Right requests at random: the numbers of the page's own module, which is in web/calculator.html, are those of corgen.
-const [, size, packed] = readFileSync("web/calculator.html", "utf8").match(/id="wasm" data-bytes="(\d+)">([^\n]*)<\/script>/);
-const digits = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%&()*+-;<=>?@^_`{|}~";
-const bytes = Buffer.alloc(packed.length / 5 * 4);
-for (let i = 0; i < packed.length; i += 5)
-    bytes.writeUInt32BE([...packed.slice(i, i + 5)].reduce((word, digit) => 85 * word + digits.indexOf(digit), 0), i / 5 * 4);
-const shipped = await load(inflateSync(bytes.subarray(0, Number(size))));
+const html = readFileSync("web/calculator.html", "utf8"), [, bytes, packed] = html.match(/id="wasm" data-bytes="(\d+)">([^\n]*)<\/script>/);
+const unpack = (0, eval)(`(${html.match(/async function unpack[^]*?\n}\n/)[0]})`);
+const shipped = await load(await unpack({ textContent: packed, dataset: { bytes } }));
 const within = (least, most) => (least * (most / least) ** (random(1e6) / 1e6)).toPrecision(5), unlike = [];
 for (let i = 0; i < 200; i++) {
     const options = { speed: [within(1e-3, 10), within(1e-3, 10)].join(","), ...pick([{ restitution: within(0.3, 0.999), at: within(0.01, 10) },
@@ -140,12 +136,8 @@ for (let i = 0; i < 200; i++) {
     shipped.page.read(options);
     const ours = shipped.page.text("table", 10, 0), theirs = execFileSync(process.env.CORGEN ?? "build/gcc/corgen", ["contact", "--format", "csv",
         ...Object.entries(options).flatMap(([name, value]) => name === "wall" ? ["--wall"] : [`--${name}`, value])], { encoding: "utf8" });
-    const short = theirs.split("\n").map((row) => row.split(",").map((cell, k) => k === 0 || Number.isNaN(Number(cell)) || cell === "" ? cell : Number(cell)).join());
-    const mine = ours.split("\n").map((row) => row.split(",").map((cell, k) => k === 0 || Number.isNaN(Number(cell)) || cell === "" ? cell : Number(cell)).join());
-    const same = short.length === mine.length && short.every((row, r) => row.split(",").every((cell, k) => {
-        const other = mine[r].split(",")[k];
-        return cell === other || Math.abs(Number(cell) / Number(other) - 1) < 1e-9;
-    }));
+    const cells = (text) => text.split(/[,\n]/), mine = cells(ours);
+    const same = cells(theirs).length === mine.length && cells(theirs).every((cell, k) => cell === mine[k] || Math.abs(cell / mine[k] - 1) < 1e-9);
     if (!same)
         unlike.push(JSON.stringify(options), ours, theirs);
 }
