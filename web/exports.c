@@ -358,6 +358,18 @@ WEB_EXPORT(web_models) const char *web_models(int digits)
     return text;
 }
 
+static struct cor_simulator_request request_of(const struct cor_scene *scene)
+{
+    const struct web_request *const r = &web_now;
+    return (struct cor_simulator_request){.simulator = r->simulator ? r->simulator->name : "",
+                                          .version = *r->version ? r->version : NULL,
+                                          .scene = scene,
+                                          .speed_m_s = r->speed_m_s,
+                                          .speeds = r->speeds,
+                                          .steps = r->steps,
+                                          .integrator = COR_NO_INTEGRATOR};
+}
+
 static const char *put_lines(const struct cor_simulator_request *lines)
 {
     const long all = cor_simulator_lines(web_wrong.text, sizeof web_wrong.text, lines);
@@ -373,17 +385,10 @@ static const char *put_lines(const struct cor_simulator_request *lines)
 /* Returns the text of corgen contact --for, or NULL with the reason in web_wrong_text. */
 WEB_EXPORT(web_lines) const char *web_lines(void)
 {
-    const struct web_request *const r = &web_now;
-    const struct cor_simulator_request lines = {.simulator = r->simulator ? r->simulator->name : "",
-                                                .version = *r->version ? r->version : NULL,
-                                                .scene = &r->scene,
-                                                .contacts = r->contact,
-                                                .count = r->count,
-                                                .speed_m_s = r->speed_m_s,
-                                                .speeds = r->speeds,
-                                                .steps = r->steps,
-                                                .step_errors = r->steps_given,
-                                                .integrator = COR_NO_INTEGRATOR};
+    struct cor_simulator_request lines = request_of(&web_now.scene);
+    lines.contacts = web_now.contact;
+    lines.count = web_now.count;
+    lines.step_errors = web_now.steps_given;
     return put_lines(&lines);
 }
 
@@ -405,25 +410,17 @@ WEB_EXPORT(web_block) const char *web_block(char *names, const double *number, s
         const double *const x = number + NUMBERS * i, radius = isnan(x[3]) ? (double)INFINITY : x[3];
         const double mass = isnan(x[3]) ? (double)INFINITY : cor_sphere_mass_kg(x[3], x[2]);
         material[i] = (struct cor_material){strtok(i == 0 ? names : NULL, "\n"), {x[0], x[1], NAN, radius, mass}, NAN};
+        for (size_t ball = 0; ball < count && !isnan(x[4]); ball++)
+            if (isnan(x[3]) ? !isnan(number[NUMBERS * ball + 3]) : ball == i)
+                pair[pairs++] = (struct cor_material_pair){ball, i, x[4], x[5], COR_BOTH_ENDS};
     }
-    for (size_t i = 0; i < count; i++)
-        for (size_t ball = 0; ball < count; ball++)
-            if (!isnan(number[NUMBERS * i + 4]) && !isnan(number[NUMBERS * ball + 3]) &&
-                (ball == i || isnan(number[NUMBERS * i + 3])))
-                pair[pairs++] = (struct cor_material_pair){ball, i, number[NUMBERS * i + 4], number[NUMBERS * i + 5],
-                                                           COR_BOTH_ENDS};
-    return put_lines(&(struct cor_simulator_request){.simulator = web_now.simulator ? web_now.simulator->name : "",
-                                                     .version = *web_now.version ? web_now.version : NULL,
-                                                     .scene = &scene,
-                                                     .speed_m_s = web_now.speed_m_s,
-                                                     .speeds = web_now.speeds,
-                                                     .steps = web_now.steps,
-                                                     .integrator = COR_NO_INTEGRATOR,
-                                                     .materials = material,
-                                                     .pairs = pair,
-                                                     .material_count = count,
-                                                     .pair_count = pairs,
-                                                     .memory = memory});
+    struct cor_simulator_request lines = request_of(&scene);
+    lines.materials = material;
+    lines.pairs = pair;
+    lines.material_count = count;
+    lines.pair_count = pairs;
+    lines.memory = memory;
+    return put_lines(&lines);
 }
 
 /* ---- curves of eps over the speed ---- */

@@ -395,7 +395,8 @@ function markOf({ first, least, most, curves }, x, y, box, text) {
     if (!(first >= least && first <= most))
         return "";
     const own = curves.filter(({ model, here }) => !model && !Number.isNaN(here)), at = x(first);
-    const value = `${first} m/s: ${[...new Set(own.map(({ here }) => here.toPrecision(SHOWN)))].slice(0, 2).join(", ")}`;
+    const texts = [...new Set(own.map(({ here }) => here.toPrecision(SHOWN)))].slice(0, 2);
+    const value = `${first} m/s: ${texts.join(", ")}`;
     const left = at < (box.left + box.right) / 2;
     return `<g id="mark" tabindex="0" role="slider" aria-label="Impact speed" aria-valuemin="${least}" ` +
         `aria-valuemax="${most}" aria-valuenow="${first}" aria-valuetext="${value}" style="cursor:ew-resize">` +
@@ -459,8 +460,8 @@ function showSimulator() {
 }
 
 function showResults() {
-    const [head, ...rows] = csv(cor.page.text("table", TEXT_DIGITS, 1)), end = head.at(-1) === "measured_end" ? 1 : 0;
-    const order = (row) => [...row.slice(row.length - end), ...row.slice(0, row.length - end)];
+    const [head, ...rows] = csv(cor.page.text("table", TEXT_DIGITS, 1)), end = head.indexOf("measured_end");
+    const order = (row) => end < 0 ? row : [row[end], ...row.filter((_, i) => i !== end)];
     const of = (start) => rows[0]?.[head.findIndex((name) => name.startsWith(start))] ?? "nan";
     const bias = of("step_bias"), integrator = cor.page.text("integrator");
     showAnswer();

@@ -30,7 +30,7 @@ function argumentsOf(options, without) {
 export function byCorgen(options) {
     const run = (more, without) => execFileSync(corgen, ["contact", ...argumentsOf(options, without), ...more],
         { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
-    const result = { summary: run(["--format", "csv"], ["for", "speed", "steps"]), text: run([], ["for"]) };
+    const result = { summary: run(["--format", "csv"], ["for", "speed", "steps"]) };
     if (options.speed)
         result.table = run(["--format", "csv"], ["for"]);
     if (options.for) {
