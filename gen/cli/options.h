@@ -138,7 +138,7 @@ struct subcommand {
     const struct subcommand command_##NAME = {                                                                         \
         WORD, SUMMARY, help, options, sizeof(ARGUMENTS), &(const ARGUMENTS){__VA_ARGS__}, run_##NAME}
 
-/* Parts of help texts; a form feed stands for help_contact, which describes a contact */
+/* Parts of help texts; a form feed is replaced by help_contact, which describes a contact */
 extern const char help_contact[];
 #define HELP_LAW                                                                                                       \
     "  --elastic A, --damping B   exponents of x'' + beta x^B x' + x^A = 0, from 0 to 24, such as 3/2\n"               \

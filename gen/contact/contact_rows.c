@@ -179,7 +179,7 @@ static const struct cor_scene_quantity *corrected_quantity(const struct contacts
     return NULL;
 }
 
-/* Hertz's contact of viscoelastic spheres whose eps at the speed of equivalence is that of contact k */
+/* Adds Hertz's contact of viscoelastic spheres with the eps of contact k at the speed of equivalence. */
 static int add_hertz(struct table *table, const struct contacts *contacts, int k, double speed_m_s, int digits)
 {
     const int given = contact_end(contacts, k), end = given == COR_BOTH_ENDS ? COR_END_ZERO_OVERLAP : given;

@@ -222,7 +222,7 @@ static char *part_file(const struct sweep *s, const struct sweep_request *reques
     return xprintf("%s.%ld-of-%ld", request->output, (long)s->part, (long)s->parts);
 }
 
-/* Computes a part into its journal, which is kept. */
+/* Computes a part into its journal, which stays. */
 static int collide_part(struct collide *run, const struct sweep_request *request)
 {
     char *const title = title_of(&run->sweep, request), *const file = part_file(&run->sweep, request);
