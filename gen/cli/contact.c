@@ -62,8 +62,8 @@ static int check_options(const struct contact_arguments *o, const struct contact
         return usage_error("--friction has no answer for --law elastic-plastic or a contact in a liquid");
     double spring, dashpot;
     const int end = contact_end(contacts, 0);
-    if (o->tangential.text && !oblique && o->speed.count > 0)
-        return usage_error("--tangential-restitution with --speed needs --friction MU and --angle LIST");
+    if (o->tangential.text && !oblique && (o->speed.count > 0 || o->simulator))
+        return usage_error("--tangential-restitution with --speed or --for needs --friction MU and --angle LIST");
     if (o->tangential.text && end == COR_BOTH_ENDS)
         return usage_error("--tangential-restitution needs --end zero-overlap or zero-force: the duration differs");
     if (o->tangential.text &&
@@ -94,6 +94,23 @@ static int check_options(const struct contact_arguments *o, const struct contact
     return STATUS_OK;
 }
 
+static struct oblique_request oblique_of(const struct contact_arguments *o)
+{
+    const bool angles = o->angle.count > 0;
+    const struct values *const given = angles ? &o->angle : &o->tangential_speed;
+    return (struct oblique_request){.model = o->model,
+                                    .friction = options_number(&o->friction, NAN),
+                                    .stiffness = options_number(&o->tangential_stiffness, NAN),
+                                    .damping_ratio = options_number(&o->tangential_damping, NAN),
+                                    .restitution = options_number(&o->tangential, NAN),
+                                    .given = given->nearest,
+                                    .count = given->count,
+                                    .speed_m_s = o->speed.nearest,
+                                    .speeds = o->speed.count,
+                                    .angles = angles,
+                                    .walton = o->walton};
+}
+
 /* ---- the tables ---- */
 
 static int print_tables(const struct contact_arguments *o, const struct contacts *contacts)
@@ -105,22 +122,10 @@ static int print_tables(const struct contact_arguments *o, const struct contacts
     struct table table = {0}, summary;
     struct output out;
     char text[CONTACT_LAW_TEXT];
-    const bool angles = o->angle.count > 0;
-    const struct values *const given = angles ? &o->angle : &o->tangential_speed;
-    const struct oblique_request oblique = {.model = o->model,
-                                            .friction = options_number(&o->friction, NAN),
-                                            .stiffness = options_number(&o->tangential_stiffness, NAN),
-                                            .damping_ratio = options_number(&o->tangential_damping, NAN),
-                                            .restitution = options_number(&o->tangential, NAN),
-                                            .given = given->nearest,
-                                            .count = given->count,
-                                            .speed_m_s = o->speed.nearest,
-                                            .speeds = o->speed.count,
-                                            .angles = angles,
-                                            .walton = o->walton};
-    int status = given->count > 0 ? contact_oblique(&table, contacts, &oblique, digits)
-                 : rows           ? contact_rows(&table, contacts, &request, digits)
-                                  : STATUS_OK;
+    const struct oblique_request oblique = oblique_of(o);
+    int status = oblique.count > 0 ? contact_oblique(&table, contacts, &oblique, digits)
+                 : rows            ? contact_rows(&table, contacts, &request, digits)
+                                   : STATUS_OK;
     if (status == STATUS_OK)
         status = output_open(&out, o->common.output);
     if (status == STATUS_OK) {
@@ -234,6 +239,9 @@ static int print_for_simulator(const struct contact_arguments *o, const struct c
         return STATUS_USAGE;
     scene.solver = contact_enclosed;
     request.scene = o->materials ? &scene : request.scene;
+    const struct oblique_request oblique = oblique_of(o);
+    if (contacts && oblique.count > 0 && contact_oblique_lines(&request, contacts, &oblique) != STATUS_OK)
+        return STATUS_USAGE;
     char *const text =
         o->materials ? contact_materials_text(request, o->materials, o->pairs) : contact_simulator_text(&request);
     if (!text)
@@ -391,8 +399,7 @@ static const struct option_rule options[] = {
     OPTION("tangential-damping", REAL, tangential_damping, .range.number = &option_not_negative, .needs = "friction",
            .excludes = "tangential-restitution"),
     OPTION("walton", FLAG, walton, .needs = "friction"),
-    OPTION("tangential-restitution", REAL, tangential, .scene = &cor_scene_options[COR_SCENE_RESTITUTION],
-           .excludes = "for"),
+    OPTION("tangential-restitution", REAL, tangential, .scene = &cor_scene_options[COR_SCENE_RESTITUTION]),
     OPTION("plot", FILE, plot, .needs = "speed"),
     OPTION_FORMAT(option_formats),
     OPTION_COMMON,

@@ -19,9 +19,9 @@ static int model_of(const char *name, const struct cor_scene_contact *contact)
     for (int id = 0; id < COR_TANGENTIAL_MODELS; id++) {
         const struct cor_tangential_model *const model = &cor_tangential_models[id];
         const size_t length = strlen(names);
+        const bool has = simulator && (simulator->tangential >> id & 1U) != 0;
         if (strcmp(model->name, name) == 0 ||
-            (simulator && (simulator->tangential >> id & 1U) != 0 &&
-             (linear || !model->constant_stiffness || simulator->tangential >> id == 1)))
+            (has && (linear == (model->constant_stiffness != 0) || simulator->tangential >> id == 1)))
             return id;
         snprintf(names + length, sizeof names - length, "%s, ", model->name);
     }
@@ -178,4 +178,19 @@ int contact_oblique(struct table *table, const struct contacts *contacts, const 
         }
     free(tangent);
     return status;
+}
+
+int contact_oblique_lines(struct cor_simulator_request *lines, const struct contacts *contacts,
+                          const struct oblique_request *request)
+{
+    const int id = model_of(request->model ? request->model : lines->simulator, &contacts->contact[0]);
+    const int end = contact_end(contacts, 0) == COR_END_ZERO_FORCE;
+    if (id < 0)
+        return STATUS_USAGE;
+    lines->friction = request->friction;
+    lines->tangential = (enum cor_tangential_id)id;
+    lines->oblique = request->given;
+    lines->obliques = request->count;
+    lines->in_degrees = request->angles;
+    return spring_of(&lines->tangential_stiffness, &lines->tangential_damping, contacts, 0, end, id, request);
 }

@@ -21,4 +21,8 @@ struct oblique_request {
 int contact_oblique(struct table *table, const struct contacts *contacts, const struct oblique_request *request,
                     int digits);
 
+/* Sets what the lines of a simulator need of it. Returns STATUS_OK, or STATUS_USAGE after a message. */
+int contact_oblique_lines(struct cor_simulator_request *lines, const struct contacts *contacts,
+                          const struct oblique_request *request);
+
 #endif

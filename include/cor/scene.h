@@ -709,6 +709,14 @@ struct cor_simulator_request {
     const struct cor_material_pair *pairs; /* those that were measured */
     size_t material_count, pair_count;
     struct cor_material_contact *memory;
+    /* Friction of two bodies of one material, or at a wall; 0: none. Then the model, which the simulator must have; its
+     * spring and damper as in cor_scene_tangential_scaled; and angles in degrees, or else tangential speeds in m/s, for
+     * which the text says the tangential restitution */
+    double friction, tangential_stiffness, tangential_damping;
+    enum cor_tangential_id tangential;
+    const double *oblique;
+    size_t obliques;
+    int in_degrees;
 };
 
 /* Writes the lines by which a simulator realises a contact, as a text that can be put into its input whole. One block

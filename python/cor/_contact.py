@@ -276,7 +276,7 @@ class Contact:
         models = [string(model.name) for model in lib.cor_tangential_models]
         simulator = lib.cor_simulator_named(tangential.encode())
         linear = contact.law.elastic == contact.law.denominator
-        suits = [linear or not model.constant_stiffness for model in lib.cor_tangential_models]
+        suits = [linear == bool(model.constant_stiffness) for model in lib.cor_tangential_models]
         has = [k for k in range(len(models)) if simulator and simulator.tangential >> k & 1]
         found = [k for k, name in enumerate(models) if name == tangential] or [k for k in has if suits[k]] or has
         if not found:
@@ -285,7 +285,9 @@ class Contact:
                 f"tangential: {tangential!r} is not a model; allowed: {allowed}, or the name of a simulator"
             )
         viscous = lib.cor_tangential_models[found[0]].memory == lib.COR_REMEMBERS_NOTHING
-        if tangential_stiffness is None and not viscous and (math.isnan(contact.radius_m) or not suits[found[0]]):
+        if tangential_stiffness is None and not viscous and (
+            math.isnan(contact.radius_m) or lib.cor_tangential_models[found[0]].constant_stiffness
+        ):
             raise ValueError(f"tangential_stiffness of {models[found[0]]} is missing; give it in N/m^(1+p)")
         one, two = (lib.cor_scene_body(self._scene, k) for k in (1, 2))
         kappa = lib.cor_tangential_kappa(

@@ -555,6 +555,9 @@ static double word_number(const char *word, const struct block *block, const str
                  radius = known ? target->contacts->radius_m : (double)NAN, kn = cor_quiet_quotient(k, sqrt(radius)),
                  number = block->number[pair];
     const double positive = isgreater(number, 0) ? number : (double)NAN, l = log(positive);
+    const int hertz = cor_law_is_hertz(&r->contacts->law);
+    const double kt =
+        r->friction > 0 ? cor_quiet_product(cor_quiet_quotient(r->tangential_stiffness, r->contacts->stiffness), k) : 0;
     const double nu = one.poisson_ratio,
                  density = !r->materials         ? cor_scene_body_density(target->scene, 1)
                            : isinf(one.radius_m) ? (double)NAN
@@ -592,6 +595,12 @@ static double word_number(const char *word, const struct block *block, const str
                  {"kp", cor_quiet_product(task->hardening, task->k1)},
                  {"kp/k1", task->hardening},
                  {"depth", task->depth},
+                 {"mu", r->friction > 0 ? r->friction : (double)NAN},
+                 {"phi", atan(r->friction)},
+                 {"kt", hertz ? cor_quiet_quotient(kt, sqrt(radius)) : kt},
+                 {"kt0", r->friction > 0 ? kt : (double)NAN},
+                 {"2kt", 2 * kt},
+                 {"et", r->friction > 0 ? exp(-sqrt(3.5 * kt / k * (COR_PI * COR_PI + l * l) - COR_PI * COR_PI)) : 1},
                  {"dt", block->time_step_s},
                  {"erp", block->time_step_s * k / (block->time_step_s * k + number)},
                  {"cfm", 1 / (block->time_step_s * k + number)},
@@ -617,6 +626,7 @@ static const char *word_text(const char *word, const struct task *task, int pair
     } words[] = {{"model", hooke ? "hooke" : "hertz"},
                  {"Model", hooke ? "Hooke" : "Hertz"},
                  {"pair", two && pair < PAIRS ? pairs[pair] : "* *"},
+                 {"nofriction", task->request->friction > 0 ? "" : " Friction is 0 in these lines; add yours."},
                  {"s", two || task->request->material_count > 1 ? "s" : ""}};
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (strcmp(words[i].word, word) == 0)
@@ -652,6 +662,29 @@ static void put_types(struct text *t, const char *word, const struct task *task)
     put_text(t, plane ? "}" : "");
 }
 
+/* The tangential force of LAMMPS or LIGGGHTS. LAMMPS has the damper over the normal one, and with Hertz's force the
+ * stiffness per contact radius. */
+static void put_tangential(struct text *t, const struct block *block, const struct task *task, int pair)
+{
+    const struct cor_simulator_request *const r = task->request;
+    const struct cor_tangential_model *const model = &cor_tangential_models[r->tangential];
+    const int lammps = task->simulator->tangential >> COR_LAMMPS_MINDLIN & 1;
+    const double normal = cor_scene_damping(r->contacts, COR_SCENE_DAMPING_COEFFICIENT);
+    if (!(r->friction > 0) || !lammps) {
+        put_text(t, lammps ? "linear_nohistory 0 0" : r->friction > 0 ? "history tangential_damping off" : "off");
+        return;
+    }
+    put_text(t, model->name);
+    if (model->memory != COR_REMEMBERS_NOTHING) {
+        put_text(t, " ");
+        put_number(t, model->constant_stiffness ? "kt0" : "kt", block, task, pair);
+    }
+    put_text(t, " ");
+    put_text(t, INPUT(normal > 0 ? r->tangential_damping / normal : 0));
+    put_text(t, " ");
+    put_number(t, "mu", block, task, pair);
+}
+
 /* A word for the pair; t->known becomes 0 if its number is not known. {X[]} is the matrix of X for all pairs of types,
  * {X[,]} the same with commas, {X[i]} the list of X of all bodies. */
 static void put_word(struct text *t, const char *word, const struct block *block, const struct task *task, int pair)
@@ -668,6 +701,8 @@ static void put_word(struct text *t, const char *word, const struct block *block
         put_types(t, word, task);
     } else if (strcmp(word, "embed") == 0) {
         put_embed(t, task);
+    } else if (strcmp(word, "tangential") == 0) {
+        put_tangential(t, block, task, pair);
     } else if (strncmp(word, "density", strlen("density")) == 0) {
         put_density(t, word, block, task);
     } else if (word[name] == '\0') {
@@ -862,6 +897,25 @@ static void put_realised(struct text *t, const struct block *block, const struct
         put_comment(t, "eps depends on the impact speed as that of the contact does: --speed LIST prints it here");
 }
 
+/* The tangential restitution of the lines at each angle or tangential speed of the request */
+static void put_oblique(struct text *t, const struct block *block, const struct task *task)
+{
+    const struct cor_simulator_request *const r = task->request;
+    const struct cor_scene_contact c = contact_made(block, task, PAIR);
+    for (size_t i = 0; i < r->speeds * r->obliques; i++) {
+        const double speed = r->speed_m_s[i / r->obliques], given = r->oblique[i % r->obliques],
+                     tangent = r->in_degrees ? tan(given * COR_PI / 180) : given / speed;
+        struct cor_tangential tangential;
+        struct cor_oblique_impact impact;
+        const int end = block->model->end == COR_END_ZERO_FORCE;
+        if (cor_scene_tangential_scaled(&tangential, &c, r->tangential, r->tangential_stiffness, r->tangential_damping,
+                                        speed) == COR_OK &&
+            cor_scene_oblique(&impact, &c, &tangential, r->friction, speed, tangent, end) == COR_OK)
+            put_comment(t, "tangential restitution = %s at %s degrees and %s m/s", TEXT(-impact.restitution),
+                        TEXT(atan(tangent) * 180 / COR_PI), TEXT(speed));
+    }
+}
+
 /* What the number is, if it is an e that is not realised */
 static void put_own_e(struct text *t, const struct block *block, const struct task *task)
 {
@@ -894,6 +948,7 @@ static int put_block(struct text *t, const struct block *block, const struct tas
     put_comment(t, "%s%s, %s (%s): contacts end at %s", instead, task->simulator->title, model->model, model->version,
                 cor_end_names[model->end]);
     put_realised(t, block, task);
+    put_oblique(t, block, task);
     if (has_soft_wall(task))
         put_comment(t, "%s%s", task->simulator->wall, task->pressed ? " Here eps is that of a wall." : "");
     if (task->pressed)
@@ -1149,6 +1204,27 @@ static int find_simulator(struct task *task)
 }
 
 /* Finds the simulator, and whether it has what the request asks for. */
+static int check_friction(struct task *task)
+{
+    const struct cor_simulator_request *const r = task->request;
+    const struct cor_tangential_model *const model = &cor_tangential_models[r->tangential];
+    const int lammps = task->simulator->tangential >> COR_LAMMPS_MINDLIN & 1,
+              linear = cor_law_is(&r->contacts->law, 2, 0);
+    if (!(r->friction > 0))
+        return 1;
+    const int history = r->tangential == COR_LIGGGHTS_HISTORY || model->memory == COR_REMEMBERS_NOTHING;
+    if ((task->simulator->tangential >> r->tangential & 1) == 0 ||
+        (!history && model->constant_stiffness != linear && !(lammps && !linear)))
+        return refuse_task(task,
+                           "cor knows no tangential force '%s' of %s for this spring; --friction has lines for "
+                           "lammps, liggghts and yade, and for mercurydpm with --law linear",
+                           model->name, task->simulator->title);
+    if (task->types == 2 && !r->scene->wall)
+        return refuse_task(task, "lines with --friction need two bodies of one material and size, or a wall");
+    return lammps || !(r->tangential_damping > 0) ||
+           refuse_task(task, "only LAMMPS has lines with a tangential damping; leave out --tangential-damping");
+}
+
 static int check_task(struct task *task)
 {
     const struct cor_simulator_request *const request = task->request;
@@ -1544,13 +1620,13 @@ long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_req
         t.simulator = find_simulator(&task) ? task.simulator : NULL;
         if (t.simulator && check_materials(&task) && put_materials(&t, &task))
             return (long)t.length;
-    } else if (check_numbers(&task) && check_task(&task) && find_speed(&task)) {
+    } else if (check_numbers(&task) && check_task(&task) && check_friction(&task) && find_speed(&task)) {
         struct cor_simulator_request linear;
         struct cor_scene scene;
         struct cor_scene_contact spring[COR_SCENE_ENDS];
         t.simulator = task.simulator;
         int found = put_all(&t, &task);
-        if (!found && !*task.refusal && replace_law(&linear, &scene, spring, &task)) {
+        if (!found && !*task.refusal && !(request->friction > 0) && replace_law(&linear, &scene, spring, &task)) {
             put_comment(&t,
                         "%s has no model for the law %s. A linear spring takes its place, of the same duration at %s "
                         "m/s without damping: eps and duration of the contact are right at this speed only.",

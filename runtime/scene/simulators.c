@@ -213,9 +213,9 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
 #define NO_LINES .lines = NULL
 #define LAMMPS(spring, damping)                                                                                        \
     .lines = "pair_style granular\n"                                                                                   \
-             "pair_coeff {pair} " spring " {n} tangential linear_nohistory 0 0 damping " damping "\n",                 \
-    .wall_lines = "fix cor_wall all wall/gran granular " spring                                                        \
-                  " {n} tangential linear_nohistory 0 0 damping " damping " zplane 0 NULL\n",                          \
+             "pair_coeff {pair} " spring " {n} tangential {tangential} damping " damping "\n",                         \
+    .wall_lines = "fix cor_wall all wall/gran granular " spring " {n} tangential {tangential} damping " damping        \
+                  " zplane 0 NULL\n",                                                                                  \
     .many = "-pair_style granular\n"                                                                                   \
             "ppair_coeff {i} {j} " spring " {n} tangential linear_nohistory 0 0 damping " damping "\n"                 \
             "ggroup cor_{i} type {i}\n" WALL_PLANE(                                                                    \
@@ -229,15 +229,17 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
 /* A wall is of atom type 2, for its contacts have other numbers than those of two spheres. */
 #define LIGGGHTS(model, limit, properties)                                                                             \
     .lines = LIGGGHTS_PAIR(model, limit, properties),                                                                  \
-    .wall_lines = LIGGGHTS_PAIR(model, limit, properties) "fix cor_wall all wall/gran model " model " tangential off"  \
-                                                          " primitive type 2 zplane 0" limit "\n",                     \
+    .wall_lines =                                                                                                      \
+        LIGGGHTS_PAIR(model, limit, properties) "fix cor_wall all wall/gran model " model                              \
+                                                " tangential {tangential} primitive type 2 zplane 0" limit "\n",       \
     .many = LIGGGHTS_PAIR(model, limit, properties)                                                                    \
         WALL_PLANE("zplane 0") "vfix cor_wall_{j} all wall/gran model " model                                          \
                                " tangential off primitive type {j} {plane}" limit "\n",                                \
     .pairs = COR_PAIRS_MATRIX
 #define LIGGGHTS_PAIR(model, limit, properties)                                                                        \
-    "-pair_style gran model " model " tangential off" limit "\n"                                                       \
-    "-pair_coeff * *\n" properties
+    "-pair_style gran model " model " tangential {tangential}" limit "\n"                                              \
+    "-pair_coeff * *\n" properties                                                                                     \
+    "?fix cor_friction all property/global coefficientFriction peratomtypepair {types} {mu[]}\n"
 #define LIGGGHTS_E                                                                                                     \
     "?fix cor_young all property/global youngsModulus peratomtype {young[i]}\n"                                        \
     "?fix cor_poisson all property/global poissonsRatio peratomtype {poisson[i]}\n"                                    \
@@ -246,7 +248,7 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
 #define LIGGGHTS_STIFFNESS(stiffness)                                                                                  \
     "-fix cor_kn all property/global kn peratomtypepair {types} " stiffness "\n"                                       \
     "-fix cor_gamman all property/global gamman peratomtypepair {types} {n[]}\n"                                       \
-    "-fix cor_kt all property/global kt peratomtypepair {types} {0[]}\n"                                               \
+    "-fix cor_kt all property/global kt peratomtypepair {types} {kt[]}\n"                                              \
     "-fix cor_gammat all property/global gammat peratomtypepair {types} {0[]}\n"
 #define YADE(where, material, physics, law)                                                                            \
     where(material "cor_contact = InteractionLoop(\n"                                                                  \
@@ -264,8 +266,8 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
                 "c        (cor_material_{i}.id, cor_material_{j}.id, {n}),\n"                                          \
                 "-    )), " others ")],\n-    [Law2_ScGeom_MindlinPhys_Mindlin()])\n"
 #define YADE_FRICTION                                                                                                  \
-    "?cor_material = FrictMat(young={young}, poisson={poisson}, {density}frictionAngle=0)\n"                           \
-    "?cor_material_2 = FrictMat(young={young2}, poisson={poisson2}, {density2}frictionAngle=0)\n"
+    "?cor_material = FrictMat(young={young}, poisson={poisson}, {density}frictionAngle={phi})\n"                       \
+    "?cor_material_2 = FrictMat(young={young2}, poisson={poisson2}, {density2}frictionAngle={phi})\n"
 
 #define OPENFOAM_NUMBERS                                                                                               \
     "    alpha {n};\n    b 1.5;\n    mu 0;\n    cohesionEnergyDensity 0;\n    collisionResolutionSteps 12;\n}\n"
@@ -281,6 +283,9 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
             "uauto cor_{i}_{j} = speciesHandler.getMixedObject(cor_{i}, cor_{j});\n" numbers
 #define MERCURYDPM_DISSIPATION                                                                                         \
     "ccor_{contact}->setEffectiveElasticModulus({E});\nccor_{contact}->setDissipation({n});\n"
+#define MERCURYDPM_FRICTION                                                                                            \
+    "?species->setSlidingFrictionCoefficient({mu});\n?species->setSlidingFrictionCoefficientStatic({mu});\n"           \
+    "?species->setSlidingStiffness({kt0});\n"
 /* Of one material: the mixed species of two has no density. */
 #define MERCURYDPM_DENSITY "?species->setDensity({rho});\n"
 
@@ -308,7 +313,7 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
         .id = COR_##of_id, of, .model = of_model, .parameter = number, .law = COR_LAW_##of_law,                        \
         .end = COR_END_##of_end, map, .advice = sentence, __VA_ARGS__                                                  \
     }
-#define FRICTION " Friction is 0 in these lines; add yours."
+#define FRICTION "{nofriction}"
 #define COMMENT(before, after) .comment = before, .comment_end = after
 #define XML COMMENT("<!-- ", " -->")
 #define SCRIPT COMMENT("# ", "")
@@ -406,13 +411,13 @@ static const struct cor_simulator_model yade[] = {
     ROW(YADE_KN_CN, OF_YADE("ViscoelasticPM.cpp"), "ViscElMat, kn and cn", "cn of each of two equal bodies, kg/s",
         LINEAR, ZERO_FORCE, NUMBER(pair_dashpot),
         "K is kn/2 of two equal bodies: the numbers of two bodies are in series.",
-        YADE(EVERYWHERE, "cor_material = ViscElMat({density}kn={2K}, cn={n}, ks=0, cs=0, frictionAngle=0)\n",
+        YADE(EVERYWHERE, "cor_material = ViscElMat({density}kn={2K}, cn={n}, ks={2kt}, cs=0, frictionAngle={phi})\n",
              "Ip2_ViscElMat_ViscElMat_ViscElPhys()", "Law2_ScGeom_ViscElPhys_Basic()")),
     ROW(YADE_TC_EN, OF_YADE("ViscoelasticPM.cpp"), "ViscElMat, tc and en", "e", LINEAR, ZERO_FORCE,
         ASKED(exact_at_zero_overlap, OPEN, 1),
         "YADE realises more than its en, and its contacts are shorter than tc; kn and cn are exact.",
         /* at a wall YADE makes half of these kn and cn */
-        YADE(PAIRS, "cor_material = ViscElMat({density}tc={tc}, en={n}, et=1, frictionAngle=0)\n",
+        YADE(PAIRS, "cor_material = ViscElMat({density}tc={tc}, en={n}, et={et}, frictionAngle={phi})\n",
              "Ip2_ViscElMat_ViscElMat_ViscElPhys()", "Law2_ScGeom_ViscElPhys_Basic()")),
     ROW(YADE_YOUNG_EN, OF_YADE("ViscoelasticPM.cpp"), "ViscElMat, young and en", "e", LINEAR, ZERO_FORCE,
         ASKED(exact_at_zero_force, OPEN, 1), "Exact between spheres; YADE solves for cn.", NO_LINES),
@@ -422,7 +427,8 @@ static const struct cor_simulator_model mercurydpm[] = {
     ROW(MERCURYDPM_LINEAR, OF_MERCURYDPM("LinearViscoelasticNormalSpecies.cc"),
         "LinearViscoelastic, setStiffnessAndRestitutionCoefficient", "e", LINEAR, ZERO_OVERLAP,
         ASKED(exact_at_zero_overlap, 0, 1), "Exact, with the mass of one particle; e = 0 sticks for ever.",
-        EVERYWHERE(MERCURYDPM_DENSITY "species->setStiffnessAndRestitutionCoefficient({K}, {n}, {2m});\n"),
+        EVERYWHERE(MERCURYDPM_DENSITY
+                   "species->setStiffnessAndRestitutionCoefficient({K}, {n}, {2m});\n" MERCURYDPM_FRICTION),
         .mass = COR_MASS_IN_LINES),
     ROW(MERCURYDPM_HERTZIAN, OF_MERCURYDPM("HertzianViscoelasticNormalSpecies.cc"),
         "HertzianViscoelastic, setEffectiveElasticModulusAndRestitutionCoefficient", "e", TSUJI, ZERO_OVERLAP,

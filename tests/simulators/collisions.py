@@ -117,52 +117,75 @@ def lammps_head_on(work):
               [exact(other, beta), exact(end, beta_at(speed, 1.01)), published(beta)])
 
 
-def lammps_oblique():
+def lammps_oblique(work):
     """With mindlin_rescale the displacement s, and with mindlin_rescale/force the force f, shrinks with the contact
     radius c while c shrinks: s' = u + s c'/c, f' = k u + f c'/c. The values come from the classical Runge-Kutta
     method with 10^6 steps."""
     integrated = {("mindlin_rescale", "0.3"): 0.623549276, ("mindlin_rescale", "0.45"): 0.352982377,
                   ("mindlin_rescale/force", "0.3"): 0.518992445, ("mindlin_rescale/force", "0.45"): 0.278008915}
 
+    def of_nu(nu):
+        return ("--young 1e11 --poisson %s --radius 0.01 --density 2500 --dissipation-time 0" % nu).split()
+
     def no_slip(nu):
-        return numbers_of("--young", "1e11", "--poisson", nu, "--radius", "0.01", "--density", "2500",
-                          "--dissipation-time", "0", "--friction", "1")["no_slip"]
+        return numbers_of(*of_nu(nu), "--friction", "1")["no_slip"]
 
     for model in "mindlin", "mindlin/force", "mindlin_rescale", "mindlin_rescale/force":
         for nu in "0.3", "0.45":
-            three = [float(row[3]) for row in lammps("oblique.in", model=model, nu=nu)]
+            paste = written(work, "oblique", "pair_style granular\npair_coeff * * hertz/material 1e11 0 %s tangential %s "
+                            "NULL 0 1e9 damping velocity\n" % (nu, model))
+            duration = first_row("contact", *of_nu(nu), "--speed", "1e-5")["duration_s_zero_overlap"]
+            three = [float(row[1]) for row in lammps("oblique.in", paste=paste, duration=duration)]
             judge("LAMMPS, %s, nu = %s" % (model, nu), extrapolated(1.5, three),
                   integrated.get((model, nu)) or no_slip(nu), [no_slip("0.31")], tolerance=1e-6)
 
 
-def lammps_gravity():
-    """A ball that falls on a wall stays there at 0.01 m/s. The time step of gravity.in leaves an error of 4e-5 of
-    eps^2."""
-    of_law = {"viscoelastic": "--stiffness 1e5 --damping-coefficient 30", "linear":
-              "--law linear --stiffness 1e3 --damping-coefficient 0.4"}
-    rows = lammps("gravity.in")
-    for law, end, speed, value, time in rows:
-        row = first_row("contact", *of_law[law].split(), *"--effective-mass 4e-3 --wall --gravity 9.81".split(),
-                        "--speed", speed)
-        eps, duration = float(row["eps_" + end]), float(row["duration_s_" + end])
-        verdict(abs(float(value)**2 - eps**2) < 4e-5 and abs(float(time) - duration) < 3e-7 if eps > 0 else
-                duration == math.inf and float(time) > 0.0399,
-                "LAMMPS, gravity, %s, %s, %s m/s: %s, exact %.12g" % (law, end, speed, value, eps))
-    verdict(len(rows) == 16, "LAMMPS, gravity: sixteen collisions")
+# ---- oblique impacts with slip: the lines of corgen, at ten angles ----
+
+FRICTION, ANGLES = 0.3, "2,8,14,20,27,35,45,55,65,80"
+TUMBLING = "--young 1e9 --poisson 0.3 --radius 0.01 --density 2500 --restitution 0.8 --at 1e-5".split()
+TSUJI = TUMBLING + ["--law", "tsuji"]
+STRETCHED = "--law linear --stiffness 1e5 --effective-mass %.17g --restitution 0.8" % (
+    2500 * 2 * math.pi / 3 * 1e-6)
+OBLIQUE = {
+    "lammps mindlin": (TSUJI, []), "lammps mindlin_rescale": (TUMBLING, ["--tangential-damping", "0.5"]),
+    "lammps linear_history": (STRETCHED.split(), ["--tangential-stiffness", "3e4"]), "liggghts history": (TSUJI, []),
+    "yade hertz-mindlin": (TSUJI, [])}
 
 
-def lammps_jkr():
-    """Spheres that adhere. At a speed at which they stick, eps is 0 and the surfaces overlap. The force jumps when
-    the contact breaks, so the end is known only to a step: eps^2 to 1e-5."""
-    for time in "0", "5e-9":
-        spheres = ("--young 1e9 --poisson 0.25 --radius 1e-5 --density 2500 --adhesion 0.1 --adhesion-model jkr "
-                   "--dissipation-time " + time).split()
-        of = numbers_of(*spheres)
-        eta = of["damping_coefficient"] / (math.sqrt(of["effective_radius"]) * of["effective_mass"])
-        for speed, value, gap in lammps("jkr.in", eta=eta):
-            eps = float(list(first_row("contact", *spheres, "--speed", speed).values())[3])
-            verdict(float(gap) > 0 and abs(float(value)**2 - eps**2) < 1e-5 if eps > 0 else float(gap) < 0,
-                    "LAMMPS, JKR, A = %s s, %s m/s: %s, exact %.12g" % (time, speed, value, eps))
+def oblique_impacts(host, work, every):
+    """Two runs have errors proportional to the time step. Lever arms change by 1e-5."""
+    for name, (contact, more) in OBLIQUE.items():
+        simulator, model = name.split()
+        if simulator != host:
+            continue
+        options = contact + ["--end", "zero-overlap" if simulator == "lammps" else "zero-force", "--friction",
+                             str(FRICTION), "--angle", ANGLES, "--tangential", model, "--speed", "1e-5"] + more
+        rows = output_of([CORGEN, "contact", *options, "--format", "csv"]).splitlines()[1:]
+        text = output_of([CORGEN, "contact", *options, "--for", simulator])
+        paste = written(work, "oblique", "".join(line + "\n" for line in text.splitlines() if "timestep" not in line))
+        duration = float(first_row("contact", *contact, "--end", "zero-overlap", "--speed", "1e-5")["duration_s_zero_overlap"])
+        for row in rows[every // 2::every]:
+            tangent, right = (float(row.split(",")[2]) / 1e-5, -float(row.split(",")[3]))
+            sides = sides_of(simulator, paste, duration, tangent, [1000, 2000] if every > 1 else [4000, 8000])
+            value = 2 * sides[1] - sides[0]
+            verdict(abs(value - right) < 1e-4, "%s, %s degrees: u'/u = %.6f, exact %.6f" %
+                    (name, row.split(",")[1], value, right))
+
+
+def sides_of(simulator, paste, duration, tangent, steps):
+    if simulator == "lammps":
+        rows = lines_of(script(LMP, "oblique.in", paste=paste, duration=duration, sideways=tangent * 1e-5, h=steps),
+                        "oblique")
+    elif simulator == "yade":
+        rows = lines_of(yade({"paste": paste, "duration": duration, "n": steps, "speed": 1e-5, "side": tangent,
+                              "radius": (0.01, 0.01)}), "side")
+    else:
+        mass = 2500 * 4 * math.pi / 3 * 1e-6
+        rows = [lines_of(script(LIGGGHTS, "restitution/liggghts.in", paste=paste, wall=0, types=1, duration=duration,
+                                speed=1e-5, n=n, side=tangent, r1=0.01, r2=0.01, m1=mass, m2=mass), "side")[0]
+                for n in steps]
+    return [float(row[-1]) for row in rows]
 
 
 # ---- YADE, zero force ----
@@ -481,7 +504,8 @@ def main():
                 continue
             if host == "lammps":
                 lammps_head_on(work)
-                for test in [lammps_oblique, lammps_gravity] + [lammps_jkr] * ("--long" in sys.argv):
+                lammps_oblique(work)
+                for test in [lammps_gravity] + [lammps_jkr] * ("--long" in sys.argv):
                     test()
             else:
                 luding(host, work)
@@ -495,6 +519,7 @@ def main():
                     yade_vn(work)
                 else:
                     skip("YADE, en and vn", "this YADE has no vn, 2025.2.0 has")
+            oblique_impacts(host, work, 1 if "--long" in sys.argv else 10)
             unlike(host, work, seed)
             several(host, work, seed)
     return summary()

@@ -33,9 +33,31 @@ static long lines_for(char *text, size_t size, const char *simulator, const char
     const int corrected = corrected_step_s > 0;
     const double *const speeds = steps > 0 ? all_speeds : &speed;
     const size_t number = steps > 0 ? COUNT_OF(all_speeds) : speed > 0;
-    const struct cor_simulator_request request = {
-        simulator, version,           scene, contacts, count, speeds, number, corrected_step_s, steps, 0, corrected,
-        corrected, COR_NO_INTEGRATOR, NULL,  NULL,     0,     0,      NULL};
+    const struct cor_simulator_request request = {simulator,
+                                                  version,
+                                                  scene,
+                                                  contacts,
+                                                  count,
+                                                  speeds,
+                                                  number,
+                                                  corrected_step_s,
+                                                  steps,
+                                                  0,
+                                                  corrected,
+                                                  corrected,
+                                                  COR_NO_INTEGRATOR,
+                                                  NULL,
+                                                  NULL,
+                                                  0,
+                                                  0,
+                                                  NULL,
+                                                  0,
+                                                  0,
+                                                  0,
+                                                  COR_TANGENTIAL_DISPLACEMENT,
+                                                  NULL,
+                                                  0,
+                                                  0};
     return cor_simulator_lines(text, size, &request);
 }
 

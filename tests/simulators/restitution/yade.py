@@ -2,7 +2,7 @@
 # Head-on collisions in YADE with the text of corgen contact --for yade: of two spheres, or of one with a wall.
 #     yade -x -n -j1 yade.py RUN [RUN]...
 # Each RUN is a dict of Python: paste, the file of the text; duration, s; n, numbers of steps. Optional, if they differ
-# from the defaults in collide: wall, speed, g (the speed then belongs to a ball that returns to the wall), radius, and
+# from the defaults in collide: wall, speed, g (the speed then belongs to a ball that returns to the wall), side (tangential speed over speed), radius, and
 # material, the numbers of the two materials. It prints for each n, with duration/(n + 1/2) as the time step,
 #     eps PASTE N VALUE CHANGE
 # CHANGE of the velocity after the contact must be 0. SI units. The text may define before_step, commands for each step,
@@ -17,7 +17,7 @@ import sys
 atexit.register(shutil.rmtree, os.path.dirname(O.tmpFilename()), ignore_errors=True)
 
 
-def collide(text, step, steps, wall=0, speed=1, g=0, radius=None, material=(0, 1)):
+def collide(text, step, steps, wall=0, speed=1, g=0, side=0, radius=None, material=(0, 1)):
     O.reset()
     names = {**start, "step": step, "before_step": []}
     exec(text, names)
@@ -35,7 +35,8 @@ def collide(text, step, steps, wall=0, speed=1, g=0, radius=None, material=(0, 1
         utils.wall(0, axis=2, material=second) if wall else sphere((0, 0, -radius[1]), radius[1], material=second))
     for body, m in zip(O.bodies, mass[:1] if wall else mass):
         body.state.mass = m
-    O.bodies[0].state.vel = (0, 0, -speed + g * step / 2)
+        body.state.inertia = (0.4 * m * body.shape.radius**2, ) * 3 if side else body.state.inertia
+    O.bodies[0].state.vel = (side * speed, 0, -speed + g * step / 2)
     O.engines = [ForceResetter(), InsertionSortCollider([Bo1_Sphere_Aabb(), Bo1_Wall_Aabb()])] + [
         PyRunner(command=command, iterPeriod=1) for command in before_step
     ] + [cor_contact, NewtonIntegrator(damping=0, gravity=(0, 0, -g))]
@@ -46,6 +47,10 @@ def collide(text, step, steps, wall=0, speed=1, g=0, radius=None, material=(0, 1
         up = O.bodies[0].state.vel[2] - O.bodies[1].state.vel[2] - g * step / 2  # half a step earlier
         height = O.bodies[0].state.pos[2] - radius[0]
         values.append(((up**2 + 2 * g * height)**0.5 if g else up) / speed)
+    if side:  # u'/u of the contact point
+        ends = [body.state.vel[0] - sign * body.shape.radius * body.state.angVel[1] for body, sign in
+                zip(O.bodies, (1, -1))]
+        print("side %s %d %.12g" % (paste, count, (ends[0] - ends[1]) / (side * speed)))
     return values
 
 
