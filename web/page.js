@@ -295,7 +295,7 @@ const STYLE = "<style>path,circle{fill:none}.c{stroke-width:2}.m{stroke-dasharra
 const escaped = (text) => text.replace(/[<&"]/g, (c) => `&#${c.charCodeAt(0)};`);
 
 // Adds the curves of the last request. The last speed is the user's. Models that give the same eps share a curve.
-function addCurves(curves, speeds, label, colour) {
+function addCurves(curves, speeds, label, other = false) {
     const own = curves.length, ends = tabs(cor.page.text("curves")).flat();
     const [[asked], ...models] = tabs(cor.page.text("models", 3));
     const names = [...ends.map((end) => end === "both_ends" ? "eps" : end.replace("_", " ")),
@@ -304,8 +304,8 @@ function addCurves(curves, speeds, label, colour) {
         const eps = [...cor.page.curve(speeds, i)], here = eps.pop(), model = i >= ends.length;
         const unlike = (curve) => eps.some((e, k) => Math.abs(e - curve.eps[k]) > 2e-4);
         if (!model || (eps.some((e) => e >= 0) && curves.slice(own).every(unlike)))
-            curves.push({ eps, here, model, label: label ? `${label}, ${name}` : name,
-                colour: (colour ?? curves.length) % COLOURS.length });
+            curves.push({ eps, here, main: !model && !other, model, label: label ? `${label}, ${name}` : name,
+                colour: (other ? 79 - curves.length : curves.length) % COLOURS.length });
     }
 }
 
@@ -319,7 +319,7 @@ function makeCurves(options) {
         points.push([Number(given.at), Number(given.restitution)]);
     for (const [i, other] of kept.map((text) => new URLSearchParams(text)).entries()) {
         cor.page.read(toModule(other));
-        addCurves(others, [...speeds, first], other.get("label") ?? `curves ${i + 1}`, COLOURS.length - 1 - i);
+        addCurves(others, [...speeds, first], other.get("label") ?? `curves ${i + 1}`, true);
     }
     cor.page.read(given);
     addCurves(curves, [...speeds, first], options.get("label"));
@@ -394,8 +394,8 @@ function showPicture() {
 function markOf({ first, least, most, curves }, x, y, box, text) {
     if (!(first >= least && first <= most))
         return "";
-    const own = curves.filter(({ model, here }) => !model && !Number.isNaN(here)), at = x(first);
-    const texts = [...new Set(own.map(({ here }) => here.toPrecision(SHOWN)))].slice(0, 2);
+    const own = curves.filter(({ main, here }) => main && !Number.isNaN(here)), at = x(first);
+    const texts = [...new Set(own.map(({ here }) => here.toPrecision(SHOWN)))];
     const value = `${first} m/s: ${texts.join(", ")}`;
     const left = at < (box.left + box.right) / 2;
     return `<g id="mark" tabindex="0" role="slider" aria-label="Impact speed" aria-valuemin="${least}" ` +

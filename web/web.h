@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The request that the browser's module keeps. Every export reads or writes it, so that JavaScript passes text and arrays
- * of doubles. */
+/* The request that the browser's module stores. Every export reads or writes it, so that JavaScript passes text and
+ * arrays of doubles. */
 #ifndef COR_WEB_WEB_H
 #define COR_WEB_WEB_H
 
