@@ -131,6 +131,28 @@ function wrap(c) {
     const endsNow = () => [0, 1].map((end) => text(c.web_end(end)));
     const table = (at) => text(at).trimEnd().split("\n").map((line) => line.split(","));
 
+    // The command of corgen with options, without those of some names
+    const command = (name, options, without) => `corgen ${name}` + lines(options).trimEnd().split("\n")
+        .map((line) => [line.slice(0, line.indexOf("=")), line.slice(line.indexOf("=") + 1).replace(/ /g, "")])
+        .filter(([option, value]) => value !== "" && !without.includes(option))
+        .map(([option, value]) => option === "wall" ? " --wall" : ` --${option} ${value}`).join("");
+    const range = ["for", "simulator-version", "speed-min", "speed-max", "tolerance"];
+    // The command that writes a C header of eps over the speeds; where eps is the same at every speed, the header
+    const header = (options) => {
+        read(options);
+        const law = options.law ?? laws[0] ?? "viscoelastic", ends = text(c.web_headers()).trimEnd().split("\n");
+        const [least, most, tolerance] = ["speed-min", "speed-max", "tolerance"]
+            .map((name, i) => Number(options[name] ?? options[name.replace("-", "_")] ?? [1e-3, 10, 1e-6][i]));
+        return ends.map((line) => line.split("\t")).map(([end, eps]) => ({
+            pressed: `/* the law ${law} has no header under a constant force; see corgen plan */\n`,
+            elastic: "/* no dissipation: eps is 1 at every speed */\n",
+            speed: `${command("embed", options, [...range, "speed", "steps", "end"])} --speed-min ${least} ` +
+                `--speed-max ${most} --tolerance ${tolerance} --end ${end} --output cor_scene_eps.h\n`,
+        })[eps] ?? `/* eps of the law ${law}, contact ends at ${end.replace("-", " ")} */\nstatic inline double cor_scene_eps` +
+            `${ends.length > 1 ? `_${end.replace("-", "_")}` : ""}(double speed_m_s)\n{\n    (void)speed_m_s; ` +
+            `/* the same at every speed */\n    return ${eps};\n}\n`).join("\n");
+    };
+
     class Contact {
         constructor(options) {
             this.options = { ...options };
@@ -180,8 +202,7 @@ function wrap(c) {
         }
 
         header({ speed_min, speed_max, tolerance } = {}) {
-            read({ ...this.options, speed_min, speed_max, tolerance });
-            return text(c.web_header());
+            return header({ ...this.options, speed_min, speed_max, tolerance });
         }
     }
     cor.contact = (options) => new Contact(options);
@@ -190,7 +211,7 @@ function wrap(c) {
 
     // For the page: texts about the last right request, and eps of one of its curves
     cor.page = {
-        read,
+        read, header, command: (options) => command("contact", options, range),
         text: (name, ...given) => {
             const at = c[`web_${name}`](...given);
             if (at === 0)

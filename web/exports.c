@@ -464,69 +464,23 @@ WEB_EXPORT(web_curve) void web_curve(const double *speed_m_s, double *y, size_t 
             y[k] = model ? find_realised(model, &web_now, speed_m_s[k]) : (double)NAN;
 }
 
-/* ---- commands ---- */
-
-/* A command of corgen with the options of the request, except those in `without`, a list that NULL ends */
-static void put_command(const char *command, const char *const *without)
+/* Returns a line for each curve of the contact: its end as an option, then, with a tab, the eps of every speed, or
+ * "speed": eps depends on it; "elastic": eps is 1; "pressed": the law has no header under a constant force. */
+WEB_EXPORT(web_headers) const char *web_headers(void)
 {
-    put("corgen %s", command);
-    for (const char *line = web_now.options; *line; line += strcspn(line, "\n"), line += *line == '\n') {
-        const size_t name = strcspn(line, "="), all = strcspn(line, "\n");
-        int skip = all <= name + 1;
-        for (size_t i = 0; without[i]; i++)
-            skip = skip || (strlen(without[i]) == name && memcmp(line, without[i], name) == 0);
-        if (skip)
-            continue;
-        put(" --%.*s ", (int)name, line);
-        for (size_t i = name + 1; i < all && strncmp(line, "wall", name) != 0; i++)
-            if (line[i] != ' ')
-                put("%c", line[i]);
-        if (strncmp(line, "wall", name) == 0)
-            length--;
-    }
-    text[length] = '\0';
-}
-
-/* The command line of corgen that prints the same numbers */
-WEB_EXPORT(web_command) const char *web_command(void)
-{
-    static const char *const other[] = {"for", "simulator-version", "speed-min", "speed-max", "tolerance", NULL};
-    clear_text();
-    put_command("contact", other);
-    return text;
-}
-
-/* The command that writes a C header of eps over the speeds; where eps is the same at every speed, the header */
-WEB_EXPORT(web_header) const char *web_header(void)
-{
-    static const char *const other[] = {"for",   "simulator-version", "speed-min", "speed-max", "speed",
-                                        "steps", "tolerance",         "end",       NULL};
-    const struct web_request *const r = &web_now;
     int ends[COR_SCENE_ENDS];
     const int count = find_ends(ends);
     clear_text();
     for (int i = 0; i < count; i++) {
-        const struct cor_scene_contact *const contact = &r->contact[r->count > 1 ? ends[i] : 0];
-        const int constant = cor_law_is_constant(&contact->law);
+        const struct cor_scene_contact *const contact = &web_now.contact[web_now.count > 1 ? ends[i] : 0];
+        const int constant = cor_law_is_constant(&contact->law), pressed = contact->force_n > 0 && contact->damping > 0;
         double eps;
-        put(i > 0 ? "\n" : "");
-        if (contact->damping > 0 && contact->force_n > 0 && constant) {
-            put("/* the law %s has no header under a constant force; see corgen plan */\n", cor_law_name(r->law));
-        } else if (constant) {
-            cor_scene_eps(&eps, contact, 1, ends[i]);
-            put("/* eps of the law %s, contact ends at %s */\nstatic inline double cor_scene_eps%s%s(double "
-                "speed_m_s)\n"
-                "{\n    (void)speed_m_s; /* the same at every speed */\n    return ",
-                cor_law_name(r->law), cor_end_names[ends[i]], count > 1 ? "_" : "", count > 1 ? web_end(ends[i]) : "");
+        put("%s\t", end_option(&web_now, ends[i]));
+        if (constant && !pressed && cor_scene_eps(&eps, contact, 1, ends[i]) == 0)
             put_exact(eps);
-            put(";\n}\n");
-        } else if (contact->damping > 0) {
-            put_command("embed", other);
-            put(" --speed-min %.15g --speed-max %.15g --tolerance %.15g --end %s --output cor_scene_eps.h\n",
-                r->speed_min_m_s, r->speed_max_m_s, r->tolerance, end_option(r, ends[i]));
-        } else {
-            put("/* no dissipation: eps is 1 at every speed */\n");
-        }
+        else
+            put("%s", constant ? "pressed" : contact->damping > 0 ? "speed" : "elastic");
+        put("\n");
     }
     return text;
 }

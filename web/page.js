@@ -475,7 +475,7 @@ function showResults() {
     const [summaryHead, ...summary] = csv(cor.page.text("summary", TEXT_DIGITS));
     table("summary", summaryHead, summary);
     for (const name of ["header", "command"])
-        $(name).textContent = cor.page.text(name);
+        $(name).textContent = cor.page[name](toModule(optionsNow()));
     if ($("for").value !== "")
         showSimulator();
 }

@@ -210,9 +210,6 @@ WEB_EXPORT(web_read) int web_read(const char *options)
     r.scene.end = COR_BOTH_ENDS;
     for (int i = 0; i < COR_SCENE_NUMBERS; i++)
         r.scene.number[i] = NAN;
-    if (strlen(options) >= WEB_OPTIONS)
-        return refuse("", "the options are too long");
-    snprintf(r.options, sizeof r.options, "%s", options);
     for (const char *line = options; *line; line += strcspn(line, "\n"), line += *line == '\n') {
         char name[WEB_NAME], value[WEB_VALUE];
         const size_t length = strcspn(line, "\n"), to = strcspn(line, "=\n");

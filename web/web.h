@@ -12,7 +12,7 @@
 #define WEB_EXPORT(name)
 #endif
 
-enum { WEB_SPEEDS = 64, WEB_VALUE = 100, WEB_OPTIONS = 2048, WEB_NAME = 32 };
+enum { WEB_SPEEDS = 64, WEB_VALUE = 100, WEB_NAME = 32 };
 
 /* A request: the options of corgen contact, and speed-min, speed-max, tolerance of corgen embed */
 struct web_request {
@@ -27,7 +27,6 @@ struct web_request {
     double speed_min_m_s, speed_max_m_s, tolerance; /* of the header */
     const struct cor_simulator *simulator;          /* NULL: none is chosen */
     char version[WEB_VALUE];                        /* of the simulator */
-    char options[WEB_OPTIONS];                      /* as they were given */
 };
 
 /* The last request that was right, and what is wrong with one that was not: the name of an option, and a sentence */

@@ -15,8 +15,7 @@ const char *web_table(int digits, int errors);
 const char *web_models(int digits);
 const char *web_summary(int digits);
 const char *web_lines(void);
-const char *web_command(void);
-const char *web_header(void);
+const char *web_headers(void);
 const char *web_curves(void);
 void web_curve(const double *speed_m_s, double *y, size_t n, int i);
 
@@ -54,12 +53,10 @@ TEST(test_gravity)
                            "speed_m_s,beta,eps_zero_overlap,eps_surface,duration_s_zero_overlap,duration_"
                            "s_surface,"));
     assert_non_null(strstr(web_summary(6), "\nsticking_speed_surface,"));
-    assert_string_equal(web_header(), "corgen embed --young 1e6 --poisson 0.3 --radius 0.01 --density 1000 --wall "
-                                      "--gravity 9.81 --restitution 0.9 --at 1 --speed-min 0.001 --speed-max 10 "
-                                      "--tolerance 1e-06 --end surface --output cor_scene_eps.h\n");
+    assert_string_equal(web_headers(), "surface\tspeed\n");
     snprintf(options, sizeof options, "%szeta=0.1\nlaw=tsuji", ball);
     assert_int_equal(web_read(options), 1);
-    assert_non_null(strstr(web_header(), "no header under a constant force"));
+    assert_non_null(strstr(web_headers(), "\tpressed\n"));
     snprintf(options, sizeof options, "%sg-star=400\nend=zero-force", ball);
     assert_true(!web_read(options) && strstr(web_wrong_text(), "--end surface"));
     assert_true(!web_read(GLASS "g-star=400\nend=surface") && strcmp(web_wrong_option(), "end") == 0);
@@ -209,15 +206,15 @@ TEST(test_lines_and_own_maps_of_a_simulator)
     assert_string_equal(web_wrong_option(), "for");
 }
 
-TEST(test_the_header)
+TEST(test_headers)
 {
     assert_true(web_read("law=tsuji\nrestitution=0.7\nend=zero-force"));
-    assert_near(number_after(web_header(), "return "), 0.7, 1e-14);
-    assert_true(web_read("g-star=3\nend=zero-force\ntolerance=1e-5"));
-    assert_string_equal(web_header(),
-                        "corgen embed --g-star 3 --speed-min 0.001 --speed-max 10 --tolerance 1e-05 --end "
-                        "zero-force --output cor_scene_eps.h\n");
+    assert_near(number_after(web_headers(), "zero-force\t"), 0.7, 1e-14);
+    assert_true(web_read("g-star=3"));
+    assert_string_equal(web_headers(), "zero-overlap\tspeed\nzero-force\tspeed\n");
+    assert_true(web_read(GLASS "restitution=1\nat=1\nend=zero-force"));
+    assert_string_equal(web_headers(), "zero-force\telastic\n");
 }
 
 RUN_TESTS(test_gravity, test_contacts_of_the_list, test_a_wrong_request_leaves_the_last_one, test_curves,
-          test_lines_and_own_maps_of_a_simulator, test_the_header)
+          test_lines_and_own_maps_of_a_simulator, test_headers)

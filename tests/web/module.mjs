@@ -105,7 +105,7 @@ for (let i = 0; i < 3000; i++) {
     try {
         cor.page.read(options);
         read++;
-        const [curves] = [["curves"], ["table", 6, 1], ["summary", 6], ["header"], ["models", 6], ["command"]]
+        const [curves] = [["curves"], ["table", 6, 1], ["summary", 6], ["headers"], ["models", 6]]
             .map((call) => cor.page.text(...call).trimEnd().split("\n"));
         if (curves.some((line, k) => cor.page.curve([0.01, 1], k).some((eps) => eps < 0 || eps > 1)))
             odd.push(JSON.stringify(options), curves.join("\n"));
@@ -157,6 +157,13 @@ check("two contacts do not disturb each other", (() => {
 })());
 check("an array of 10^6 numbers, twice, does not fill the memory", cor.sphere.eps_zero_force(new Float64Array(1e6))[9] === 1
     && cor.sphere.eps_zero_force(new Float64Array(1e6)).length === 1e6);
+const embed = "--speed-min 0.001 --speed-max 10 --tolerance 0.00001 --end zero-force --output cor_scene_eps.h\n";
+check("headers and commands", cor.contact({ g_star: 3, end: "zero-force" }).header({ tolerance: 1e-5 }) === `corgen embed --g-star 3 ${embed}` &&
+    cor.contact({ law: "tsuji", restitution: 0.7, end: "zero-force" }).header().endsWith("return 0.7;\n}\n") &&
+    cor.contact({ law: "tsuji", restitution: 0.7 }).header().includes("double cor_scene_eps_zero_overlap(double speed_m_s)") &&
+    cor.contact({ ...glass, wall: true, g_star: 400, end: "zero-force" }).header({ tolerance: "0.00001" }) ===
+        `corgen embed --young 70000000000 --poisson 0.2 --radius 0.005 --density 2500 --wall --g-star 400 ${embed}` &&
+    cor.page.command({ g_star: 3, speed: "0.1, 1", steps: 9, for: "lammps" }) === "corgen contact --g-star 3 --speed 0.1,1 --steps 9");
 const balls = [[7e10, 0.24, 2500, 2e-3, 0.9, 1], [2.1e11, 0.3, 7850, 1e-3, 0.85, 2], [2.1e11, 0.3, 7850, NaN, 0.8, 1]];
 const cells = (row) => row.map((x) => Number.isNaN(x) ? "" : x).join();
 writeFileSync(`${folder}/materials.csv`, "name,young_pa,poisson,density_kg_m3,radius_m,wall\n" +
