@@ -1421,6 +1421,8 @@ static int check_materials(struct task *task)
         return refuse_task(task, "%s has one material for all walls; leave out %s", task->simulator->title,
                            material_of(r, balls + 1)->name);
     for (const struct cor_material_pair *p = r->pairs; p < r->pairs + r->pair_count; p++) {
+        if (p->a >= types || p->b >= types)
+            return refuse_task(task, "a pair has a material that is not in the list");
         const struct cor_material *const a = &r->materials[p->a], *const b = &r->materials[p->b];
         if (is_wall(a) && is_wall(b))
             return refuse_task(task, "%s and %s: two walls never touch; leave out this pair", a->name, b->name);
