@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* The loops of arrays equal their scalar functions to the last bit: every function of laws and contacts, every
  * instruction set, any length, any place. The error of float arrays. (Public array functions: test_environment.c.) */
+#define _POSIX_C_SOURCE 200809L
 #include "check.h"
 
 #include <cor/cor.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include "runtime/table/row_loops.h"
 
@@ -154,6 +157,19 @@ static void compare(const struct loop *l, const char *how, size_t first, size_t 
               i - first, n, first);
 }
 
+/* Runs a page of arguments whose next page cannot be read. */
+static void check_page(const struct loop *l)
+{
+    const size_t page = (size_t)sysconf(_SC_PAGESIZE), n = page / (l->floats ? sizeof(float) : sizeof(double));
+    void *memory = NULL;
+    assert_int_equal(posix_memalign(&memory, page, 2 * page), 0);
+    assert_int_equal(mprotect((char *)memory + page, page, PROT_NONE), 0);
+    if (n <= many)
+        run(l, memcpy(memory, &x, page), &eps, &y, n);
+    assert_int_equal(mprotect((char *)memory + page, page, PROT_READ | PROT_WRITE), 0);
+    free(memory);
+}
+
 static void check_loop(const struct loop *l, const double *drawn)
 {
     const size_t size = l->floats ? sizeof(float) : sizeof(double);
@@ -188,6 +204,7 @@ static void check_loop(const struct loop *l, const double *drawn)
         compare(l, "in place", 0, n);
         check(n == many || same(l, at(l, &x, n), at(l, &y, n)), "%s, in place, wrote past %zu", l->name, n);
     }
+    check_page(l);
     if (l->contact) {
         y = eps;
         run(l, &x, &y, &y, many);
