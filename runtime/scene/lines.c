@@ -1551,8 +1551,12 @@ static void put_many(struct text *t, const char *template, struct block *block, 
     for (; *template; template = strchr(template, '\n') + 1)
         for (size_t k = 0; k < types * types; k++)
             if (repeats_line(*template, k / types, k % types, balls, types)) {
+                const struct text before = *t;
                 turn_to_contact(task, block, k / types, k % types);
+                t->known = 1;
                 put_line(t, template + 1, block, task, PAIR);
+                if (*template == '?' && !t->known)
+                    *t = before;
             }
 }
 
