@@ -179,7 +179,7 @@ check("reset gives the first question", await speedNow() === 0.1 && await page.$
 
 for (const [name, value, module, seen] of [["restitution", "0,8", "restitution=0.8", "= 0.8"], ["restitution", "80 %", "restitution=80e-2", "= 0.8"],
     ["at", "50 cm/s", "at=50e-2", "= 0.5 m/s"], ["speed", "0,1; 20mm/s", "speed=0.1,20e-3", "= 0.1; 0.02 m/s"], ["speed", "1;10", "speed=1,10", ""],
-    ["speed", "0.1,1,10", "speed=0.1,1,10", "= 0.1; 1; 10 m/s"], ["young", "70 GPa", "young=70e9", "= 70000000000 Pa"],
+    ["speed", "1,2,3", "speed=1,2,3", "= 1; 2; 3 m/s"], ["speed", "0.1,1,10", "speed=0.1,1,10", "= 0.1; 1; 10 m/s"], ["young", "70 GPa", "young=70e9", "= 70000000000 Pa"],
     ["density", "2.5 g/cm3", "density=2.5e3", "= 2500 kg/m^3"], ["radius", "5e2 \u00b5m", "radius=5e-4", "= 0.0005 m"]]) {
     await enter({ young: "7e10", poisson: "0.24", radius: "5e-3", density: "2500", restitution: "0.9", at: "1", speed: "0.1" });
     await type(name, value);
