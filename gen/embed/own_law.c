@@ -206,6 +206,9 @@ int own_law_init(struct own_law *law, const struct embed_request *request)
         fmpq_set(law->number + 1, request->number[f->second].value);
         for (int k = 0; k < 2; k++)
             law->real[k] = decimal_nearest(law->number + k);
+        if (law->law == EMBED_LAW_POWER && !fmpq_is_zero(law->number + 1) && fabs(law->real[1]) < 1e-9)
+            return usage_error("--exponent: %s is too near to 0; allowed: 0, and 1e-9 to 100 with either sign",
+                               request->number[f->second].text);
         snprintf(law->text, sizeof law->text, f->text, request->number[f->first].text, request->number[f->second].text);
     }
     if (!law->law)

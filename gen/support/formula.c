@@ -136,7 +136,9 @@ static void power_of(struct value *y, struct value *x, const struct reader *r)
             r->algebra->multiply(y->function, y->function, x->function);
         return;
     }
-    if (y->is_exact && x->is_exact && fmpz_is_one(fmpq_denref(x->exact)) && !fmpq_is_zero(y->exact)) {
+    /* Powers with more than 12 bits of exponent would be too long, and FLINT refuses the longest without a message. */
+    if (y->is_exact && x->is_exact && fmpz_is_one(fmpq_denref(x->exact)) && !fmpq_is_zero(y->exact) &&
+        fmpz_bits(fmpq_numref(x->exact)) <= 12) {
         fmpq_pow_fmpz(y->exact, y->exact, fmpq_numref(x->exact));
         return;
     }
