@@ -541,10 +541,15 @@ static char *spheres_remark(const struct spheres *s)
     const struct plan *const plan = s->plan;
     const slong last = plan->points - 1;
     char *waves = plan_wave_remark(s->request, plan->speed[last], plan->truth[last]);
-    if (!is_pressed(s))
-        return waves;
-    char *const pressing = pressing_remark(s);
-    char *const both = xprintf("%s%s", waves ? waves : "", pressing);
+    if (!waves && !is_pressed(s) && !embed_given(s->request, COR_SCENE_POISSON))
+        return NULL;
+    const char *const friction =
+        embed_given(s->request, COR_SCENE_POISSON)
+            ? "Friction does not change eps. It may be left out where only the normal velocities matter; otherwise\n"
+              "corgen contact --friction MU --angle LIST gives spin and rebound angle.\n"
+            : "";
+    char *const pressing = is_pressed(s) ? pressing_remark(s) : xprintf("%s", "");
+    char *const both = xprintf("%s%s%s", waves ? waves : "", pressing, friction);
     free(waves);
     free(pressing);
     return both;
