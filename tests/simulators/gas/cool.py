@@ -9,7 +9,7 @@ compared with kinetic theory, into which cor's eps(g) goes (theory.c).
                                              FOLDER keeps each gas; a gas that lies there is not simulated again
 A third number, as in 50x50x40:12:50, makes so many time steps in the shortest contact, with the damping of the lines.
 Without it they are 12, and the damping is corrected for them.
---write renews docs/gas/ and the numbers of docs/gas.md from the results.
+--write renews docs/gas/ and the numbers of docs/at-scale.md from the results.
 """
 import argparse
 import collections
@@ -27,7 +27,7 @@ sys.path.insert(0, os.path.dirname(HERE))
 sys.dont_write_bytecode = True
 from common import CORGEN, LMP, ROOT, first_row, numbers_of, renew, run, skip, summary, verdict  # noqa: E402
 
-PAGE = os.path.join(ROOT, "docs", "gas.md")
+PAGE = os.path.join(ROOT, "docs", "at-scale.md")
 PICTURES = os.path.join(ROOT, "docs", "gas")
 
 # Spheres of silicone rubber, 10 mm; eps = 0.85 at 0.1 m/s if contact ends at zero overlap
@@ -378,7 +378,7 @@ def column(result, log):
 
 
 def numbers(results, logs):
-    """Returns the table of docs/gas.md."""
+    """Returns the table of docs/at-scale.md."""
     columns = [column(result, log) for result, log in zip(results, logs)]
     table = "| spheres | %s |\n|---|%s\n" % (" | ".join("%d" % r.spheres for r in results), "---|" * len(results))
     columns = [{"time steps in the shortest contact": "%d, %s" % (r.steps, "corrected" if r.steps == COARSE else
@@ -414,7 +414,7 @@ def write(results, logs, sentences):
         write_csv(result)
     renew(PAGE, "cooled", "gas/cool.py", numbers(results, logs) + sentences)
     output_of(["gnuplot", os.path.join(HERE, "cooling.gp")], cwd=ROOT)
-    print("written: docs/gas.md and docs/gas/")
+    print("written: docs/at-scale.md and docs/gas/")
 
 
 def missing():
@@ -431,7 +431,7 @@ def main():
                         help="spheres along the three axes, as 50x50x40; 1 + t/t_1 grows by 1.1 in each of 20 stages")
     parser.add_argument("--ranks", type=int, default=2, help="of MPI, 2 if not given")
     parser.add_argument("--results", help="folder that keeps each gas")
-    parser.add_argument("--write", action="store_true", help="renew docs/gas.md; needs --lattice")
+    parser.add_argument("--write", action="store_true", help="renew docs/at-scale.md; needs --lattice")
     options = parser.parse_args()
     wanted = re.compile(r"([1-9]\d*x[1-9]\d*x[1-9]\d*)(?::(\d+)(?::(\d+))?)?")
     gases = [wanted.fullmatch(lattice) for lattice in options.lattice]
