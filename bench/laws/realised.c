@@ -4,7 +4,7 @@
  *     cor_realised table      csv, at the values of e of docs/simulators.md
  *     cor_realised curve      csv, at 0.01 to 0.99, for the picture
  *     cor_realised markdown   a table of docs/simulators.md; models with the same end and the same numbers share a row
- *     cor_realised models     another one: all models, with law, end, and a sentence for the user
+ *     cor_realised models     csv: all models, with law, end, and a sentence for the user
  *     cor_realised speeds     eps of viscoelastic spheres with 0.5 at 1 m/s, over the speed, and the results of
  *                             simulators for 0.5
  * An empty cell: the model refuses this e, or no input gives this e. */
@@ -114,16 +114,33 @@ static void print_table(const char *title, double (*quantity)(const struct cor_s
     }
 }
 
+/* Prints a cell of csv in quotes. */
+static void print_cell(const char *separator, const char *text)
+{
+    printf("%s\"", separator);
+    for (; *text; text++)
+        printf(*text == '"' ? "\"\"" : "%c", *text);
+    printf("\"");
+}
+
 static void print_models(void)
 {
-    printf("| simulator | version | model | a user sets | over the damping | law | end | what to know | file | known "
-           "|\n|---|---|---|---|---|---|---|---|---|---|\n");
+    printf("simulator,version,model,number,over_the_damping,law,end,remark,file,known\n");
     for (int i = 0; i < COR_SIMULATOR_MODELS; i++) {
         const struct cor_simulator_model *const m = model_at(i);
-        const char *const quote = m->scale ? "`" : "";
-        printf("| %s | %s | %s | %s | %s%s%s | %s | %s | %s | %s | %s |\n", cor_simulator_of(m->id)->name, m->version,
-               m->model, m->parameter, quote, m->scale ? m->scale : "", quote, cor_law_name(m->law),
-               cor_end_names[m->end], m->advice, m->file, m->known);
+        const char *const cell[] = {cor_simulator_of(m->id)->name,
+                                    m->version,
+                                    m->model,
+                                    m->parameter,
+                                    m->scale ? m->scale : "",
+                                    cor_law_name(m->law),
+                                    cor_end_names[m->end],
+                                    m->advice,
+                                    m->file,
+                                    m->known};
+        for (size_t k = 0; k < sizeof cell / sizeof *cell; k++)
+            print_cell(k ? "," : "", cell[k]);
+        printf("\n");
     }
 }
 

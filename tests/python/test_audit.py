@@ -2,7 +2,7 @@
 """cor audit: all decks of tests/audit, against results of simulators, closed forms and the recorded rows.
 
 The first line of a deck names the public input that it follows, its licence, and options of cor audit.
-    python3 tests/python/test_audit.py     writes tests/audit/expected.csv and the table of docs/simulators.md
+    python3 tests/python/test_audit.py     writes tests/audit/expected.csv and the table of docs/audit.md
 """
 
 import csv
@@ -32,7 +32,7 @@ ROOT = Path(__file__).resolve().parents[2]
 DECKS = sorted(path for path in (ROOT / "tests" / "audit" / "decks").iterdir() if path.is_file())
 EXPECTED, JUDGED = (ROOT / "tests" / "audit" / name for name in ("expected.csv", "judged.csv"))
 draw = random.Random(time.time_ns())
-PAGE = ROOT / "docs" / "simulators.md"
+PAGE = ROOT / "docs" / "audit.md"
 
 
 def run(*arguments):
@@ -87,7 +87,7 @@ def expected_text(audited):
 
 
 def page_text(audited):
-    """Returns docs/simulators.md with its examples and the table of the decks, each counted by its worst contact."""
+    """Returns docs/audit.md with its examples and the table of the decks, each counted by its worst contact."""
     kinds = ("as asked", "something else", "not known", "no e asked for")
     counts = {}
     for deck, (status, rows) in audited.items():
