@@ -140,6 +140,36 @@ def lammps_oblique(work):
                   integrated.get((model, nu)) or no_slip(nu), [no_slip("0.31")], tolerance=1e-6)
 
 
+def lammps_gravity():
+    """A ball that falls on a wall stays there at 0.01 m/s. The time step of gravity.in leaves an error of 4e-5 of
+    eps^2."""
+    of_law = {"viscoelastic": "--stiffness 1e5 --damping-coefficient 30", "linear":
+              "--law linear --stiffness 1e3 --damping-coefficient 0.4"}
+    rows = lammps("gravity.in")
+    for law, end, speed, value, time in rows:
+        row = first_row("contact", *of_law[law].split(), *"--effective-mass 4e-3 --wall --gravity 9.81".split(),
+                        "--speed", speed)
+        eps, duration = float(row["eps_" + end]), float(row["duration_s_" + end])
+        verdict(abs(float(value)**2 - eps**2) < 4e-5 and abs(float(time) - duration) < 3e-7 if eps > 0 else
+                duration == math.inf and float(time) > 0.0399,
+                "LAMMPS, gravity, %s, %s, %s m/s: %s, exact %.12g" % (law, end, speed, value, eps))
+    verdict(len(rows) == 16, "LAMMPS, gravity: sixteen collisions")
+
+
+def lammps_jkr():
+    """Spheres that adhere. At a speed at which they stick, eps is 0 and the surfaces overlap. The force jumps when
+    the contact breaks, so the end is known only to a step: eps^2 to 1e-5."""
+    for time in "0", "5e-9":
+        spheres = ("--young 1e9 --poisson 0.25 --radius 1e-5 --density 2500 --adhesion 0.1 --adhesion-model jkr "
+                   "--dissipation-time " + time).split()
+        of = numbers_of(*spheres)
+        eta = of["damping_coefficient"] / (math.sqrt(of["effective_radius"]) * of["effective_mass"])
+        for speed, value, gap in lammps("jkr.in", eta=eta):
+            eps = float(list(first_row("contact", *spheres, "--speed", speed).values())[3])
+            verdict(float(gap) > 0 and abs(float(value)**2 - eps**2) < 1e-5 if eps > 0 else float(gap) < 0,
+                    "LAMMPS, JKR, A = %s s, %s m/s: %s, exact %.12g" % (time, speed, value, eps))
+
+
 # ---- oblique impacts with slip: the lines of corgen, at ten angles ----
 
 FRICTION, ANGLES = 0.3, "2,8,14,20,27,35,45,55,65,80"
