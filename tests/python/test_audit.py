@@ -349,7 +349,7 @@ def test_any_text(audited):
         "end",
     ]
     names, count = list(audited), 0
-    for _ in range(4000 if os.environ.get("COR_TEST_LONG") else 400):
+    for _ in range(4000 if os.environ.get("COR_TEST_LONG") else 200):
         deck = DECKS[draw.randrange(len(names))]
         text = deck.read_text(encoding="utf-8")
         for _ in range(draw.randint(1, 6)):

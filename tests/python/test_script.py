@@ -106,7 +106,7 @@ def test_an_unknown_condition_has_both_branches(monkeypatch):
 
 
 def test_bounds(monkeypatch):
-    monkeypatch.setattr(script, "MAX_SECONDS", 1.0)
+    monkeypatch.setattr(script, "MAX_SECONDS", 0.3)
     files = {"a": "include b", "b": "include a"}
     grow = "variable s string xx\nlabel l\nvariable s string ${s}${s}\njump SELF l\n"
     twice = "".join(f"variable a{i + 1} equal v_a{i}+v_a{i}\n" for i in range(60)) + "variable a0 equal 1\nprint ${a60}"
