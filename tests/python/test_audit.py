@@ -33,6 +33,7 @@ DECKS = sorted(path for path in (ROOT / "tests" / "audit" / "decks").iterdir() i
 EXPECTED, JUDGED = (ROOT / "tests" / "audit" / name for name in ("expected.csv", "judged.csv"))
 draw = random.Random(time.time_ns())
 PAGE = ROOT / "docs" / "audit.md"
+CORGEN = os.environ.get("CORGEN", "build/corgen")
 
 
 def run(*arguments):
@@ -445,6 +446,40 @@ def test_mujoco_agrees(tmp_path):
         deck = write(tmp_path, "deck.xml", f"<mujoco>{settings}{bodies}</mujoco>")
         (row,) = json.loads(run("audit", deck, "--speed", "1", "--format", "json")[1])
         assert abs(realised[0] - row["realised"]) < 2e-4, geom
+
+
+OBLIQUE = """mindlin NULL 0.5 0.4
+mindlin 5e6 0 0.3
+mindlin/force 8e6 0.1 0.2
+mindlin_rescale NULL 0.2 0.4
+linear_history 3e4 0.5 0.4
+linear_nohistory 0.7 0.3"""
+
+
+@pytest.mark.parametrize("line", OBLIQUE.splitlines())
+def test_oblique_impacts(tmp_path, line):
+    """-u'/u of a deck against corgen contact, by the numbers of the deck; empty where something else acts."""
+    text = (ROOT / "tests" / "audit" / "lammps.in").read_text(encoding="utf-8")
+    text = text.replace("0.5 0.3 damping tsuji", "0.2 0.3 damping velocity").replace("linear_nohistory 0 0", line)
+    (name, *stiffness), (ratio, friction) = line.split()[:-2], line.split()[-2:]
+    words = "contact --law hertz-dashpot --young 1e7 --poisson 0.3 --radius 5e-3 --density 2500 --speed 0.1,2 --angle 40"
+    words += f" --end zero-overlap --damping-coefficient 0.2 --friction {friction} --tangential {name} --format csv"
+    words += f" --tangential-damping {ratio}"
+    if stiffness and stiffness != ["NULL"]:
+        spring = float(stiffness[0]) * (1 if name == "linear_history" else math.sqrt(0.0025))
+        words += f" --tangential-stiffness {spring!r}"
+    done = subprocess.run([CORGEN, *words.split()], stdout=subprocess.PIPE, universal_newlines=True)
+    expected = [float(row["tangential_restitution"]) for row in csv.DictReader(io.StringIO(done.stdout))]
+
+    def found(text, *angle):
+        out = run("audit", write(tmp_path, "in", text), "--speed", "0.1,2", *angle, "--format", "json")[1]
+        return [row["tangential_restitution"] for row in json.loads(out) if "wall" not in row["pair"]]
+
+    assert np.allclose(found(text, "--angle", "40"), expected, rtol=0, atol=1e-9) and expected[0] != expected[1]
+    assert run("audit", tmp_path / "in", "--angle", "90")[0] == 2 and found(text, "--angle", "0")[0] is not None
+    for old, new in ((line, f"{line} rolling sds 1 1 1"), ("nve/sphere", "nve"), ("nve/sphere", "nve/sphere disc")):
+        assert found(text.replace(old, new), "--angle", "40") == [None, None], new
+    assert found(text) == [None, None]
 
 
 if __name__ == "__main__":

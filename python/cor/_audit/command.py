@@ -3,6 +3,7 @@
 
 import argparse
 import os
+import re
 from importlib import import_module
 from typing import Dict, List, Optional, Tuple
 
@@ -33,6 +34,13 @@ def _by_type(text: str) -> Tuple[str, float]:
     return name, positive(value)
 
 
+def _angle(text: str) -> float:
+    value = 0.0 if re.fullmatch(r"0+(\.0*)?", text) else positive(text)
+    if value >= 90:
+        raise argparse.ArgumentTypeError(f"'{text}' is not an angle from 0 to below 90 degrees")
+    return value
+
+
 def add_arguments(parser: Parser) -> None:
     """Adds the options of cor audit."""
     add = parser.add_argument
@@ -43,6 +51,9 @@ def add_arguments(parser: Parser) -> None:
         add(f"--{name}", type=_by_type, action="append", default=[], metavar="[TYPE=]NUMBER",
             help=f"{name} of the spheres, {unit}, where the file does not contain it; for one type or all")  # fmt: skip
     add("--time-step", type=positive, metavar="DT", default=NAN, help="time step, s (default: the file's)")
+    add("--angle", type=_angle, metavar="DEGREES", default=NAN,
+        help="impact angle, 0 to below 90: fills tangential_restitution (-u'/u, as corgen contact --angle) for pair "
+        "style granular of LAMMPS, where speed and numbers are known and no rolling or twisting acts")  # fmt: skip
     add("--tolerance", type=positive, metavar="T", default=0.01,
         help="as asked: the mean eps differs from e by at most T e, as the scatter does (default 0.01)")  # fmt: skip
     add(
@@ -83,7 +94,7 @@ def _options(given: argparse.Namespace, path: str) -> Options:
     variables: Dict[str, Tuple[str, ...]] = {words[0]: tuple(words[1:]) for words in given.var}
     return Options(
         given.simulator, version, tuple(given.speed), dict(given.radius), dict(given.density), given.time_step,
-        given.tolerance, variables, lambda name, of: _includes(path, name, of), progress,
+        given.angle, given.tolerance, variables, lambda name, of: _includes(path, name, of), progress,
     )  # fmt: skip
 
 
@@ -106,6 +117,8 @@ def _text(row: Row) -> str:
         number += f"; the step adds {row.step_bias:.2g} in the mean, with scatter {row.step_scatter:.2g}"
     if row.realised_surface == row.realised_surface:
         number += f"; under gravity {row.realised_surface:.6g}"
+    if row.tangential_restitution == row.tangential_restitution:
+        number += f"; tangential restitution {row.tangential_restitution:.6g}"
     if row.measured == row.measured or row.measured_small_step == row.measured_small_step:
         number += f"; measured {row.measured:.6g}, with a hundredth of the step {row.measured_small_step:.6g}"
     lines += [number] + ([row.advice] if row.advice else []) + ([f"write: {row.instead}"] if row.instead else [])

@@ -80,7 +80,8 @@ class Contact:
     of this contact over the damping that the model computes from e. slots: the parts [start, end) of repair.text that
     contain e. gravity: acceleration that presses the bodies together, for walls. global_damping:
     part of every force that YADE adds against the motion and takes along it. losses: sentences about losses outside
-    contacts. notes: sentences for the advice. unknown: a sentence; eps is not computed."""
+    contacts. notes: sentences for the advice. unknown: a sentence; eps is not computed. tangential: a model of
+    cor_tangential_models, or ""; its stiffness, of the kind of `stiffness`; its damper over the normal one; friction."""
 
     file: str
     line: int
@@ -109,7 +110,7 @@ class Contact:
     integrator: Optional[int] = None  # enum cor_integrator; None: the simulator's own
     units: Units = Units()
     runs: Tuple[int, ...] = ()  # of a script, from 1: the runs that have this contact; empty: a deck without runs
-    tangential: float = NAN  # velocity of the contact point after over before an impact without slip
+    tangential: Tuple[str, float, float, float] = "", NAN, NAN, NAN
 
 
 @dataclass(frozen=True)
@@ -144,6 +145,7 @@ class Options:
     radii: Dict[str, float] = field(default_factory=dict)
     densities: Dict[str, float] = field(default_factory=dict)
     time_step: float = NAN
+    angle: float = NAN  # of oblique impacts, degrees
     tolerance: float = 0.01
     variables: Dict[str, Tuple[str, ...]] = field(default_factory=dict)
     include: Callable[[str, str], Optional[Tuple[str, str]]] = lambda name, of: None

@@ -40,6 +40,7 @@ _BY_ROOT = ("HOOKE_TSUJI", "HERTZ_TSUJI", "COEFF_RESTITUTION")  # damping grows 
 _KNOWN = _BY_MASS + _BY_ROOT + ("HOOKE_VELOCITY", "HERTZ_VELOCITY")
 _MIXES_SINCE = 20221103  # before, LAMMPS uses damping velocity for every pair that it mixes
 _MODELS = ("hertz", "hooke", "hertz/stiffness", "hooke/stiffness")  # of LIGGGHTS
+_TANGENTIAL = ("mindlin", "mindlin/force", "mindlin_rescale", "mindlin_rescale/force")  # with the contact radius
 _RIGID = "\0rigid"  # a group of atoms that are inserted as parts of bodies
 
 
@@ -579,6 +580,8 @@ class Granular(System):
         if self.other_style is not None and not self.style:
             text = f"pair_style {self.other_style[1]}: cor knows granular, gran/hooke(/history), gran/hertz/history"
             self.script.remark(self.other_style.line, text + ", LIGGGHTS' gran model, and hybrid with these.")
+        moved = [f for f in self.fixes.values() if _INTEGRATES.match(f[3]) and f[3] != "nve/noforce"]
+        is_turned = all(_ACCELERATED.sub("", f[3]).endswith("/sphere") and "disc" not in f for f in moved)
         everyone = [m for bodies in moving.values() for m in bodies]
         if self.style and everyone and all(m.held for m in everyone):
             text = "No atom moves here: all are frozen, or no fix integrates a group that has them."
@@ -587,6 +590,7 @@ class Granular(System):
         for contact in chain(self.pair_contacts(moving) if self.style else (), self.wall_contacts(moving)):
             self.script.tick()
             contact.unknown = contact.unknown or fault
+            contact.tangential = contact.tangential if is_turned else ("", NAN, NAN, NAN)
             contact.losses, contact.style = sentences, "" if contact.model else contact.style
             contact.speeds = self.speeds_of(contact.bodies[1].wall)
             contact.time_step, contact.units = self.time_step, self.units
@@ -675,7 +679,7 @@ class Granular(System):
             x, y = contact.stiffness, second.stiffness
             is_material = _NORMAL.get(own.model()[0], 0) > 2
             contact.stiffness = 2 / (1 / x + 1 / y) if is_material and x > 0 and y > 0 else math.sqrt(abs(x * y))
-            contact.number = math.sqrt(abs(contact.number * second.number))
+            contact.number, contact.tangential = math.sqrt(abs(contact.number * second.number)), ("", NAN, NAN, NAN)
             contact.repair, contact.slots, contact.line, contact.file = None, (), second.line, second.file
             contact.unknown = contact.unknown or second.unknown
             contact.notes = ["No line for this pair: LAMMPS takes the geometric mean of both types."]
@@ -746,6 +750,19 @@ class Granular(System):
         contact.model = f"LAMMPS_{name}" + ("_LIMIT" if is_limited and has_row else "")
         contact.limited, contact.unknown = is_limited and not has_row, _FAULTS.get(force, "")
         contact.spring = Spring.HOOKE if force == "hooke" else Spring.HERTZ
+        if of.style == "granular" and not any(words.after(w, at) not in ("", "none") for w in ("rolling", "twisting")):
+            self.read_tangential(contact, words, at)
+
+    def read_tangential(self, contact: Contact, words: Words, at: int) -> None:
+        """Sets the tangential force. The stiffness NULL of mindlin is 8 G*, by the numbers of hertz/material."""
+        name, k = words.after("tangential", at), words.find("tangential", at) + 2
+        if name == "linear_nohistory":
+            contact.tangential = name, 0.0, words.value(k), words.value(k + 1)
+        elif name == "linear_history" or (name in _TANGENTIAL and contact.spring is Spring.HERTZ):
+            stiffness, poisson = words.value(k), words.value(at + 3)
+            if words[k] == "NULL" and name in _TANGENTIAL and _NORMAL[words[at]] > 2:
+                stiffness = 2 * words.value(at + 1) / (2 - poisson) / (1 + poisson)
+            contact.tangential = name, stiffness, words.value(k + 1), words.value(k + 2)
 
     def matrix(self, words: Words, at: int, one: Body, two: Body) -> Contact:
         """The contact of two types of LIGGGHTS by the properties; words[at] is the name of the model."""

@@ -279,7 +279,7 @@ class _Audit:
         row = Row(contact.file, contact.line, contact.simulator, contact.style, contact=contact, size=size)
         row.pair = (contact.pair or "-".join(names)) + label
         row.speed_m_s, row.units = speed_m_s, "lj" if units.name == "lj" else "si"
-        row.tangential_restitution, row.judged = contact.tangential, False
+        row.judged = False
         if not contact.model:
             row.advice = contact.unknown
             return row
@@ -341,6 +341,23 @@ class _Audit:
             ):
                 row.advice += " " + string(model.advice)
         self.add_surface(row, contact, scene, speed, end)
+        self.add_oblique(row, contact, scene, speed, end)
+
+    def add_oblique(self, row: Row, contact: Contact, scene: Any, speed: float, end: int) -> None:
+        """Sets -u'/u at the angle of the options, if the model, numbers and speed are known."""
+        name, stiffness, ratio, friction = contact.tangential
+        found = [k for k, model in enumerate(lib.cor_tangential_models) if string(model.name) == name]
+        if not found or math.isnan(self.options.angle + speed):
+            return
+        model, tangent = lib.cor_tangential_models[found[0]], math.tan(math.radians(self.options.angle))
+        stiffness *= 1 if model.constant_stiffness else math.sqrt(scene.radius_m)
+        damper = ratio * lib.cor_scene_damping(scene, lib.COR_SCENE_DAMPING_COEFFICIENT)
+        scaled, impact = ffi.new("struct cor_tangential *"), ffi.new("struct cor_oblique_impact *")
+        if (
+            lib.cor_scene_tangential_scaled(scaled, scene, found[0], stiffness, damper, speed) == lib.COR_OK
+            and lib.cor_scene_oblique(impact, scene, scaled, friction, speed, tangent, end) == lib.COR_OK
+        ):
+            row.tangential_restitution = -impact.restitution
 
     def rows_of(self, contact: Contact) -> List[Row]:
         """The rows of one contact: its sizes and speeds."""
