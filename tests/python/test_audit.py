@@ -448,7 +448,7 @@ def test_mujoco_agrees(tmp_path):
         assert abs(realised[0] - row["realised"]) < 2e-4, geom
 
 
-OBLIQUE = """mindlin NULL 0.5 0.4
+OBLIQUE = """mindlin NULL 0.5 0.45
 mindlin 5e6 0 0.3
 mindlin/force 8e6 0.1 0.2
 mindlin_rescale NULL 0.2 0.4
@@ -462,9 +462,9 @@ def test_oblique_impacts(tmp_path, line):
     text = (ROOT / "tests" / "audit" / "lammps.in").read_text(encoding="utf-8")
     text = text.replace("0.5 0.3 damping tsuji", "0.2 0.3 damping velocity").replace("linear_nohistory 0 0", line)
     (name, *stiffness), (ratio, friction) = line.split()[:-2], line.split()[-2:]
-    words = "contact --law hertz-dashpot --young 1e7 --poisson 0.3 --radius 5e-3 --density 2500 --speed 0.1,2 --angle 40"
-    words += f" --end zero-overlap --damping-coefficient 0.2 --friction {friction} --tangential {name} --format csv"
-    words += f" --tangential-damping {ratio}"
+    words = "contact --law hertz-dashpot --young 1e7 --poisson 0.3 --radius 5e-3 --density 2500 --speed 0.1,2"
+    words += f" --angle 40 --end zero-overlap --damping-coefficient 0.2 --friction {friction} --format csv"
+    words += f" --tangential {name} --tangential-damping {ratio}"
     if stiffness and stiffness != ["NULL"]:
         spring = float(stiffness[0]) * (1 if name == "linear_history" else math.sqrt(0.0025))
         words += f" --tangential-stiffness {spring!r}"
@@ -477,7 +477,9 @@ def test_oblique_impacts(tmp_path, line):
 
     assert np.allclose(found(text, "--angle", "40"), expected, rtol=0, atol=1e-9) and expected[0] != expected[1]
     assert run("audit", tmp_path / "in", "--angle", "90")[0] == 2 and found(text, "--angle", "0")[0] is not None
-    for old, new in ((line, f"{line} rolling sds 1 1 1"), ("nve/sphere", "nve"), ("nve/sphere", "nve/sphere disc")):
+    rolls, fills = f"{line} rolling sds 1 1 1", "mindlin_rescale NULL 0.6 0.5"  # 0.6 tan(40 degrees) = 0.503
+    sphere = "nve/sphere"
+    for old, new in ((line, rolls), (line, fills), (sphere, "nve"), (sphere, "nve/sphere disc")):
         assert found(text.replace(old, new), "--angle", "40") == [None, None], new
     assert found(text) == [None, None]
 

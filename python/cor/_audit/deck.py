@@ -81,7 +81,7 @@ class Contact:
     contain e. gravity: acceleration that presses the bodies together, for walls. global_damping:
     part of every force that YADE adds against the motion and takes along it. losses: sentences about losses outside
     contacts. notes: sentences for the advice. unknown: a sentence; eps is not computed. tangential: a model of
-    cor_tangential_models, or ""; its stiffness, of the kind of `stiffness`; its damper over the normal one; friction."""
+    cor_tangential_models, or ""; its stiffness, as `stiffness`; its damper over the normal one; friction."""
 
     file: str
     line: int

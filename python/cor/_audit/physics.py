@@ -350,6 +350,12 @@ class _Audit:
         if not found or math.isnan(self.options.angle + speed):
             return
         model, tangent = lib.cor_tangential_models[found[0]], math.tan(math.radians(self.options.angle))
+        no_force = model.memory in (lib.COR_REMEMBERS_DISPLACEMENT, lib.COR_REMEMBERS_DISPLACEMENT_RESCALED)
+        grows = no_force and not model.constant_stiffness and ratio * tangent > friction
+        if grows and 2 * scene.law.damping < scene.law.denominator:  # its limit needs steps that nobody makes
+            row.advice += " The tangential damper exceeds the friction at the first touch: the rebound along the "
+            row.advice += "surface depends on the time step."
+            return
         stiffness *= 1 if model.constant_stiffness else math.sqrt(scene.radius_m)
         damper = ratio * lib.cor_scene_damping(scene, lib.COR_SCENE_DAMPING_COEFFICIENT)
         scaled, impact = ffi.new("struct cor_tangential *"), ffi.new("struct cor_oblique_impact *")
