@@ -1,20 +1,21 @@
 /* SPDX-License-Identifier: MIT */
-/* From what is known of a contact to what a simulation needs: its damping, the numbers of an impact, and the settings
- * of simulators. All quantities are in SI units.
+/* Computes the damping of a contact, the numbers of an impact, and the settings of simulators. All quantities are in SI
+ * units.
  *
  * At the overlap x the force K x^a + C x^b x' acts between two bodies of effective mass m. At impact speed g,
  *
  *     beta = (C/m) (m/K)^((b+1)/(a+1)) g^q,     q = (2 b - a + 1)/(a + 1)
  *
- * is the one parameter of the dimensionless law x'' + beta x^b x' + x^a = 0. Where q = 0, that is for the linear
- * dashpot and Tsuji's damping, zeta = beta/sqrt(2 (a + 1)) is the parameter, and eps is the same at every speed.
+ * is the only parameter of the dimensionless law x'' + beta x^b x' + x^a = 0. For the linear dashpot and Tsuji's
+ * damping q = 0. Their parameter is zeta = beta/sqrt(2 (a + 1)), and eps is the same at every speed.
  *
- * These functions are a library of their own, libcor_scene (in CMake cor::scene), which needs libcor and libm. They are
- * safe in threads, and use no memory but COR_SCENE_MAX_STACK bytes of stack at most. They assume rounding to nearest.
- * They raise no exception but underflow and inexact and set no errno, whatever the arguments; a solver of the caller
- * runs in the caller's environment. Functions behind the pointers of a model do not check their arguments. Every number
- * with a unit is 0, where that is meaningful, or from COR_SI_LEAST to COR_SI_MOST (contact.h); others give NaN, or
- * COR_FAULT_RANGE. Simulators need numbers from 1e-48 to 1e48. Source: docs/theory.md, 9, and docs/laws.md. */
+ * These functions form a separate library, libcor_scene (in CMake cor::scene), which needs libcor and libm. They are
+ * thread-safe. The only memory they use is at most COR_SCENE_MAX_STACK bytes of stack. They assume rounding to nearest.
+ * Whatever the arguments, they set no errno and raise no exceptions except underflow and inexact. A solver of the
+ * caller runs in the caller's environment. Functions behind the pointers of a model do not check their arguments. Every
+ * number with a unit is 0, where that is meaningful, or from COR_SI_LEAST to COR_SI_MOST (contact.h). Other numbers
+ * give NaN or COR_FAULT_RANGE. Simulators need numbers from 1e-48 to 1e48. Source: docs/theory.md, 9, and
+ * docs/laws.md. */
 #ifndef COR_SCENE_H
 #define COR_SCENE_H
 
@@ -36,16 +37,16 @@ extern const struct cor_exponents cor_law_exponents[COR_LAW_IMPULSE]; /* of the 
 enum { COR_SCENE_ENDS = 2 };                      /* zero overlap, and zero force or the surface */
 extern const char *const cor_end_names[COR_ENDS]; /* "zero overlap" */
 
-/* eps of a damping parameter and back, for the laws with closed forms: linear and Tsuji (zeta), Hunt and Crossley
- * (beta), an impulse. NaN for other laws, ends that the law does not have, and where the functions of law.h give NaN.
- * Accuracy: that of the functions of law.h. */
+/* Returns eps of a damping parameter, and the parameter of an eps, for the laws with closed forms: linear and Tsuji
+ * (zeta), Hunt and Crossley (beta), an impulse. Returns NaN for other laws, for ends that the law does not have, and
+ * where the functions of law.h give NaN. Accuracy: as the functions of law.h. */
 double cor_law_eps(enum cor_law law, enum cor_end end, double damping);
 double cor_law_damping(enum cor_law law, enum cor_end end, double eps);
 
-/* The largest value of x^a + beta x^b x' during the collision x'' + beta x^b x' + x^a = 0, x(0) = 0, x'(0) = 1; where
- * q = 0 the damping is zeta. In SI units the largest force is m g/T times this number, where T is the unit of time.
- * Where q = 0 and where a = b the result is a closed form. Otherwise Taylor series integrate up to the largest overlap,
- * or, where the spring is too weak to matter, the limit of strong damping is the result.
+/* Returns the largest value of x^a + beta x^b x' during the collision x'' + beta x^b x' + x^a = 0, x(0) = 0, x'(0) = 1.
+ * Where q = 0 the argument is zeta. In SI units the largest force is m g/T times this number, where T is the unit of
+ * time. Where q = 0 and where a = b the result is a closed form. Otherwise Taylor series integrate up to the largest
+ * overlap. If the spring is too weak to matter, the result is the limit of strong damping.
  * Accuracy: COR_LAW_FORCE_MAX_ERROR, relative; sampled in tests/unit/test_scene_force.c and tests/gen/test_contact.c.
  * Special values: damping negative, infinite or NaN, or above 1e100 (q = 0) or 1e280 (a = b) -> NaN. */
 #define COR_LAW_FORCE_MAX_ERROR 1e-12
@@ -53,11 +54,11 @@ double cor_law_force_max(const struct cor_exponents *exponents, double damping);
 
 /* ---- spheres that yield, spheres in a liquid ---- */
 
-/* eps of elastic-plastic spheres (Thornton 1997) at x = v/v_y, the impact speed over the yield speed, 1 - eps, and x of
- * an eps. With r = 1/x and t = r sqrt(5/(6 - r^2)): eps^4 = 108 t/((t + 2) (t^2 + 5)^2). eps = 1 for x <= 1.
- * Accuracy: units of the last place; of eps by counting roundings (docs/theory.md, 21), of the others sampled in
- * tests/unit/test_scene_plastic.c. Special values: x = +inf -> eps 0; x negative or NaN, eps not in [0, 1] -> NaN;
- * eps = 0 -> x = +inf, which also stands for an x beyond a double. */
+/* Returns eps of elastic-plastic spheres (Thornton 1997) at x = v/v_y, the impact speed over the yield speed; 1 - eps;
+ * and x of an eps. With r = 1/x and t = r sqrt(5/(6 - r^2)): eps^4 = 108 t/((t + 2) (t^2 + 5)^2). eps = 1 for x <= 1.
+ * Accuracy: units in the last place. The bound for eps counts roundings (docs/theory.md, 21); the others are sampled in
+ * tests/unit/test_scene_plastic.c. Special values: x = +inf -> eps 0; x negative or NaN, eps not in [0, 1] -> NaN; eps
+ * = 0 -> x = +inf. An x too large for a double is +inf, too. */
 #define COR_ELASTIC_PLASTIC_EPS_MAX_ULP 4.5
 #define COR_ELASTIC_PLASTIC_LOSS_MAX_ULP 12.0
 #define COR_ELASTIC_PLASTIC_SPEED_RATIO_MAX_ULP 16.0
@@ -65,36 +66,37 @@ double cor_elastic_plastic_eps(double speed_ratio);
 double cor_elastic_plastic_loss(double speed_ratio);
 double cor_elastic_plastic_speed_ratio(double eps);
 
-/* The bodies yield at the pressure p_y = COR_YIELD_PRESSURE times the yield stress, from the impact speed
- * v_y = COR_YIELD_FACTOR (p_y/E*)^2 (R^3 p_y/m)^(1/2) on, COR_YIELD_FACTOR = (pi^5/30)^(1/2). */
+/* The bodies yield at the pressure p_y = COR_YIELD_PRESSURE times the yield stress. They yield at impact speeds above
+ * v_y = COR_YIELD_FACTOR (p_y/E*)^2 (R^3 p_y/m)^(1/2), where COR_YIELD_FACTOR = (pi^5/30)^(1/2). */
 #define COR_YIELD_PRESSURE 1.6
 #define COR_YIELD_FACTOR 3.1938466086381453
 
-/* eps of a contact in a liquid that takes the speed s from the bodies on the way in, and on the way out: `eps` is that
- * of the dry contact at the speed v - s. (eps (v - s) - s)/v, and 0 where that is negative.
- * Accuracy: 4 units of the last place of 1. Special values: s = 0 -> eps; eps outside [0, 1], a speed that is neither 0
+/* Returns eps of a contact in a liquid, which reduces the speed by s on the way in and again on the way out. eps: of
+ * the dry contact at the speed v - s. The result is (eps (v - s) - s)/v, or 0 where that is negative.
+ * Accuracy: 4 units in the last place of 1. Special values: s = 0 -> eps; eps outside [0, 1], a speed that is neither 0
  * nor in range -> NaN. */
 double cor_wet_eps(double eps, double speed_m_s, double liquid_speed_m_s);
 
 /* ---- a contact ---- */
 
-/* Bound on the relative error of eps, durations, overlap and force of the functions below, with the damping parameter
- * of the speed taken as exact. Sampled in tests/gen/test_contact.c. */
+/* Bound on the relative error of eps, durations, overlap and force of the functions below, for an exact damping
+ * parameter. Sampled in tests/gen/test_contact.c. */
 #define COR_SCENE_MAX_ERROR 1e-12
 
 /* One collision of x'' + beta x^b x' + x^a = 0, x(0) = 0, x'(0) = 1. Arrays have an element for each end. */
 struct cor_scaled_impact {
     double eps[COR_SCENE_ENDS], duration[COR_SCENE_ENDS], max_overlap;
 };
-/* Solves the collision of a law that libcor has no functions of, for beta > 0: everything where `end` is COR_BOTH_ENDS,
- * otherwise at least eps of that end. Returns 0, or a negative number, which the functions below return in turn. */
+/* Solves the collision of a law that libcor has no functions for, with beta > 0. With COR_BOTH_ENDS as `end` it sets
+ * everything, otherwise at least eps of that end. Returns 0, or a negative number, which the functions below then
+ * return. */
 typedef int cor_scene_solver(struct cor_scaled_impact *impact, const struct cor_exponents *law, double beta, int end);
 
-/* A contact, filled by cor_scene_contacts or by the caller. libcor has functions of the laws that have a name, of every
- * a = b, and of eps where q = 0. */
+/* A contact, filled by cor_scene_contacts or by the caller. libcor has functions for the named laws, for all laws with
+ * a = b, and for eps where q = 0. */
 struct cor_scene_contact {
     struct cor_exponents law;
-    int plate;                /* whether it is Zener's plate */
+    int plate;                /* true for Zener's plate */
     double mass_kg;           /* m; NaN if not known, like the next two */
     double stiffness;         /* K, N/m^a */
     double radius_m;          /* effective radius; only simulators need it */
@@ -103,42 +105,45 @@ struct cor_scene_contact {
     double force_n;           /* constant force that presses the bodies together, N: gravity, adhesion; 0: none */
     int plastic;              /* elastic-plastic spheres; `damping` is 0 */
     double yield_speed_m_s;   /* v_y; 0: not known */
-    double liquid_speed_m_s;  /* s, which a liquid takes on the way in and on the way out; 0: a dry contact */
+    double liquid_speed_m_s;  /* s, by which a liquid reduces the speed, on each way; 0: a dry contact */
     double adhesion_j_m2;     /* work of adhesion w of JKR; 0: none. The ends are then those of enum cor_jkr_end. */
 };
 
 double cor_scene_speed_exponent(const struct cor_scene_contact *contact); /* q */
-/* Whether the contact can end in this way, and whether eps depends on the end */
+/* Returns 1 if the contact can end in this way; 1 if eps depends on the end. */
 int cor_scene_has_end(const struct cor_scene_contact *contact, int end);
 int cor_scene_ends_differ(const struct cor_scene_contact *contact);
-/* Returns the name of end 0 or 1 of a contact, as columns of corgen have it: "zero_overlap"; "zero_force", or "surface"
- * under a constant force; with adhesion of JKR "tail" and "largest_pull". */
+/* Returns the name of end 0 or 1 of a contact, as in the columns of corgen: "zero_overlap" and "zero_force"; "surface"
+ * instead of "zero_force" under a constant force; "tail" and "largest_pull" with JKR adhesion. */
 const char *cor_scene_end_name(const struct cor_scene_contact *contact, int end);
-/* Whether an impact takes the solver, for more than its eps where q = 0 */
+/* Returns 1 if an impact needs the solver. Where q = 0 its eps does not. */
 int cor_scene_needs_solver(const struct cor_scene_contact *contact);
-/* beta at the impact speed g > 0, m/s. Accuracy: 4 units of the last place, with `damping` taken as exact. */
+/* Returns beta at the impact speed g > 0, m/s. Accuracy: 4 units in the last place, for an exact `damping`. */
 double cor_scene_beta(const struct cor_scene_contact *contact, double speed_m_s);
 
-/* One impact. Arrays have an element for each end of contact. Durations are infinite where the bodies never part. NaN:
- * not defined, or mass and stiffness are not known. */
+/* One impact. Arrays have an element for each end of contact. Durations are infinite if the bodies never part. NaN: not
+ * defined, or mass and stiffness are not known. */
 struct cor_scene_impact {
     double beta, eps[COR_SCENE_ENDS], duration_s[COR_SCENE_ENDS], max_overlap_m;
 };
 
-/* The impact at a speed above 0, m/s; its eps at one end alone; the largest force between the bodies, N, damping
- * included, which takes an integration for some laws. Accuracy: COR_SCENE_MAX_ERROR. The first two return COR_OK,
- * COR_FAULT_RANGE, COR_FAULT_SOLVER, COR_FAULT_PRESSED, or what the solver returned. */
+/* Computes the impact at a speed above 0, m/s; only its eps at one end; and the largest force between the bodies, N,
+ * which includes damping and is integrated for some laws. Accuracy: COR_SCENE_MAX_ERROR. The first two return COR_OK,
+ * COR_FAULT_RANGE, COR_FAULT_SOLVER, COR_FAULT_PRESSED, or the result of the solver. */
 int cor_scene_impact(struct cor_scene_impact *impact, const struct cor_scene_contact *contact, double speed_m_s);
 int cor_scene_eps(double *eps_at_end, const struct cor_scene_contact *contact, double speed_m_s, int end);
 double cor_scene_force_max_n(const struct cor_scene_contact *contact, double speed_m_s);
-/* In a liquid eps is that of the whole, with the error of cor_wet_eps; the rest is that of the dry contact, at the
- * speed that the liquid leaves. Where it leaves none, nothing touches: beta and durations are NaN, overlap and force
- * are 0. */
+/* In a liquid, eps is the eps of the whole impact, with the error of cor_wet_eps. The other numbers describe the dry
+ * contact at the speed that remains. If no speed remains, the bodies do not touch: beta and durations are NaN, overlap
+ * and force are 0. */
 
-/* Of spheres whose effective radius is known, NaN otherwise. v_y of a yield stress and back; radius of the contact and
- * pressure in its middle at an overlap, by Hertz, or p_y of elastic-plastic spheres beyond v_y; the largest overlap of
- * a contact without damping; s of a liquid of a viscosity in Pa s between two distances of the surfaces,
- * 6 pi eta R^2 ln(outer/inner)/m. Accuracy: 1e-14, relative. */
+/* Computes, for spheres of known effective radius (otherwise NaN):
+ * - v_y of a yield stress, and back;
+ * - radius of the contact and pressure in its middle at an overlap, by Hertz (beyond v_y elastic-plastic spheres have
+ *   p_y);
+ * - the largest overlap of a contact without damping;
+ * - s of a liquid of a viscosity in Pa s between two distances of the surfaces, 6 pi eta R^2 ln(outer/inner)/m.
+ * Accuracy: 1e-14, relative. */
 double cor_scene_yield_speed(const struct cor_scene_contact *contact, double yield_stress_pa);
 double cor_scene_yield_stress(const struct cor_scene_contact *contact, double yield_speed_m_s);
 double cor_scene_contact_radius(const struct cor_scene_contact *contact, double overlap_m);
@@ -147,50 +152,51 @@ double cor_scene_elastic_overlap(const struct cor_scene_contact *contact, double
 double cor_scene_liquid_speed(const struct cor_scene_contact *contact, double viscosity_pa_s, double gap_outer_m,
                               double gap_inner_m);
 
-/* Tabor's number of spheres that adhere, (R w^2/(E*^2 z^3))^(1/3), where z is the distance of the surfaces in
- * equilibrium, about COR_TABOR_DISTANCE_M: JKR holds from about COR_TABOR_JKR, DMT up to about COR_TABOR_DMT. Accuracy:
- * 1e-14, relative. Special values: spheres whose effective radius is not known, numbers out of range -> NaN. */
+/* Returns Tabor's number of spheres that adhere, (R w^2/(E*^2 z^3))^(1/3), where z is the equilibrium distance of the
+ * surfaces, about COR_TABOR_DISTANCE_M. JKR holds above about COR_TABOR_JKR, DMT below about COR_TABOR_DMT. Accuracy:
+ * 1e-14, relative. Special values: unknown effective radius, numbers out of range -> NaN. */
 #define COR_TABOR_DISTANCE_M 3e-10
 #define COR_TABOR_JKR 5.0
 #define COR_TABOR_DMT 0.1
 double cor_scene_tabor_number(const struct cor_scene_contact *contact, double adhesion_j_m2, double distance_m);
 
-/* Computes the tangential spring and dashpot of solid spheres with the linear dashpot (LAW 1, 0): the contact point,
- * of mass (2/7) m, reverses its tangential speed with the restitution tangential_eps, from 0 (not allowed) to 1, in the
- * duration of the contact. At zero overlap k_t/K = (2/7) (pi^2 + ln^2 e_t)/(pi^2 + ln^2 e_n). It must not slip.
- * Accuracy: COR_SCENE_MAX_ERROR. Returns COR_OK, or COR_FAULT_RANGE for another law, unknown mass or stiffness, a
- * constant force, bodies that never part, or another tangential_eps; both results are NaN then. */
+/* Computes the tangential spring and dashpot of solid spheres with the linear dashpot (LAW 1, 0). The contact point, of
+ * mass (2/7) m, reverses its tangential speed within the duration of the contact, with the restitution tangential_eps,
+ * 0 < tangential_eps <= 1. At zero overlap k_t/K = (2/7) (pi^2 + ln^2 e_t)/(pi^2 + ln^2 e_n). The contact must not
+ * slip. Accuracy: COR_SCENE_MAX_ERROR. Returns COR_OK. Returns COR_FAULT_RANGE, and sets both results to NaN, for
+ * another law, unknown mass or stiffness, a constant force, bodies that never part, or another tangential_eps. */
 int cor_scene_tangential(double *stiffness_n_m, double *damping_n_s_m, const struct cor_scene_contact *contact,
                          double tangential_eps, int end);
 
 /* With force_n > 0 the equation is m x'' + C x^b x' + K x^a = force_n: gravity on a ball above a wall, or DMT adhesion.
- * For one contact eps is still a function of the speed, for every law, and no solver is needed. The two ends are then:
+ * For every law eps is then a function of the speed, and no solver is needed. The two ends are:
  *
  * - COR_END_ZERO_OVERLAP: the contact ends at x = 0.
  * - COR_END_ZERO_FORCE, the surface: the contact ends where its force vanishes, at an overlap x_f with the outward
- *   speed v_f. The bodies fly against force_n to x = 0 and arrive with (v_f^2 - 2 force_n x_f/m)^(1/2). eps is this
- *   speed over the impact speed, and the duration lasts until then. For b >= a the two ends are the same.
+ *   speed v_f. The bodies then fly against force_n to x = 0 and arrive with (v_f^2 - 2 force_n x_f/m)^(1/2). eps is
+ *   this speed over the impact speed. The duration includes the flight. For b >= a the two ends are the same.
  *
- * Up to the sticking speed of an end eps is 0 and the duration infinite: the bodies come to rest in contact, because
- * the energy never grows (docs/theory.md, 24). The largest force is the largest force of spring and damper.
+ * Each end has a sticking speed. Up to this speed the bodies come to rest in contact, because the energy never grows
+ * (docs/theory.md, 24): eps is 0 and the duration infinite. The largest force is of spring and damper, without force_n.
  * Accuracy: COR_SCENE_PRESSED_ERROR: absolute for eps^2; relative for durations while eps > 0.01, for overlap and for
- * force. Sampled against proved enclosures in tests/gen/test_contact.c, with force_n up to 1e12 in units of m g/T.
- * The sticking speed is in m/s. It is 0 without force or damping, and infinite where the bodies stick at every speed up
- * to 1e9 times sqrt(m) (force_n^(a+1)/K)^(1/(2 a))/m. With a liquid it is the speed below which eps is 0. */
+ * force. Sampled against proved enclosures in tests/gen/test_contact.c, with force_n up to 1e12 in units of m g/T. The
+ * function returns the sticking speed in m/s. It is 0 without force or damping, and infinite where the bodies stick at
+ * every speed up to 1e9 times sqrt(m) (force_n^(a+1)/K)^(1/(2 a))/m. In a liquid it is the speed below which eps is
+ * 0. */
 #define COR_SCENE_PRESSED_ERROR 1e-12
 double cor_scene_sticking_speed(const struct cor_scene_contact *contact, int end);
 
 /* ---- time step ---- */
 
-/* How a simulator moves its bodies. The first three are one sequence of positions and velocities under three names:
+/* The integrator of a simulator. The first three are one sequence of positions and velocities under three names:
  *
  *     v += h F(x, v)/m,  x += h v
  *
- * Velocity Verlet does it with the damping force at the velocity of the last half step, leapfrog with that of the last
- * step. In the fourth the damping force takes the velocity that is predicted for the full step, v + (h/2) F/m with the
- * last force F. The last one, for the linear law only, takes force and velocity at the end of the step, as engines for
- * robots and games do: v' = (v - (h K/m) x)/(1 + h C/m + h^2 K/m), x' = x + h v', and v' = v where that would pull and
- * the end is COR_END_ZERO_FORCE. Such engines have K and C, or ERP = h K/(h K + C) and CFM = 1/(h K + C). */
+ * Velocity Verlet computes the damping force at the velocity of the last half step, leapfrog at the velocity of the
+ * last step. The fourth uses the velocity predicted for the full step, v + (h/2) F/m with the last force F. The last
+ * one, for the linear law only, uses force and velocity at the end of the step, as engines for robots and games do: v'
+ * = (v - (h K/m) x)/(1 + h C/m + h^2 K/m), x' = x + h v', and v' = v if the force would pull and the end is
+ * COR_END_ZERO_FORCE. The input of such engines is K and C, or ERP = h K/(h K + C) and CFM = 1/(h K + C). */
 enum cor_integrator {
     COR_VERLET_HALF_STEP, /* LAMMPS, LIGGGHTS, MercuryDPM, OpenFOAM, PFC */
     COR_LEAPFROG,         /* YADE */
@@ -202,16 +208,17 @@ enum cor_integrator {
 };
 extern const char *const cor_integrator_names[COR_INTEGRATORS + 1]; /* "verlet-half-step"; ends with NULL */
 
-/* Time steps are counted per elastic duration: the duration of a contact without damping, at the same speed, s. */
+/* Returns the duration of a contact without damping, at the same speed, s. Time steps are counted per this elastic
+ * duration. */
 double cor_scene_elastic_duration_s(const struct cor_scene_contact *contact, double speed_m_s);
 #define COR_SCENE_STEPS_MIN 2.0
 #define COR_SCENE_STEPS_MIN_IMPLICIT 1e-6 /* of COR_IMPLICIT_EULER, whose contacts may last for one step */
 #define COR_SCENE_STEPS_MAX 1e6
 
-/* The realised eps of a simulator minus the exact eps, over all phases of the first step. The time from first touch to
- * the end of the step in which the bodies touch is anything from 0 to the step h, and all values are equally likely.
- * Under a constant force both speeds of eps are speeds at the surface: before the first step and after the last one the
- * force alone acts, and v^2/2 - force_n x/m is constant. */
+/* The realised eps of a simulator minus the exact eps, over all phases of the first step. The phase is the time from
+ * first touch to the end of the step in which the bodies touch. It is uniformly distributed from 0 to the step h. Under
+ * a constant force both speeds of eps are speeds at the surface: before the first step and after the last one only the
+ * force acts, and v^2/2 - force_n x/m is constant. */
 struct cor_step_error {
     double bias;           /* mean */
     double scatter;        /* standard deviation */
@@ -220,38 +227,40 @@ struct cor_step_error {
 
 /* Computes the error of eps at an impact speed, with `steps` time steps in an elastic duration. The simulator damps the
  * bodies until they are apart (end: COR_END_ZERO_OVERLAP), or sets the contact force to zero where it would pull
- * (COR_END_ZERO_FORCE; under a constant force this is the surface). The function finds the phases at which another
- * number of steps pushes, and integrates between them. It takes 9 to 22 microseconds at 12 steps without a force.
- * Bodies that would part with less than 1e-8 of the impact speed, and bodies that stay under the force, have eps = 0.
- * Accuracy: bias and scatter are off by at most COR_SCENE_STEP_ERROR of the scatter where eps is above 1e-6; sampled in
- * tests/unit/test_scene_step.c. Below 5 steps, bodies that part at a few phases only can be missed.
- * Returns COR_OK, or what cor_scene_eps returns, or COR_FAULT_STEP, if
+ * (COR_END_ZERO_FORCE; under a constant force this is the surface). The number of steps with contact force jumps at
+ * some phases. The function finds these phases and integrates between them. It takes 9 to 22 microseconds at 12 steps
+ * without a force. eps = 0 for bodies that would part with less than 1e-8 of the impact speed, and for bodies that
+ * stick under the force. Accuracy: bias and scatter are off by at most COR_SCENE_STEP_ERROR of the scatter where eps is
+ * above 1e-6; sampled in tests/unit/test_scene_step.c. Below 5 steps, bodies that part at a few phases only can be
+ * missed.
+ * Returns COR_OK, the result of cor_scene_eps, or COR_FAULT_STEP if
  *   - steps, end or integrator are outside their range,
  *   - the constant force changes the speed in a step by more than twice the impact speed,
  *   - the bodies yield, adhere as in JKR, or are in a liquid,
- *   - a collision takes over 4194304 steps, or the motion leaves the doubles.
+ *   - a collision takes over 4194304 steps, or the motion overflows.
  * *error is NaN then. */
 #define COR_SCENE_STEP_ERROR 0.02
 int cor_scene_step_error(struct cor_step_error *error, const struct cor_scene_contact *contact, double speed_m_s,
                          int end, double steps, int integrator);
 
-/* The least number of steps in an elastic duration from which on |bias| and scatter stay within the tolerance; right to
- * 0.1 %, or to one step. Sampled: a scan from 2 steps on, in ratios of 1.2 and at eight numbers up to one step more,
- * which goes on to four times the last number that failed. In between the scatter may be larger by a tenth.
- * COR_FAULT_STEP also where more than 1e6 steps would have to be tried. */
+/* Finds the least number of steps in an elastic duration above which |bias| and scatter stay within the tolerance,
+ * within 0.1 % or one step. The result is sampled: a scan starts at 2 steps, in ratios of 1.2, with eight numbers of
+ * steps up to one more at each. It ends at four times the last number that failed. Between the samples the scatter may
+ * be larger by a tenth. Returns COR_FAULT_STEP also if the scan would need more than 1e6 steps. */
 int cor_scene_step_for(double *least_steps, const struct cor_scene_contact *contact, double speed_m_s, int end,
                        double tolerance, int integrator);
 
 /* Finds the damping whose mean over the phases is the exact eps of `contact`, within 1e-9. Returns COR_FAULT_NO_DAMPING
- * if it does not exist. A contact without damping stays as it is. */
+ * if it does not exist. A contact without damping is not changed. */
 int cor_scene_step_corrected(struct cor_scene_contact *corrected, const struct cor_scene_contact *contact,
                              double speed_m_s, int end, double steps, int integrator);
 
 /* ---- oblique impacts ---- */
 
-/* The memory of a tangential spring. The force of the spring is k x^p s of a displacement s that adds up the motion of
- * the contact point; or the force itself adds up k x^p times this motion; in the next two s or the force also shrinks
- * with the contact radius x^(1/2) on the way back, where p = a - 1. Without memory only a damper acts. */
+/* The memory of a tangential spring, in the order of the names. The force of the spring is k x^p s, where the
+ * displacement s adds up the motion of the contact point. Or the force itself adds up k x^p times this motion. In the
+ * next two, s or the force also shrinks with the contact radius x^(1/2) on the way back; there p = a - 1. Without
+ * memory only a damper acts. */
 enum cor_tangential_memory {
     COR_REMEMBERS_DISPLACEMENT,
     COR_REMEMBERS_FORCE,
@@ -262,18 +271,18 @@ enum cor_tangential_memory {
 };
 
 /* A tangential force in the units of the collision at its speed (mass m, stiffness K, speed g, length L). The contact
- * point of solid spheres has 2/7 of the effective mass. kappa = (7/2) (k/K) L^(p-a+1) of the stiffness k x^p. p is
- * a - 1, or 0 if constant_stiffness; then kappa depends on the speed. damping = (7/2) C_t/C beta of a damper C_t x^b
- * that acts next to the normal damper C x^b. damper_in_cap: friction limits the sum of spring and damper (LAMMPS,
- * MercuryDPM); otherwise it limits the spring, and the damper acts only while the contact sticks (LIGGGHTS, YADE). */
+ * point of solid spheres has 2/7 of the effective mass. The stiffness k x^p has kappa = (7/2) (k/K) L^(p-a+1). p is a -
+ * 1, or 0 if constant_stiffness; then kappa depends on the speed. A damper C_t x^b next to the normal damper C x^b has
+ * damping = (7/2) C_t/C beta. damper_in_cap: friction limits the sum of spring and damper (LAMMPS, MercuryDPM);
+ * otherwise it limits the spring, and the damper acts only while the contact sticks (LIGGGHTS, YADE). */
 struct cor_tangential {
     int memory; /* enum cor_tangential_memory */
     int constant_stiffness, damper_in_cap;
     double kappa, damping;
 };
 
-/* The tangential models that simulators have, and those of cor's own that stand for them: name as the simulator has it,
- * the simulators, and the members of struct cor_tangential */
+/* The tangential models of simulators, and cor's own ones that represent them. name: as in the simulator. from: the
+ * simulators. The other members are those of struct cor_tangential. */
 enum cor_tangential_id {
     COR_TANGENTIAL_DISPLACEMENT,
     COR_TANGENTIAL_FORCE,
@@ -299,26 +308,26 @@ struct cor_tangential_model {
 };
 extern const struct cor_tangential_model cor_tangential_models[COR_TANGENTIAL_MODELS];
 
-/* Fills *tangential for a model, the spring k x^p, N/m^(1+p), and the damper C_t x^b, N s/m^(b+1), of a contact with
- * known mass and stiffness at an impact speed. Returns COR_OK, or COR_FAULT_RANGE. */
+/* Fills *tangential for a model with the spring k x^p, N/m^(1+p), and the damper C_t x^b, N s/m^(b+1), at an impact
+ * speed. The contact must have known mass and stiffness. Returns COR_OK, or COR_FAULT_RANGE. */
 int cor_scene_tangential_scaled(struct cor_tangential *tangential, const struct cor_scene_contact *contact,
                                 enum cor_tangential_id model_id, double stiffness, double damping_coefficient,
                                 double speed_m_s);
 
-/* An oblique impact: u'/u, the velocity of the contact point along the surface after over before (the tangential
- * restitution coefficient of the literature is -u'/u); eps; tan of the rebound angle, u'/(eps g); the tangential
- * impulse over m g; whether the contact stuck, slipped, or both, a sum of the next two. */
+/* An oblique impact. restitution: u'/u, the velocity of the contact point along the surface after over before (the
+ * tangential restitution coefficient of the literature is -u'/u). rebound_tangent: tangent of the rebound angle,
+ * u'/(eps g). impulse: tangential impulse over m g. regime: a sum of the next two. */
 enum cor_oblique_regime { COR_OBLIQUE_STICKS = 1, COR_OBLIQUE_SLIPS = 2 };
 struct cor_oblique_impact {
     double restitution, eps, rebound_tangent, impulse;
     int regime;
 };
 
-/* Computes the impact of solid spheres, or of one on a wall, with the friction coefficient `friction`, at the normal
- * speed g and the tangential speed g times `tangent`. Friction limits the force to `friction` times the absolute value
- * of the normal force of spring and damper, which pulls before the end of zero overlap. For tangent = 0 the result is
- * the limit of small angles. The contact may have any power law, and a constant force; bodies that this force holds
- * have NaN. By Taylor series of the motion between slip and stick, 10 to 50 microseconds.
+/* Computes the impact of two solid spheres, or of a sphere on a wall, with the friction coefficient `friction`, at the
+ * normal speed g and the tangential speed g times `tangent`. Friction limits the force to `friction` times the absolute
+ * normal force of spring and damper, which can be negative before the end of zero overlap. For tangent = 0 the result
+ * is the limit of small angles. The contact may have any power law and a constant force; the result is NaN if this
+ * force holds the bodies. Taylor series follow the motion between slip and stick, in 10 to 50 microseconds.
  * Accuracy: COR_OBLIQUE_ERROR, absolute, of u'/u while 1e-6 <= tangent/friction and eps >= 1e-3; sampled in
  * tests/unit/test_scene_oblique.c. Returns COR_OK; COR_FAULT_RANGE for numbers that are out of range and for plates,
  * yield, liquids and JKR; COR_FAULT_PRESSED if the motion takes too many steps. */
@@ -328,7 +337,7 @@ int cor_scene_oblique(struct cor_oblique_impact *oblique, const struct cor_scene
                       const struct cor_tangential *tangential, double friction, double speed_m_s, double tangent,
                       int end);
 
-/* ---- what is known of a contact ---- */
+/* ---- the known numbers of a contact ---- */
 
 /* The index of a number of body 2 is that of body 1 plus COR_SCENE_BODY. */
 enum cor_scene_number {
@@ -349,7 +358,7 @@ enum cor_scene_number {
     COR_SCENE_DISSIPATION_TIME_2,
     COR_SCENE_VISCOSITY_2,
     COR_SCENE_BULK_VISCOSITY_2,
-    COR_SCENE_BETA, /* at the speed COR_SCENE_AT; where q = 0 at every speed, like the restitution */
+    COR_SCENE_BETA, /* at the speed COR_SCENE_AT; where q = 0 at every speed, as is the restitution */
     COR_SCENE_AT,   /* m/s */
     COR_SCENE_STIFFNESS,
     COR_SCENE_DAMPING_COEFFICIENT, /* C, N s/m^(b+1) */
@@ -378,16 +387,17 @@ struct cor_scene_option {
 extern const struct cor_scene_option cor_scene_options[COR_SCENE_NUMBERS];
 int cor_option_allows(const struct cor_scene_option *option, double value); /* True if the value is in the range */
 
-/* The force between spheres that adhere: DMT 2 pi w R, constant during the contact; JKR depends on the overlap. */
+/* The force between spheres that adhere. DMT: 2 pi w R, constant during the contact. JKR: depends on the overlap. */
 enum cor_adhesion { COR_ADHESION_NONE, COR_ADHESION_DMT, COR_ADHESION_JKR };
 
-/* Spheres that adhere as in JKR pull each other beyond zero overlap, and part where the tail ends, or, in LAMMPS, at
- * the largest pull, with half of the loss. These ends have the places of zero overlap and of zero force in arrays. The
- * damping force is C (c^2/R)^b x' with the radius c of the contact, which for w -> 0 is that of the law.
+/* Spheres with JKR adhesion attract each other beyond zero overlap. They part where the tail ends. In LAMMPS they part
+ * at the largest pull, with half of the loss. In arrays the tail has the index of zero overlap, and the largest pull
+ * the index of zero force. The damping force is C (c^2/R)^b x' with the radius c of the contact; for w -> 0 it becomes
+ * the damping force of the law.
  * Accuracy: eps^2 within COR_JKR_EPS2_MAX_ERROR, absolute. Durations have that relative error while eps > 0.01, and
  * 0.01/eps times it down to eps = 1e-3, where the rounding error of eps^2 moves the end. Sampled in
- * tests/unit/test_scene_jkr.c. Without damping eps is a closed form. The sticking speed is infinite where the bodies
- * stick at every speed. */
+ * tests/unit/test_scene_jkr.c. Without damping eps is a closed form. The sticking speed is infinite if the bodies stick
+ * at every speed. */
 enum cor_jkr_end { COR_JKR_TAIL = COR_END_ZERO_OVERLAP, COR_JKR_LARGEST_PULL = COR_END_ZERO_FORCE };
 #define COR_JKR_EPS2_MAX_ERROR 1e-12
 
@@ -402,7 +412,7 @@ struct cor_scene {
     int plastic;              /* elastic-plastic spheres, with a yield stress, or a restitution that gives v_y */
 };
 
-/* What is wrong with a scene: `number` and `other` are the numbers that are to blame. */
+/* The faults of a scene. `number` and `other` are the numbers that caused the fault. */
 enum cor_fault {
     COR_FAULT_NONE,           /* COR_OK */
     COR_FAULT_SOLVER,         /* the law needs a solver */
@@ -413,12 +423,12 @@ enum cor_fault {
     COR_FAULT_WALL,           /* a wall has no radius, density or mass */
     COR_FAULT_MATERIAL,       /* `status` of cor_sphere_contact_init or cor_plate_contact_init */
     COR_FAULT_VISCOSITY,      /* number is negative or infinite */
-    COR_FAULT_PLATE_LAW,      /* a thickness, and another law than that of the plate */
-    COR_FAULT_PLATE_END,      /* a plate has the end zero overlap alone */
+    COR_FAULT_PLATE_LAW,      /* a thickness with a law other than the plate's */
+    COR_FAULT_PLATE_END,      /* a plate has only the end zero overlap */
     COR_FAULT_PLATE_BODIES,   /* a plate needs a sphere and a plate */
-    COR_FAULT_PLATE_NUMBERS,  /* a plate has thickness, modulus, Poisson's ratio and density alone */
+    COR_FAULT_PLATE_NUMBERS,  /* a plate has only thickness, modulus, Poisson's ratio and density */
     COR_FAULT_PLATE_DENSITY,  /* the density of the plate is missing */
-    COR_FAULT_PLATE_DAMPING,  /* a plate takes no damping but the dissipation of its sphere */
+    COR_FAULT_PLATE_DAMPING,  /* a plate has no damping except the dissipation of its sphere */
     COR_FAULT_TWO_CONTACTS,   /* bodies, and stiffness or effective mass */
     COR_FAULT_SPRING,         /* number is missing: stiffness and effective mass go together */
     COR_FAULT_NOT_HERTZ,      /* bodies, and a law without Hertz's force */
@@ -430,23 +440,23 @@ enum cor_fault {
     COR_FAULT_NO_BODIES,      /* number needs bodies */
     COR_FAULT_NO_SCALES,      /* number needs bodies, or stiffness and effective mass */
     COR_FAULT_NO_SPEED,       /* number needs COR_SCENE_AT */
-    COR_FAULT_SPEED_ALONE,    /* COR_SCENE_AT, and neither restitution nor beta */
-    COR_FAULT_FIRST_MISSING,  /* number of body 2 needs other, that of body 1 */
-    COR_FAULT_NO_SECOND_BODY, /* number is that of a second viscoelastic body, and there is none */
+    COR_FAULT_SPEED_ALONE,    /* COR_SCENE_AT without restitution and beta */
+    COR_FAULT_FIRST_MISSING,  /* number of body 2 needs other, the same number of body 1 */
+    COR_FAULT_NO_SECOND_BODY, /* number belongs to a second viscoelastic body, which is absent */
     COR_FAULT_RANGE,          /* number, a number of the contact, or the speed is out of range */
     COR_FAULT_STEP,           /* of the functions of the time step, which have no yield, liquid or JKR adhesion */
     COR_FAULT_NO_STIFFNESS,   /* no stiffness gives a contact of this damping its duration, or its C or A */
     COR_FAULT_PRESSED,        /* a constant force, and a damping too strong to be integrated */
-    COR_FAULT_GRAVITY,        /* gravity needs a wall or a plate: it presses no free bodies together */
+    COR_FAULT_GRAVITY,        /* gravity needs a wall or a plate: it does not press free bodies together */
     COR_FAULT_ADHESION,       /* adhesion and an adhesion model go together */
     COR_FAULT_ADHESION_MODEL, /* the adhesion model is none, or has no contact of this law */
     COR_FAULT_PRESSED_LAW,    /* elastic-plastic spheres, or a liquid (number), and gravity or adhesion */
     COR_FAULT_NO_YIELD,       /* elastic-plastic spheres need a yield stress or a restitution */
-    COR_FAULT_YIELD_DAMPING,  /* elastic-plastic spheres take no number */
+    COR_FAULT_YIELD_DAMPING,  /* elastic-plastic spheres do not accept number */
     COR_FAULT_LIQUID,         /* number is missing: viscosity and both gaps go together */
     COR_FAULT_GAPS,           /* the outer gap is not larger than the inner one */
     COR_FAULT_NO_DURATION,    /* no damping gives a contact of this stiffness, C or A the duration */
-    COR_FAULT_TWO_DURATIONS,  /* a dissipation time and a duration at zero overlap, which two contacts can have */
+    COR_FAULT_TWO_DURATIONS,  /* a dissipation time and a duration at zero overlap: two contacts can have both */
     COR_FAULT_EQUIVALENT /* cor_scene_equivalent needs bodies, a speed, the law linear, and for some numbers an end */
 };
 struct cor_scene_fault {
@@ -454,16 +464,16 @@ struct cor_scene_fault {
     int number, other; /* enum cor_scene_number */
     int status;        /* enum cor_status */
 };
-/* Writes the fault as a sentence in which numbers have the names of corgen's options, "--young". As snprintf; less
- * than COR_SCENE_FAULT_TEXT characters where law_name and rule are short. law_name is how the reader knows the law of
- * the scene; `rule` says which numbers bodies have, NULL: those of corgen contact. */
+/* Writes the fault as a sentence, with the names of corgen's options for the numbers, "--young". As snprintf; less than
+ * COR_SCENE_FAULT_TEXT characters if law_name and rule are short. law_name: the reader's name for the law. rule: states
+ * which numbers bodies have; NULL: the rule of corgen contact. */
 enum { COR_SCENE_FAULT_TEXT = 600 };
 long cor_scene_fault_text(char *text, size_t size, const struct cor_scene_fault *fault, const char *law_name,
                           const char *rule);
 
 int cor_scene_given(const struct cor_scene *scene, int number);
-/* The number of body 2 if it is given, otherwise that of body 1. A mass of body 2 replaces the density of body 1, and a
- * density the mass. */
+/* Returns the number of body 2 if it is given, otherwise the number of body 1. If the mass of body 2 is given, the
+ * density of body 1 does not count. If the density of body 2 is given, the mass of body 1 does not count. */
 double cor_scene_of_body(const struct cor_scene *scene, int number, int body);
 int cor_scene_mass_is_given(const struct cor_scene *scene, int body); /* otherwise the density counts */
 
@@ -472,15 +482,10 @@ int cor_scene_mass_is_given(const struct cor_scene *scene, int body); /* otherwi
  * Returns COR_OK, or the fault. */
 enum { COR_SCENE_DISSIPATES = 1, COR_SCENE_DENSE_WALL = 2 };
 int cor_scene_check_bodies(struct cor_scene_fault *fault, const struct cor_scene *scene, int options);
-/* Body 1 or 2 of a scene without that fault. A wall has infinite radius and mass. A dissipation time that is not known
- * is 0. */
+/* Returns body 1 or 2 of a scene that has no such fault. A wall has infinite radius and mass. An unknown dissipation
+ * time is 0. */
 struct cor_body cor_scene_body(const struct cor_scene *scene, int body);
 
-/* Fills *contacts, and sets *count to 1; or to 2 where a restitution or a duration is given whose end is not and
- * matters: one contact for each end at which it may have been measured. Returns COR_OK, the fault, or what the solver
- * returned; then *fault says more, and *count is 0.
- * Accuracy of `damping`: 1e-14 relative, and of a stiffness from a duration 1e-11; sampled in
- * tests/gen/test_contact.c. */
 /* Replaces the bodies of a scene with the law linear by the linear spring that at the speed COR_SCENE_AT, V, has the
  * energy or the duration of Hertz's elastic contact: K = ((4/5) K_H)^(4/5) (m V^2)^(1/5), where K_H is Hertz's
  * stiffness, or K = m pi^2/T^2. Restitution, beta, zeta or damping coefficient stay; a damping of viscoelastic spheres
@@ -495,21 +500,26 @@ int cor_scene_equivalent(struct cor_scene *spring, struct cor_scene_contact *her
  * NaN: a scene without bodies. Accuracy: 1e-14, relative. Source: [LIGGGHTS], fix check/timestep/gran. */
 double cor_scene_rayleigh_step_s(const struct cor_scene *scene);
 
+/* Fills *contacts, and sets *count to 1; or to 2 where a restitution or a duration is given whose end is not and
+ * matters: one contact for each end at which it may have been measured. Returns COR_OK, the fault, or what the solver
+ * returned; then *fault says more, and *count is 0.
+ * Accuracy of `damping`: 1e-14 relative, and of a stiffness from a duration 1e-11; sampled in
+ * tests/gen/test_contact.c. */
 int cor_scene_contacts(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *count, struct cor_scene_fault *fault,
                        const struct cor_scene *scene);
 
-/* The ways to give the damping of a contact, and back: DISSIPATION_TIME, G_STAR, DAMPING_COEFFICIENT, BETA (back: at
- * 1 m/s), ZETA and, not back, RESTITUTION. The first sets `damping` and needs the speed for BETA and RESTITUTION where
- * q is not 0, the end for RESTITUTION. It returns COR_OK, COR_FAULT_SOLVER, COR_FAULT_NO_DAMPING or what the solver
- * returned. NaN: the law has no such quantity, or a number that it needs is not known. */
+/* The first function sets `damping` from one of DISSIPATION_TIME, G_STAR, DAMPING_COEFFICIENT, BETA, ZETA and
+ * RESTITUTION. It needs the speed for BETA and RESTITUTION where q is not 0, and the end for RESTITUTION. It returns
+ * COR_OK, COR_FAULT_SOLVER, COR_FAULT_NO_DAMPING or the result of the solver. The second returns one of these numbers
+ * except RESTITUTION; BETA is at 1 m/s. NaN: the law has no such quantity, or a number that it needs is not known. */
 int cor_scene_set_damping(struct cor_scene_contact *contact, int number, double value, double speed_m_s, int end);
 double cor_scene_damping(const struct cor_scene_contact *contact, int number);
 
-/* The quantities that corgen contact prints for a contact: name, number and unit. number: enum cor_scene_number
- * (COR_SCENE_NUMBERS: q; COR_SCENE_YIELD_STRESS: v_y; COR_SCENE_LIQUID_VISCOSITY: s) or one of the next five. The
- * function returns the value of such a number. It is NaN if the value is not known, for the next three if no force
- * presses and no liquid holds, and for eps if it depends on the speed. Under a constant force corgen prints
- * sticking_speed_surface in place of sticking_speed_zero_force. */
+/* The quantities that corgen contact prints for a contact: name, number and unit. number: one of the next five, or enum
+ * cor_scene_number, where COR_SCENE_NUMBERS stands for q, COR_SCENE_YIELD_STRESS for v_y and COR_SCENE_LIQUID_VISCOSITY
+ * for s. The function returns the value of such a number, or NaN if it is not known. The next three are NaN without a
+ * pressing force or liquid, eps if it depends on the speed. Under a constant force corgen prints sticking_speed_surface
+ * in place of sticking_speed_zero_force. */
 enum {
     COR_SCENE_PRESSING_FORCE = COR_SCENE_NUMBERS + 1,
     COR_SCENE_STICKING_ZERO_OVERLAP,
@@ -528,11 +538,11 @@ double cor_scene_quantity(const struct cor_scene_contact *contact, int number);
 
 /* ---- simulators ---- */
 
-/* How the lines of a model make the contacts of two types of bodies: not at all; by a line for each pair; by matrices;
- * by one law for all contacts, walls included */
+/* How the lines of a model define the contacts of two types of bodies: not at all; by a line for each pair; by
+ * matrices; by one law for all contacts, including walls */
 enum cor_simulator_pairs { COR_PAIRS_NONE, COR_PAIRS_LINES, COR_PAIRS_MATRIX, COR_PAIRS_ONE_LAW };
-/* How the lines depend on the mass: as the number does; they contain twice the effective mass; not at all, because
- * stiffness and damping are per unit of mass */
+/* How the lines depend on the mass: as the number does; by twice the effective mass; not at all, because stiffness and
+ * damping are per unit of mass */
 enum cor_simulator_mass { COR_MASS_OF_NUMBER, COR_MASS_IN_LINES, COR_MASS_PER_UNIT };
 
 /* The contact models, each with a row in cor_simulators */
@@ -563,8 +573,8 @@ enum cor_simulator_model_id {
 };
 /* clang-format on */
 
-/* A contact model of a simulator. Its damping is the parameter of its law: zeta where q = 0, beta at the speed
- * elsewhere. Texts are for readers only: no number depends on their words. */
+/* A contact model of a simulator. Its damping is the parameter of its law: zeta where q = 0, otherwise beta at the
+ * speed. No number depends on the words of the texts. */
 struct cor_simulator_model {
     enum cor_simulator_model_id id;
     const char *model;     /* its name in the simulator's input or documentation */
@@ -576,27 +586,28 @@ struct cor_simulator_model {
     double (*damping_of_e)(double e);
     double least, most;
 
-    /* The number that the user sets from the damping at a speed, and back; NULL if the user sets e. They need mass,
-     * stiffness or radius of the contact, and nothing else of it. */
+    /* The number that the user sets from the damping at a speed, and back; NULL if the user sets e. They need only
+     * mass, stiffness or radius of the contact. */
     double (*number_of_damping)(double damping, const struct cor_scene_contact *contact, double speed_m_s);
     double (*damping_of_number)(double number, const struct cor_scene_contact *contact, double speed_m_s);
-    const char *scale; /* the number over the damping, of mass M, stiffness K, radius R and speed G */
+    const char *scale; /* the number over the damping, in mass M, stiffness K, radius R and speed G */
 
-    const char *file;    /* the simulator's file that computes it */
+    const char *file;    /* its source file in the simulator */
     const char *known;   /* "run", "source" or "documentation" */
-    const char *version; /* that was run or read */
+    const char *version; /* the version that was run or read */
     const char *advice;  /* a sentence for the user */
 
     /* Templates of lines for the input, of lines for a sphere and a wall, and of lines for several materials; NULL:
-     * none. Words in braces stand for numbers and texts of the contact (runtime/scene/lines.c). A line that starts with
-     * a question mark is left out where its numbers are not known. {pair} repeats a line for the pairs of two types,
-     * like pairs as comments. In `many` the first letter of a line repeats it (repeats_line in lines.c). */
+     * none. Words in braces are replaced by numbers and texts of the contact (runtime/scene/lines.c). A line that
+     * starts with a question mark is left out if its numbers are not known. {pair} repeats a line for the pairs of two
+     * types; pairs of one type become comments. In `many` the first letter of a line controls how it is repeated
+     * (repeats_line in lines.c). */
     const char *lines, *wall_lines, *many;
     enum cor_simulator_pairs pairs;
     enum cor_simulator_mass mass;
-    int any_spring;    /* e is realised on a linear spring, too */
-    int has_function;  /* the lines call a function of the speed, and contain no number */
-    long since, until; /* the versions that have it, by cor_simulator_version; 0: no limit is known */
+    int any_spring;    /* e also holds for a linear spring */
+    int has_function;  /* the lines call a function of the speed and contain no number */
+    long since, until; /* versions with the model, by cor_simulator_version; 0: no known limit */
 };
 
 /* A simulator, and how its input is written */
@@ -606,37 +617,38 @@ struct cor_simulator {
     const struct cor_simulator_model *models;
     int model_count;
 
-    /* A comment is one line, between these; NULL: no model has lines, and all that follows is absent. */
+    /* A comment is one line, between these; NULL: no model has lines, and all members below are absent. */
     const char *comment, *comment_end;
-    const char *setup;     /* what its input must contain elsewhere */
-    const char *time_step; /* template of lines that set the time step; NULL: they are absent */
+    const char *setup;     /* required elsewhere in its input */
+    const char *time_step; /* template of lines that set the time step; NULL: none */
     const char *version;   /* the version of Debian 12, whose models come first; NULL: none */
     long packaged;         /* this version by cor_simulator_version; 0: none */
 
-    /* At a wall the stiffness of two bodies with Hertz's force is divided by this number; 0: it is not. */
+    /* At a wall the simulator divides the stiffness of two bodies with Hertz's force by this number; 0: it does not. */
     double wall_divides;
     const char *wall;    /* a sentence about that */
-    const char *density; /* a sentence where the density of the bodies is not known; NULL: none */
+    const char *density; /* a sentence, if the density of the bodies is not known; NULL: none */
     int one_wall;        /* all walls are of one material */
 
-    /* For spheres that yield: a sentence; or the name of Luding's model with a template of its lines; or NULL */
+    /* For spheres that yield: a sentence; the name of Luding's model with a template of its lines; or NULL */
     const char *yielding, *luding, *luding_lines;
     unsigned tangential; /* its tangential models, bits 1 << id of enum cor_tangential_id; 0: not known */
 };
 extern const struct cor_simulator cor_simulators[];
 extern const size_t cor_simulator_count;
 
-/* The model of an id, and its simulator */
+/* Returns the model of an id; its simulator. */
 const struct cor_simulator_model *cor_simulator_model(enum cor_simulator_model_id id);
 const struct cor_simulator *cor_simulator_of(enum cor_simulator_model_id id);
 
-/* The simulator with lines of a name in upper or lower case, or of the part of it before a hyphen; NULL: absent. */
+/* Returns the simulator with lines that has this name, or this part of its name before a hyphen, in upper or lower
+ * case; NULL: absent. */
 const struct cor_simulator *cor_simulator_named(const char *name);
 
-/* The restitution that the model realises if a user sets e; NaN if the model has no e or refuses this one. */
+/* Returns the realised e of the model for the e that a user sets; NaN if the model has no e or refuses this one. */
 double cor_simulator_realised(const struct cor_simulator_model *model, double e);
 
-/* The e' that a user must set so that the model realises `requested`, or NaN with the reason in *status. */
+/* Returns the e' that a user must set so that the model realises `requested`, or NaN with the reason in *status. */
 enum cor_simulator_status {
     COR_SIMULATOR_OK,
     COR_SIMULATOR_NOT_ASKED,      /* the model has no e, or its law has no closed form */
@@ -647,31 +659,31 @@ enum cor_simulator_status {
 };
 double cor_simulator_e(const struct cor_simulator_model *model, double requested, enum cor_simulator_status *status);
 
-/* The smallest and the largest restitution that the model can realise by its e */
+/* Computes the smallest and the largest restitution that the model can realise by its e. */
 void cor_simulator_reach(const struct cor_simulator_model *model, double *least, double *most);
 
-/* eps of MuJoCo's contact where its impedance d depends on the overlap x: d goes from solimp[0] at x = 0 to solimp[1]
- * at x = solimp[2], with the midpoint solimp[3] and the power solimp[4]. With c = d/solimp[1], frequency w in 1/s and
- * the damping ratio zeta, x'' = -c (2 zeta w x' + c w^2 x) + (1 - d) gravity until the force of the contact vanishes,
- * and gravity alone acts on the way back to x = 0. 0: the ball does not leave. By the method of Runge and Kutta.
- * Accuracy: 1e-6; sampled in tests/unit/test_simulators.c. NaN: gravity and zeta are not in [0, 1e48], frequency,
- * speed and width are not in [1e-48, 1e48], d is not in [0, 1], the midpoint not in (0, 1), the power not in [1,
- * 100], or the integration takes more than 200000 steps. */
+/* Returns eps of MuJoCo's contact where its impedance d depends on the overlap x: d changes from solimp[0] at x = 0 to
+ * solimp[1] at x = solimp[2], with the midpoint solimp[3] and the power solimp[4]. With c = d/solimp[1], frequency w in
+ * 1/s and the damping ratio zeta, x'' = -c (2 zeta w x' + c w^2 x) + (1 - d) gravity until the force of the contact
+ * vanishes. Only gravity acts on the way back to x = 0. 0: the ball does not leave. Uses the Runge-Kutta method.
+ * Accuracy: 1e-6; sampled in tests/unit/test_simulators.c. NaN: gravity and zeta are not in [0, 1e48], frequency, speed
+ * and width are not in [1e-48, 1e48], d is not in [0, 1], the midpoint not in (0, 1), the power not in [1, 100], or the
+ * integration needs more than 200000 steps. */
 double cor_mujoco_eps(const double solimp[5], double frequency, double zeta, double speed_m_s, double gravity_m_s2);
 
-/* A version as a number that grows from release to release: "29 Sep 2021" is 20210929, "3.8.1" is 30801. 0: the text is
- * neither. */
+/* Returns a version as a number that grows from release to release: "29 Sep 2021" is 20210929, "3.8.1" is 30801. 0: the
+ * text has neither form. */
 long cor_simulator_version(const char *text);
 
-/* One of several materials, of balls or of a wall. The name consists of letters, digits, blanks, and _ - . */
+/* One of several materials, of balls or of a wall. name: letters, digits, blanks, and _ - . */
 struct cor_material {
     const char *name;
-    struct cor_body body; /* the smallest ball; radius and mass are infinite: a wall; dissipation time NaN: not known */
+    struct cor_body body; /* the smallest ball; infinite radius and mass: a wall; dissipation time NaN: not known */
     double radius_max_m;  /* of the largest ball, of the same density; NaN: all balls have one radius */
 };
 
-/* A restitution measured between the smallest balls of materials a and b, counted from 0, or a ball and a wall. at_m_s
- * NaN: at every speed, where q = 0. end: COR_BOTH_ENDS: the end of the scene */
+/* A restitution measured between the smallest balls of materials a and b, counted from 0, or between a ball and a wall.
+ * at_m_s NaN: at every speed, where q = 0. end: COR_BOTH_ENDS means the end of the scene. */
 struct cor_material_pair {
     size_t a, b;
     double restitution, at_m_s;
@@ -683,35 +695,35 @@ struct cor_material_contact {
     struct cor_scene scene;
     struct cor_scene_contact contact[COR_SCENE_ENDS];
     int count;
-    const struct cor_material_pair *measured; /* NULL: the damping is that of the dissipation times */
-    double number;                            /* of the model in the lines */
+    const struct cor_material_pair *measured; /* NULL: the damping follows from the dissipation times */
+    double number;                            /* the number of the model in the lines */
 };
 
-/* What cor_simulator_lines prints. The end of the scene is that at which contacts are to end. With a wall the lines
- * make the contact of a sphere and a wall. */
+/* The input of cor_simulator_lines. The end of the scene is the requested end of contacts. With a wall the lines define
+ * the contact of a sphere and a wall. */
 struct cor_simulator_request {
     const char *simulator, *version;          /* a name of cor_simulator_named; NULL: any version */
     const struct cor_scene *scene;            /* with the contacts that cor_scene_contacts makes of it */
-    const struct cor_scene_contact *contacts; /* (one, or one for each end) */
+    const struct cor_scene_contact *contacts; /* one, or one for each end */
     int count;
-    const double *speed_m_s; /* impact speeds, for which the text says what is realised */
+    const double *speed_m_s; /* impact speeds, for which the text states the realised e */
     size_t speeds;
     double time_step_s; /* 0: the shortest contact at these speeds over `steps` */
     double steps;       /* 0: 50 */
-    /* Not 0: the largest time step at which bias and scatter of eps stay below it; the text says bias and scatter; the
-     * damping is that of cor_scene_step_corrected */
+    /* step_tolerance not 0: use the largest time step at which bias and scatter of eps stay below it. step_errors: the
+     * text states bias and scatter. step_corrected: the damping is corrected by cor_scene_step_corrected. */
     double step_tolerance;
     int step_errors, step_corrected;
-    int integrator; /* enum cor_integrator; COR_NO_INTEGRATOR: that of the simulator */
-    /* Several materials, instead of contacts, with a scene without numbers, for its law, end and solver. NULL: two
+    int integrator; /* enum cor_integrator; COR_NO_INTEGRATOR: the simulator's */
+    /* Several materials, instead of contacts. The scene then has no numbers, only law, end and solver. NULL: two
      * bodies. memory: material_count^2 elements for the function */
     const struct cor_material *materials;
-    const struct cor_material_pair *pairs; /* those that were measured */
+    const struct cor_material_pair *pairs; /* the measured ones */
     size_t material_count, pair_count;
     struct cor_material_contact *memory;
-    /* Friction of two bodies of one material, or at a wall; 0: none. Then the model, which the simulator must have; its
-     * spring and damper as in cor_scene_tangential_scaled; and angles in degrees, or else tangential speeds in m/s, for
-     * which the text says the tangential restitution */
+    /* Friction of two bodies of one material, or at a wall; 0: none. tangential: the model, which the simulator must
+     * have. Its spring and damper are as in cor_scene_tangential_scaled. oblique: angles in degrees, or tangential
+     * speeds in m/s, for which the text states the tangential restitution */
     double friction, tangential_stiffness, tangential_damping;
     enum cor_tangential_id tangential;
     const double *oblique;
@@ -719,21 +731,21 @@ struct cor_simulator_request {
     int in_degrees;
 };
 
-/* Writes the lines by which a simulator realises a contact, as a text that can be put into its input whole. One block
- * is active: of the models with the law of the contact, the first that ends contacts as asked and that the version has.
- * Other models follow as comments. Where the simulator does not have the law, the lines hold at one speed: that of the
- * restitution, or the only one of the request. Under gravity the numbers are those of the contact, and eps is that
- * under gravity. Contacts that adhere have no lines.
+/* Writes the input lines for a contact in a simulator, as a text that can be included whole. One block is active: among
+ * the models with the law of the contact, the first with the requested end that the version has. Other models follow as
+ * comments. If the simulator does not have the law, the lines hold at one speed: the speed of the restitution, or the
+ * only one of the request. Under gravity the numbers describe the contact, and eps is the eps under gravity. Contacts
+ * that adhere have no lines.
  * With materials the block has the lines of all their contacts, and one time step. A contact that was not measured has
- * the dissipation times of both materials; where one is not known, it is that of the measured contact of two balls of
- * this material.
- * As snprintf: writes at most `size` characters, the last of which is 0, and returns the length that the whole text
- * has. Negative: the simulator cannot realise the contact, or the request is incomplete; the text says why, in less
- * than COR_SIMULATOR_REASON characters. */
+ * the dissipation times of both materials. If one is not known, the measured contact of two balls of this material
+ * gives it.
+ * As snprintf: writes at most `size` characters, the last of which is 0, and returns the length of the whole text.
+ * Negative: the simulator cannot realise the contact, or the request is incomplete; the text states why, in less than
+ * COR_SIMULATOR_REASON characters. */
 enum { COR_SIMULATOR_REASON = 1200 };
 long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_request *request);
 
-/* The same for a list: a line for each simulator, or, if one is named, for each of its models */
+/* Writes a list likewise: a line for each simulator, or, if one is named, for each of its models. */
 long cor_simulator_list(char *text, size_t size, const struct cor_simulator *named);
 
 #ifdef __cplusplus
