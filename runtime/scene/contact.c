@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A contact in SI units: its damping, and its impacts by the functions of libcor or by the solver of the caller */
+/* A contact in SI units: its damping, and its impacts by the functions of libcor or by the caller's solver */
 #include "cor/scene.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@
 #include "runtime/scene/exponents.h"
 #include "runtime/scene/motion.h"
 
-/* Exponents that no sum or product of two takes out of the integers */
+/* True if no sum or product of two exponents overflows an integer */
 int cor_law_is_sound(const struct cor_exponents *law)
 {
     enum { MOST = 1 << 20 };
@@ -45,7 +45,7 @@ static enum cor_law law_of(const struct cor_exponents *law)
         if (cor_law_is_same(law, &cor_law_exponents[i]) &&
             cor_law_function((enum cor_law)i, COR_END_ZERO_OVERLAP, COR_EPS))
             return (enum cor_law)i;
-    /* eps of q = 0 is the same function of zeta for all exponents */
+    /* where q = 0, eps is the same function of zeta for all exponents */
     return cor_law_is_constant(law) ? COR_LAW_LINEAR : COR_LAWS;
 }
 
@@ -72,30 +72,30 @@ const char *cor_scene_end_name(const struct cor_scene_contact *contact, int end)
 
 /* ---- the damping ---- */
 
-/* (m/K)^(1/(a+1)), the unit of time at the speed 1 m/s */
+/* Returns (m/K)^(1/(a+1)), the unit of time at the speed 1 m/s. */
 static double time_factor(const struct cor_scene_contact *contact)
 {
     return cor_quiet_power(cor_quiet_quotient(contact->mass_kg, contact->stiffness),
                            1 / (cor_elastic(&contact->law) + 1));
 }
 
-/* beta/zeta where q = 0; 1 elsewhere, where the damping is beta at 1 m/s */
+/* Returns beta/zeta where q = 0, otherwise 1, because the damping is then beta at 1 m/s. */
 static double beta_per_damping(const struct cor_scene_contact *contact)
 {
     return cor_law_is_constant(&contact->law) ? sqrt(2 * (cor_elastic(&contact->law) + 1)) : 1;
 }
 
-/* beta g^-q of C = 1 */
+/* Returns beta g^-q for C = 1. */
 static double beta_per_coefficient(const struct cor_scene_contact *contact)
 {
     return cor_quiet_quotient(cor_quiet_power(time_factor(contact), cor_damping(&contact->law) + 1), contact->mass_kg);
 }
 
-/* |C_1| = (2/(a+1)) X_0^(b+1) B((b+1)/(a+1), 3/2), X_0 = ((a+1)/2)^(1/(a+1)): docs/theory.md, 9 */
+/* Returns |C_1| = (2/(a+1)) X_0^(b+1) B((b+1)/(a+1), 3/2), X_0 = ((a+1)/2)^(1/(a+1)): docs/theory.md, 9 */
 static double first_coefficient(const struct cor_exponents *law)
 {
     const double a1 = cor_elastic(law) + 1, s = (cor_damping(law) + 1) / a1;
-    if (s > 168) /* tgamma would leave the doubles */
+    if (s > 168) /* tgamma would overflow */
         return NAN;
     return 2 / a1 * cor_quiet_power(a1 / 2, s) * tgamma(s) * tgamma(1.5) / tgamma(s + 1.5);
 }
@@ -153,7 +153,7 @@ const struct cor_scene_quantity cor_scene_quantities[COR_SCENE_QUANTITIES] = {
     {"yield_speed", COR_SCENE_YIELD_STRESS, "m/s"},
     {"liquid_speed", COR_SCENE_LIQUID_VISCOSITY, "m/s"}};
 
-/* eps at every speed; NaN: it depends on the speed */
+/* Returns eps if it is the same at every speed, otherwise NaN. */
 static double only_eps(const struct cor_scene_contact *contact, int end)
 {
     double eps = NAN;
@@ -192,8 +192,8 @@ double cor_scene_quantity(const struct cor_scene_contact *contact, int number)
 
 /* ---- collisions ---- */
 
-/* law: the one of libcor's table that gives eps of zeta where q = 0, and of beta elsewhere (COR_LAWS: none).
- * times: the source of durations and overlap: the table, functions of the elastic exponent, or the solver. */
+/* law: in libcor's table, gives eps as a function of zeta where q = 0, otherwise of beta (COR_LAWS: none). times:
+ * source of durations and overlap: the table, functions of the elastic exponent, or the solver. */
 struct functions {
     enum cor_law law;
     enum { OF_TABLE, OF_EXPONENT, OF_SOLVER } times;
@@ -258,7 +258,7 @@ static int scaled_impact(struct cor_full_impact *impact, const struct cor_scene_
     return COR_FAULT_NONE;
 }
 
-/* eps of the damping parameter, whether the contact has this end or not */
+/* Computes eps of the damping parameter, even for an end that the contact does not have. */
 static int eps_of(double *eps, const struct cor_scene_contact *contact, double parameter, int end)
 {
     const struct functions f = {law_of(&contact->law), OF_SOLVER};
@@ -278,7 +278,7 @@ struct units {
     double length_m, time_s, force_n;
 };
 
-/* The units in which mass, stiffness and impact speed are 1 */
+/* Returns the units in which mass, stiffness and impact speed are 1. */
 static struct units units_of_speed(const struct cor_scene_contact *contact, double speed_m_s)
 {
     const double a = cor_elastic(&contact->law),
@@ -287,7 +287,7 @@ static struct units units_of_speed(const struct cor_scene_contact *contact, doub
                           cor_quiet_quotient(cor_quiet_product(contact->mass_kg, speed_m_s), time)};
 }
 
-/* The units in which mass, stiffness and constant force are 1. Also sets the damping in these units. */
+/* Returns the units in which mass, stiffness and constant force are 1. Also sets the damping in these units. */
 static struct units units_of_force(double *damping, const struct cor_scene_contact *contact)
 {
     const double a = cor_elastic(&contact->law), b = cor_damping(&contact->law), force = contact->force_n;
@@ -299,20 +299,20 @@ static struct units units_of_force(double *damping, const struct cor_scene_conta
     return (struct units){length, time, force};
 }
 
-/* Whether the spheres yield at this speed */
+/* True if the spheres yield at this speed */
 static int does_yield(const struct cor_scene_contact *contact, double speed_m_s)
 {
     return contact->plastic && speed_m_s > contact->yield_speed_m_s;
 }
 
-/* Whether an impact is more than a law: with yield, adhesion or a constant force */
+/* True if an impact involves yield, adhesion or a constant force besides its law */
 static int is_full(const struct cor_scene_contact *contact, double speed_m_s)
 {
     return does_yield(contact, speed_m_s) || contact->adhesion_j_m2 > 0 || contact->force_n > 0;
 }
 
-/* The collision of a dry contact in SI units, all NaN where it is not known; `force_max` only for a plate and where
- * is_full */
+/* Computes the collision of a dry contact in SI units; NaN for unknown results. `force_max` is set only for a plate and
+ * if is_full. */
 static int dry_impact(struct cor_full_impact *impact, const struct cor_scene_contact *contact, double speed_m_s)
 {
     static const struct cor_full_impact none = {{NAN, NAN}, {NAN, NAN}, NAN, NAN};
@@ -338,7 +338,7 @@ static int dry_impact(struct cor_full_impact *impact, const struct cor_scene_con
         *impact = none;
     if (status != COR_FAULT_NONE || contact->adhesion_j_m2 > 0)
         return status;
-    if (contact->plate) /* it takes up K x^a; the other term of the equation of motion is its own motion */
+    if (contact->plate) /* the plate absorbs K x^a; the other term of the equation of motion is its own motion */
         impact->force_max = cor_quiet_power(impact->max_overlap, cor_elastic(&contact->law));
     impact->force_max = cor_quiet_product(impact->force_max, unit.force_n);
     impact->max_overlap = cor_quiet_product(impact->max_overlap, unit.length_m);
@@ -347,7 +347,7 @@ static int dry_impact(struct cor_full_impact *impact, const struct cor_scene_con
     return status;
 }
 
-/* Sets the speed that a liquid leaves. Returns 0 where it leaves none. */
+/* Sets the speed that remains after a liquid film. Returns 0 if no speed remains. */
 static int does_touch(double *at, const struct cor_scene_contact *contact, double speed_m_s)
 {
     const double s = contact->liquid_speed_m_s;
@@ -463,7 +463,7 @@ int cor_scene_tangential(double *stiffness_n_m, double *damping_n_s_m, const str
 
 /* ---- the damping from other quantities ---- */
 
-/* eps at a trial beta */
+/* Computes eps at a trial beta. */
 static int eps_at(double *eps, const struct cor_scene_contact *contact, double beta, double speed_m_s, int end)
 {
     struct cor_scene_contact trial = *contact;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The exponents of a law as doubles, and the laws that they make */
+/* The exponents of a law as doubles, and tests for particular laws */
 #ifndef COR_RUNTIME_SCENE_EXPONENTS_H
 #define COR_RUNTIME_SCENE_EXPONENTS_H
 
@@ -19,7 +19,7 @@ COR_INLINE double cor_damping(const struct cor_exponents *law)
     return (double)law->damping / (double)law->denominator;
 }
 
-/* The exponents a = a2/2 and b = b2/2 */
+/* True if a = a2/2 and b = b2/2 */
 COR_INLINE int cor_law_is(const struct cor_exponents *law, int a2, int b2)
 {
     return 2 * law->elastic == a2 * law->denominator && 2 * law->damping == b2 * law->denominator;
@@ -40,7 +40,7 @@ COR_INLINE int cor_law_is_hertz(const struct cor_exponents *law)
     return 2 * law->elastic == 3 * law->denominator;
 }
 
-/* q = 0: eps is the same at every speed */
+/* True if q = 0: eps is then the same at every speed */
 COR_INLINE int cor_law_is_constant(const struct cor_exponents *law)
 {
     return 2 * law->damping - law->elastic + law->denominator == 0;

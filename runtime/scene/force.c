@@ -35,13 +35,13 @@ static double force_linear(const struct cor_exponents *law, double zeta)
     const double s = sqrt((p * h1 * h1 + h3 * h3) / (1 + p));
     const double theta = over ? 1.5 * phi - asinh(s) : 1.5 * phi - asin(fmin(s, 1));
     const double rise = over ? sinh(theta) : sin(theta), descent = over ? sinh(2 * phi - theta) : sin(2 * phi - theta);
-    /* products of the two hyperbolic sines and the exponential stay in range by logarithms */
+    /* by logarithms, because products of hyperbolic sines and the exponential could overflow */
     return exp((1 + p) * (log(root / sine) - theta * zeta / sine) + p * log(rise) + log(descent));
 }
 
 /* ---- a = b: v dv/(1 + beta v) = -x^a dx ---- */
 
-/* z - ln(1 + z) with relative accuracy */
+/* Returns z - ln(1 + z) with relative accuracy. */
 static double log_rest(double z)
 {
     if (fabs(z) > 0.1)
@@ -52,8 +52,8 @@ static double log_rest(double z)
     return z * z * sum;
 }
 
-/* The force is largest where a v = beta x^(a+1); with z = beta v that is a z + (a+1) f(z) = (a+1) f(beta), f =
- * log_rest. */
+/* Solves for the largest force, where a v = beta x^(a+1). With z = beta v and f = log_rest, a z + (a+1) f(z) = (a+1)
+ * f(beta). */
 static double force_hunt_crossley(const struct cor_exponents *law, double beta)
 {
     const double a = cor_elastic(law), wanted = (a + 1) * log_rest(beta);
@@ -73,11 +73,11 @@ static double force_hunt_crossley(const struct cor_exponents *law, double beta)
 
 /* ---- other exponents ---- */
 
-#define FORCE_SPRING_LEAST 0x1p-48 /* of mu, below which the spring is left out */
+#define FORCE_SPRING_LEAST 0x1p-48 /* mu below this neglects the spring */
 
-/* From beta = 1 on the damping sets the scales: x = beta^(-1/(b+1)) X, X'' + X^b X' + mu X^a = 0. Where mu = 0 the
- * largest force is X^b (1 - X^(b+1)/(b+1)) at X^(b+1) = b (b+1)/(2 b + 1). The spring changes it by less than 50 mu of
- * itself (docs/theory.md, 9). */
+/* Returns the largest force. For beta >= 1 the damping sets the scales: x = beta^(-1/(b+1)) X, X'' + X^b X' + mu X^a =
+ * 0. For mu = 0 the largest force is X^b (1 - X^(b+1)/(b+1)) at X^(b+1) = b (b+1)/(2 b + 1). The spring changes it by
+ * less than 50 mu, relative (docs/theory.md, 9). */
 static double force_power(const struct cor_exponents *law, double beta)
 {
     const double b1 = cor_damping(law) + 1, a1 = cor_elastic(law) + 1, b = b1 - 1,

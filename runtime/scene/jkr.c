@@ -8,8 +8,9 @@
 
 #include "runtime/scene/exponents.h"
 
-/* u where the contact breaks: the end of the tail, 4^(-1/3), and the largest pull, (3/4)^(1/3); twice the energy that
- * the way from u = 1 to there takes, 2 (3/5 + u^4 - (8/3) u^7 + (16/15) u^10); and half of the largest pull */
+/* broken_at: u where the contact breaks: the end of the tail, 4^(-1/3), and the largest pull, (3/4)^(1/3). lost: twice
+ * the energy lost on the way from u = 1 to there, 2 (3/5 + u^4 - (8/3) u^7 + (16/15) u^10); the loss at the largest
+ * pull is about half of it. */
 static const double broken_at[COR_SCENE_ENDS] = {0.62996052494743658238, 0.90856029641606982944};
 static const double lost[COR_SCENE_ENDS] = {1.3259921049894873165, 0.65486382215035810233};
 
@@ -18,7 +19,7 @@ static double inward_speed(const struct motion *m, double s, double level)
     return -cor_motion_v(m, s, level);
 }
 
-#define LARGEST 1e4                /* u beyond which no motion is followed */
+#define LARGEST 1e4                /* motions to larger u are not followed */
 #define REST 1.1447142425533318678 /* u where the force vanishes, (3/2)^(1/3) */
 
 static double overlap_of(double u)
@@ -26,8 +27,8 @@ static double overlap_of(double u)
     return u * (u * u * u - 1);
 }
 
-/* Whether the motion creeps to its place of rest and never passes it: while x'/(x_e - x) is between 0 and half of the
- * least damping coefficient on the way, which exceeds 2 sqrt(dF/dx), it stays so. */
+/* True if the motion creeps to its place of rest and never passes it. This holds once x'/(x_e - x) is between 0 and
+ * half of the least damping coefficient on the way, if this coefficient exceeds 2 sqrt(dF/dx). */
 static int is_slow(const struct motion *m)
 {
     const double u = cor_motion_start(m), low = fmin(u, REST), high = fmax(u, REST), cube = 4 * high * high * high;
@@ -36,8 +37,8 @@ static int is_slow(const struct motion *m)
     return c * c * (cube - 1) > 4 * stiffness && towards >= 0 && towards < c / 2 * (overlap_of(high) - overlap_of(low));
 }
 
-/* Whether twice the energy, 0 at the touch, is below that of the next end: the bodies then stay together. It never
- * grows. */
+/* True if twice the energy (0 at the touch) is below its value at the next end. The bodies then stay together, because
+ * the energy never grows. */
 static int does_stay(const struct motion *m)
 {
     const double u = cor_motion_start(m), cube = u * u * u;
@@ -45,13 +46,13 @@ static int does_stay(const struct motion *m)
     return m->v[0] * m->v[0] + 2 * potential < lost[u > broken_at[COR_END_ZERO_FORCE]];
 }
 
-/* Numbers with which no product of a motion leaves the doubles */
+/* True if no product of a motion with these numbers overflows */
 static int is_moderate(double kappa, double speed)
 {
     return isless(kappa, 1e40) && isgreater(speed, 1e-40) && isless(speed, 1e40);
 }
 
-/* In the units of motion.h */
+/* Solves the collision in the units of motion.h. */
 static int solve_jkr(struct cor_full_impact *impact, double kappa, int power, double speed)
 {
     struct motion m = {
@@ -64,7 +65,7 @@ static int solve_jkr(struct cor_full_impact *impact, double kappa, int power, do
     for (int k = 0; cor_motion_start(&m) > broken_at[COR_END_ZERO_OVERLAP] && !does_stay(&m) && !is_slow(&m); k++) {
         if (k == MOTION_MOST_STEPS || !cor_motion_expand(&m))
             return COR_FAULT_PRESSED;
-        if (cor_motion_v(&m, m.step, 0) > 0) /* they turn again: the step ends there */
+        if (cor_motion_v(&m, m.step, 0) > 0) /* they turn again: end the step there */
             m.step = cor_motion_root(&m, inward_speed, k == 0 ? m.step * 0x1p-20 : 0, m.step, 0);
         for (int end = 0; end < COR_SCENE_ENDS; end++)
             if (cor_motion_start(&m) > broken_at[end] && cor_motion_u(&m, m.step, broken_at[end]) <= 0) {
@@ -74,7 +75,7 @@ static int solve_jkr(struct cor_full_impact *impact, double kappa, int power, do
             }
         cor_motion_advance(&m);
     }
-    if (kappa == 0) /* exactly, and without loss of digits next to the sticking speed */
+    if (kappa == 0) /* exact, without cancellation next to the sticking speed */
         for (int end = 0; end < COR_SCENE_ENDS; end++) {
             const double stick = sqrt(lost[end]);
             impact->eps[end] = speed > stick ? sqrt((speed - stick) * (speed + stick)) / speed : 0;
@@ -82,8 +83,8 @@ static int solve_jkr(struct cor_full_impact *impact, double kappa, int power, do
     return COR_FAULT_NONE;
 }
 
-/* Backward from a rest at the end, in time that turns its sign: out of the saddle at the end of the tail along its
- * unstable direction */
+/* Computes the sticking speed backward in time from rest at the end. The motion leaves the saddle at the end of the
+ * tail along its unstable direction. */
 static double sticking_speed(double kappa, int power, int end)
 {
     const double start = end == COR_JKR_TAIL && isless(kappa, INFINITY) ? 1e-7 / (1 + kappa) : 0, u = broken_at[end];
@@ -97,7 +98,7 @@ static double sticking_speed(double kappa, int power, int end)
     if (!cor_motion_init(&m, u + start, start * sqrt(slope * pull)))
         return NAN;
     for (int k = 0, turned = 0; k < MOTION_MOST_STEPS && cor_motion_start(&m) < LARGEST; k++) {
-        if (!cor_motion_expand(&m)) /* far beyond */
+        if (!cor_motion_expand(&m)) /* far beyond the range */
             break;
         const double begin =
             turned || cor_motion_v(&m, m.step, 0) > 0 ? 0 : cor_motion_root(&m, cor_motion_v, 0, m.step, 0);

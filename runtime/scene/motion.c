@@ -68,19 +68,20 @@ static double polynomial_at(const double *c, double s)
     return y;
 }
 
-static int order_of(const struct motion *m) /* d, with x = u^d, of a motion that follows its energy */
+static int order_of(const struct motion *m) /* returns d, where x = u^d, of a motion that follows its energy */
 {
     return m->time[0].exponent + 1;
 }
 
-/* A step at which the last terms of two series do not matter. Those of a series from u = 0 on may be 0 where terms
- * behind them are not, with factors of the order of 1. */
+/* Returns a step at which the last terms of two series do not matter. In series from u = 0 the last terms may be 0
+ * although later terms are not; such terms have factors of the order of 1. */
 static double longest_step(const struct motion *m)
 {
     const double *const u = m->power[1].c, *const v = m->v;
     const double size = fmax(fabs(u[0]), fabs(v[0]));
     double least = u[0] == 0 ? 0.1 / m->unit : INFINITY, u_size = size, v_size = size;
-    if (m->follows_energy && u[0] > 0) { /* v can be far smaller than u, and u linear over many of its sizes */
+    if (m->follows_energy &&
+        u[0] > 0) { /* v can be far smaller than u, so that u stays linear until it has grown many times */
         least = v[0] > 0 ? 4 * u[0] / v[0] / m->unit : least;
         u_size = u[0];
         v_size = fmax(fabs(v[0]), sqrt(m->press * whole_power(u[0], order_of(m))));
@@ -147,7 +148,7 @@ int cor_motion_expand(struct motion *m)
     return 0;
 }
 
-/* v from the energy, in the half of the way next to x = 0, where no difference of large numbers decides it */
+/* Sets v from the energy, in the half of the way next to x = 0, where this does not subtract two large numbers. */
 static void restore_speed(struct motion *m)
 {
     const int d = order_of(m);

@@ -3,8 +3,8 @@
  *
  *     du/ds = v,     dv/ds = -T(u) (F - press),     F = E(u) + damper u^b v,     dt/ds = T(u)
  *
- * u is a function of the overlap, and v the velocity; T and E are sums of two terms. Beside it parts that files of this
- * folder share: whole powers, and collisions that are more than a law */
+ * u is a function of the overlap, and v the velocity. T and E are sums of two terms. The header also has parts that
+ * files of this directory share: integer powers, and collisions with more forces than a law. */
 #ifndef COR_RUNTIME_SCENE_MOTION_H
 #define COR_RUNTIME_SCENE_MOTION_H
 
@@ -50,32 +50,32 @@ struct motion {
     int powers;
     struct motion_power power[MOTION_POWERS];
     double v[MOTION_ORDER + 1], t[MOTION_ORDER + 1], force[MOTION_ORDER + 1];
-    double step, unit; /* the unit of s: 1, or smaller where coefficients would leave the doubles */
+    double step, unit; /* the unit of s: 1, or smaller where coefficients would overflow */
     /* Set where `press` outweighs the inertia of the start. v then follows from the energy v^2/2 + spring - press x =
      * energy - loss, because the difference of two large speeds would lose the small speeds at x = 0. */
     int follows_energy;
     double energy, loss[MOTION_ORDER + 1]; /* loss: the work of the damper */
 };
 
-/* Sets the powers of the terms, and the start u, v at t = 0. Returns 0 where the exponents need too many powers. */
+/* Sets the powers of the terms, and the start u, v at t = 0. Returns 0 if the exponents need too many powers. */
 int cor_motion_init(struct motion *m, double u, double v);
 
 /* Adds a power of u to the series, and returns its place in `power`. */
 int cor_motion_power(struct motion *m, int exponent);
 
 /* Fills the coefficients from u, v and t at s = 0, and the longest step at which the last ones do not matter. Returns 0
- * where a coefficient is so large that a product of two would leave the doubles. */
+ * if a coefficient is so large that a product of two would overflow. */
 int cor_motion_expand(struct motion *m);
-/* The end of the step becomes the start of the next one. */
+/* Makes the end of the step the start of the next one. */
 void cor_motion_advance(struct motion *m);
 
-/* Follows the motion to the turning point, where the next step begins, or to a step from which on F falls and `rests`
- * is true. *force_max: the largest F on the way. Returns 0 where it takes too many steps. */
+/* Follows the motion to the turning point, where the next step begins, or to a step where F begins to fall and `rests`
+ * is true. *force_max: the largest F on the way. Returns 0 if this needs too many steps. */
 int cor_motion_compress(struct motion *m, double *force_max, int (*rests)(const struct motion *m));
 
-/* Functions of the place in a step, and where one falls to zero between two places */
+/* Functions of the place s in a step. cor_motion_root finds where one falls to `level` between two places. */
 typedef double motion_function(const struct motion *m, double s, double level);
-motion_function cor_motion_u, cor_motion_v; /* less the level */
+motion_function cor_motion_u, cor_motion_v; /* minus the level */
 double cor_motion_t(const struct motion *m, double s);
 double cor_motion_loss(const struct motion *m, double s);
 double cor_motion_root(const struct motion *m, motion_function *f, double low, double high, double level);
@@ -91,22 +91,22 @@ COR_INLINE double cor_motion_start(const struct motion *m)
  *
  *     x'' + damping x^b x' + x^a = 1,     x(0) = 0,     x'(0) = speed
  *
- * The ends are zero overlap and, in the place of zero force, the surface: a body leaves the contact where its force
+ * The ends are zero overlap and, at the index of zero force, the surface: a body leaves the contact where its force
  * vanishes and flies back to x = 0 against the constant force. */
 
-/* The largest force of x'' + damper x^b x' + elastic x^a = 0; NaN where the motion takes too many steps */
+/* Returns the largest force of x'' + damper x^b x' + elastic x^a = 0; NaN if the motion needs too many steps. */
 double cor_pressed_force_max(const struct cor_exponents *law, double elastic, double damper);
 
 /* Solves a collision. force_max: the largest value of x^a + damping x^b x'. Returns COR_OK, or COR_FAULT_PRESSED if the
  * motion takes too many steps. */
 int cor_pressed_solve(struct cor_full_impact *impact, const struct cor_exponents *law, double damping, double speed);
 
-/* The impact speed up to which the bodies stay together; infinite: every speed, or those up to 1e9 and more */
+/* Returns the impact speed up to which the bodies stay together; infinite if they do at all speeds up to 1e9. */
 double cor_pressed_sticking_speed(const struct cor_exponents *law, double damping, int end);
 
 /* ---- jkr.c ---- */
 
-/* Collisions of spheres that adhere as Johnson, Kendall and Roberts have it (docs/theory.md, 22), in the units
+/* Collisions of spheres that adhere by the theory of Johnson, Kendall and Roberts (docs/theory.md, 22), in the units
  *
  *     contact radius  c = c_0 u^2, c_0^3 = 2 pi w R^2/E*     overlap  (c_0^2/R) (u^4 - u)     force  pi w R
  *     time  T = (m c_0^2/(pi w R^2))^(1/2)                   speed  V = c_0^2/(R T)
@@ -114,23 +114,23 @@ double cor_pressed_sticking_speed(const struct cor_exponents *law, double dampin
  * With x = u^4 - u the force is f = (8/3) u^6 - 4 u^3 and the motion x'' + kappa u^power x' + f = 0. The bodies touch
  * at x = 0 with the speed 1/V, where the contact jumps to u = 1. */
 
-/* The collision of a contact with adhesion_j_m2 > 0 and the damping coefficient C, in SI units, at a speed > 0. Returns
- * COR_OK, or COR_FAULT_PRESSED where the motion takes too many steps. */
+/* Computes the collision of a contact with adhesion_j_m2 > 0 and the damping coefficient C, in SI units, at a speed >
+ * 0. Returns COR_OK, or COR_FAULT_PRESSED if the motion needs too many steps. */
 int cor_jkr_impact(struct cor_full_impact *impact, const struct cor_scene_contact *contact, double coefficient,
                    double speed_m_s);
 
-/* The speed up to which the bodies stay together, m/s; NaN where a motion takes too many steps */
+/* Returns the speed up to which the bodies stay together, m/s; NaN if a motion needs too many steps. */
 double cor_jkr_sticking_speed(const struct cor_scene_contact *contact, double coefficient, int end);
 
-/* Whether the damper of a law has a contact radius: exponents 0, 1/4, 1/2 and 3/2 of Hertz's laws */
+/* True if the damper of a law can be written with the contact radius: exponents 0, 1/4, 1/2 and 3/2 of Hertz's laws */
 int cor_jkr_has_law(const struct cor_exponents *law);
 
 /* ---- plastic.c ---- */
 
-/* The collision above the yield speed, in SI units */
+/* Computes the collision above the yield speed, in SI units. */
 void cor_plastic_impact(struct cor_full_impact *impact, const struct cor_scene_contact *contact, double speed_m_s);
 
-/* The speed below which a liquid holds the bodies */
+/* Returns the speed below which a liquid holds the bodies. */
 double cor_wet_sticking_speed(const struct cor_scene_contact *contact, int end);
 
 #endif

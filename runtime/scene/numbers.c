@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The exponents of the laws; the numbers of a scene, their names, units and ranges; the check of its bodies; the
- * faults of a scene in words, with the names of corgen's options. Calls no function of libcor except
- * cor_status_text. */
+ * messages of its faults, with the names of corgen's options. Calls no function of libcor except cor_status_text. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -84,14 +83,14 @@ int cor_scene_check_bodies(struct cor_scene_fault *fault, const struct cor_scene
         f = (struct cor_scene_fault){COR_FAULT_EXCLUDED, COR_SCENE_DENSITY_2, COR_SCENE_MASS_2, 0};
     else if (scene->wall && (cor_scene_given(scene, COR_SCENE_RADIUS_2) || massive || (dense && !may_be_dense)))
         f = (struct cor_scene_fault){COR_FAULT_WALL, may_be_dense ? COR_SCENE_RADIUS_2 : COR_SCENE_DENSITY_2, 0, 0};
-    for (int i = count - 1; i >= 0; i--) /* the first of them counts, and before all else */
+    for (int i = count - 1; i >= 0; i--) /* the first missing one takes precedence over all else */
         if (!cor_scene_given(scene, needed[i]))
             f = (struct cor_scene_fault){COR_FAULT_MISSING, needed[i], needed[i], 0};
     *fault = f;
     return f.fault;
 }
 
-/* ---- faults in words ---- */
+/* ---- messages of faults ---- */
 
 #define BODY_RULE                                                                                                      \
     "a contact of bodies has --young, --poisson, --radius and --density or --mass, as --young 7e10 --poisson 0.17 "    \
@@ -103,8 +102,8 @@ int cor_scene_check_bodies(struct cor_scene_fault *fault, const struct cor_scene
     "The dissipation is one of --dissipation-time A (s), --viscosity ETA1,ETA2 (Pa s), --g-star G (m/s), "             \
     "--restitution E --at SPEED (as --restitution 0.9 --at 1), --damping-coefficient C, --beta B --at SPEED, --zeta Z"
 
-/* In braces: the fault's numbers by name, the law, the rule of bodies or the one of the caller, the status of libcor,
- * and what more_of says. */
+/* In braces: the names of the fault's numbers, the law, the rule of bodies (the default or the caller's), the status of
+ * libcor, and the text of more_of */
 static const char *const sentences[] = {
     [COR_FAULT_SOLVER] = "the law {law} has no functions in cor; corgen contact solves it",
     [COR_FAULT_NO_DAMPING] = "no damping found for which eps is the --restitution",

@@ -15,7 +15,7 @@
 
 /* ---- eps ---- */
 
-/* 1 - t from x = 1/r: t^2 - 1 = 6 (r^2 - 1)/(6 - r^2) */
+/* Returns 1 - t from x = 1/r: t^2 - 1 = 6 (r^2 - 1)/(6 - r^2) */
 static double force_gap(double x, double t)
 {
     const double r = 1 / x;
@@ -68,8 +68,8 @@ double cor_elastic_plastic_loss(double speed_ratio)
     return loss_of_fourth(t, force_gap(speed_ratio, t)) / ((1 + eps) * (1 + eps * eps));
 }
 
-/* t of eps. Near 1 Newton's method solves sqrt(1 - eps^4) = u sqrt(P/D) for u = 1 - t, elsewhere eps^4 = 108 t/D for
- * ln t. Both start on the side from which they converge without crossing the root. */
+/* Returns t of eps. Near 1 Newton's method solves sqrt(1 - eps^4) = u sqrt(P/D) for u = 1 - t, elsewhere eps^4 = 108
+ * t/D for ln t. Both start on the side from which they converge without crossing the root. */
 static double force_ratio_of_eps(double eps)
 {
     const double fourth = eps * eps * (eps * eps);
@@ -125,7 +125,7 @@ double cor_scene_elastic_overlap(const struct cor_scene_contact *contact, double
     return cor_quiet_power(cor_si_product(cor_si_product(scale, speed_m_s), speed_m_s), 1 / (a + 1));
 }
 
-/* True if a contact is sound, and a number in range or 0 */
+/* True if a contact is sound and the number is in range or 0 */
 static int in_range_or_zero(const struct cor_scene_contact *contact, double x)
 {
     return cor_contact_is_sound(contact) && (x == 0 || cor_si_in_range(x));
@@ -144,7 +144,7 @@ static double yield_pressure(const struct cor_scene_contact *contact, double ove
     return cor_quiet_quotient(cor_quiet_product(1.5 * contact->stiffness, sqrt(overlap_m)), COR_PI * contact->radius_m);
 }
 
-/* No more than the pressure at which the spheres yield */
+/* Returns at most the pressure at which the spheres yield. */
 double cor_scene_pressure(const struct cor_scene_contact *contact, double overlap_m)
 {
     const double yields = contact->plastic ? cor_scene_elastic_overlap(contact, contact->yield_speed_m_s) : INFINITY;
@@ -159,14 +159,14 @@ double cor_scene_yield_stress(const struct cor_scene_contact *contact, double yi
 /* ---- an impact above the yield speed ----
  *
  * In units of overlap, force and speed at the onset of yield: the largest force is 1/t and the largest overlap
- * (2 + t)/(3 t). Loading takes Hertz's time up to the onset and acos(t)/sqrt(15/8) beyond it, unloading half of an
- * elastic contact of the rebound speed. */
+ * (2 + t)/(3 t). Loading lasts for Hertz's time up to the onset and for acos(t)/sqrt(15/8) beyond it. Unloading lasts
+ * half as long as an elastic contact at the rebound speed. */
 
 enum { TERMS = 30 };
 
-/* The integral of (1 - r^2 u^(5/2))^(-1/2) from 0 to 1. With r u^(5/4) = sin(theta) it is (theta_1/r)^(4/5) times
- * sum c_k theta_1^(2k)/(5k/2 + 1), sin(theta_1) = r, where c_k are the coefficients of (sin(theta)/theta)^(-1/5) in
- * powers of theta^2; they fall like pi^(-2k). */
+/* Returns the integral of (1 - r^2 u^(5/2))^(-1/2) from 0 to 1. With r u^(5/4) = sin(theta) it is (theta_1/r)^(4/5)
+ * times sum c_k theta_1^(2k)/(5k/2 + 1), sin(theta_1) = r. c_k are the coefficients of (sin(theta)/theta)^(-1/5) in
+ * powers of theta^2; they decrease like pi^(-2k). */
 static double hertz_time(double r, double gap)
 {
     const double computed = COR_PI / 2 - 2 * asin(sqrt(gap / 2)), angle = computed > 0 ? computed : r,
@@ -185,7 +185,7 @@ static double hertz_time(double r, double gap)
     return pow(angle / r, 0.8) * sum;
 }
 
-#define HERTZ_TIME 1.4716375921623523 /* hertz_time of r = 1: (2/5) B(2/5, 1/2) */
+#define HERTZ_TIME 1.4716375921623523 /* hertz_time for r = 1: (2/5) B(2/5, 1/2) */
 
 void cor_plastic_impact(struct cor_full_impact *impact, const struct cor_scene_contact *contact, double speed_m_s)
 {
@@ -206,9 +206,9 @@ void cor_plastic_impact(struct cor_full_impact *impact, const struct cor_scene_c
 
 /* ---- a liquid film around a dry contact ----
  *
- * Lubrication takes the same speed s from the bodies on the way in and on the way out (docs/theory.md, 22). */
+ * Lubrication reduces the speed of the bodies by the same s on the way in and on the way out (docs/theory.md, 22). */
 
-/* m dv/dt = -6 pi eta R^2 v/h with dh/dt = -v is dv/dh = 6 pi eta R^2/(m h). */
+/* From m dv/dt = -6 pi eta R^2 v/h and dh/dt = -v follows dv/dh = 6 pi eta R^2/(m h). */
 double cor_scene_liquid_speed(const struct cor_scene_contact *contact, double viscosity_pa_s, double gap_outer_m,
                               double gap_inner_m)
 {
@@ -235,7 +235,7 @@ double cor_wet_eps(double eps, double speed_m_s, double liquid_speed_m_s)
 
 double cor_wet_sticking_speed(const struct cor_scene_contact *contact, int end)
 {
-    /* The speed at contact whose dry rebound has the speed s; the dry rebound grows with the impact speed. */
+    /* Finds the speed at contact whose dry rebound has the speed s. The dry rebound grows with the impact speed. */
     const double s = contact->liquid_speed_m_s;
     struct cor_scene_contact dry = *contact;
     double low, high = s, eps = 0, rebound = 0, last;

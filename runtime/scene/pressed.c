@@ -31,7 +31,7 @@ double cor_pressed_force_max(const struct cor_exponents *law, double elastic, do
 
 /* ---- the end of the contact ---- */
 
-static int order_of(const struct motion *m) /* d */
+static int order_of(const struct motion *m) /* returns d */
 {
     return m->time[0].exponent + 1;
 }
@@ -41,7 +41,7 @@ static double overlap_of(const struct motion *m)
     return whole_power(cor_motion_start(m), order_of(m));
 }
 
-/* The force over the power of w that both of its terms have */
+/* Returns the force divided by the power of w that both of its terms contain. */
 static double contact_force(const struct motion *m, double s, double level)
 {
     const int ad = m->spring[0].exponent, bd = m->damper.exponent, low = ad < bd ? ad : bd;
@@ -50,14 +50,14 @@ static double contact_force(const struct motion *m, double s, double level)
            m->damper.factor * whole_power(w, bd - low) * cor_motion_v(m, s, 0) - level;
 }
 
-/* elastic x^(a+1)/(a+1) */
+/* Returns elastic x^(a+1)/(a+1). */
 static double spring_energy(const struct motion *m, double w)
 {
     const int d = order_of(m), ad = m->spring[0].exponent;
     return m->spring[0].factor * whole_power(w, ad + d) * d / (ad + d);
 }
 
-/* v^2/2 + elastic x^(a+1)/(a+1) - f x, which never grows */
+/* Returns v^2/2 + elastic x^(a+1)/(a+1) - f x, which never grows. */
 static double energy_of(const struct motion *m)
 {
     const double w = cor_motion_start(m);
@@ -65,7 +65,8 @@ static double energy_of(const struct motion *m)
                              : m->v[0] * m->v[0] / 2 + spring_energy(m, w) - m->press * whole_power(w, order_of(m));
 }
 
-/* Where the force can vanish: at overlaps from this one on if 2 (a - b) > 1; negative: at any */
+/* Returns the least overlap, as w, at which the force can vanish if 2 (a - b) > 1; negative: it can vanish at any
+ * overlap. */
 static double release_height(const struct motion *m)
 {
     const int d = order_of(m), difference = m->spring[0].exponent - m->damper.exponent, power = 2 * difference - d;
@@ -74,15 +75,15 @@ static double release_height(const struct motion *m)
     return power > 0 ? cor_quiet_power(cor_quiet_product(square, d) / difference, 1.0 / power) : -1; /* w */
 }
 
-/* The overlap at which force and spring balance */
+/* Returns the overlap at which force and spring balance. */
 static double overlap_of_rest(const struct motion *m)
 {
     return cor_quiet_power(cor_quiet_quotient(m->press, m->spring[0].factor),
                            (double)order_of(m) / m->spring[0].exponent);
 }
 
-/* Whether the overlap rises to that of rest and never beyond: while x'/(x_e - x) is below half of the damping
- * coefficient it stays so. */
+/* True if the overlap rises to its value at rest and never beyond. This holds once x'/(x_e - x) is below half of the
+ * damping coefficient. */
 static int creeps_up(const struct motion *m)
 {
     const double a = (double)m->spring[0].exponent / order_of(m), rest = overlap_of_rest(m), x = overlap_of(m);
@@ -92,7 +93,7 @@ static int creeps_up(const struct motion *m)
     return x < rest && damping * damping > 4 * stiffness && m->v[0] < damping / 2 * (rest - x);
 }
 
-/* The unit of length and of time, and the speed at x = 0, of a motion in its units */
+/* The units of length and time of a motion, and its speed at x = 0 in these units */
 struct scales {
     double length, time, speed;
 };
@@ -111,9 +112,9 @@ static void part_at_zero_overlap(struct cor_full_impact *impact, const struct mo
     set_end(impact, COR_END_ZERO_OVERLAP, speed / unit->speed, cor_motion_t(m, s) * unit->time);
 }
 
-/* The force vanishes at s, at the overlap x with the speed v. A body that flies from there to x = 0 arrives with
- * (v^2 - 2 f x)^(1/2). If that does not exist, it falls back and stays: with the energy that is left, the spring holds
- * it below its overlap of rest. */
+/* The force vanishes at s, at the overlap x with the speed v. A body that flies from there to x = 0 arrives with (v^2 -
+ * 2 f x)^(1/2). If this root is not real, it falls back and stays in contact: its remaining energy keeps it below the
+ * overlap at rest. */
 static void part_at_surface(struct cor_full_impact *impact, const struct motion *m, double s, const struct scales *unit)
 {
     const double w = cor_motion_u(m, s, 0), x = whole_power(w, order_of(m)), v = -cor_motion_v(m, s, 0);
@@ -125,10 +126,10 @@ static void part_at_surface(struct cor_full_impact *impact, const struct motion 
     set_end(impact, COR_END_ZERO_FORCE, speed / unit->speed, (cor_motion_t(m, s) + 2 * x / (v + speed)) * unit->time);
 }
 
-/* From the turning point to the end, or to where too little energy is left for it */
+/* Follows the rebound from the turning point to the end, or until too little energy is left to reach it. */
 static int follow_rebound(struct cor_full_impact *impact, struct motion *m, int ends_differ, const struct scales *unit)
 {
-    const double release = ends_differ ? release_height(m) : -1; /* w where the force can vanish */
+    const double release = ends_differ ? release_height(m) : -1; /* w from which the force can vanish */
     int held = !ends_differ, parted = 0;                         /* held: the force has vanished, or never does */
     for (int k = 0; !parted && energy_of(m) >= 0; k++) {
         if (k == MOTION_MOST_STEPS || !cor_motion_expand(m))
@@ -153,12 +154,12 @@ static int follow_rebound(struct cor_full_impact *impact, struct motion *m, int 
     return COR_FAULT_NONE;
 }
 
-/* ---- slow impacts and weak damping: the motion is the elastic one from rest, and takes the loss (damping J) ---- */
+/* ---- slow impacts and weak damping: the motion is elastic from rest, less the loss (damping J) ---- */
 
-#define SLOW 1e-8           /* the largest speed; its square is left out */
+#define SLOW 1e-8           /* the largest speed; its square is neglected */
 #define WEAK 1e-16          /* the largest damping */
 #define EXPONENT_MOST 100.0 /* of the beta functions */
-#define RELEASE_SHARE 1e-17 /* of the energy, which the spring keeps where the force vanishes */
+#define RELEASE_SHARE 1e-17 /* the largest part of the energy in the spring when the force vanishes */
 
 static double beta_function(double x, double y)
 {
@@ -176,7 +177,7 @@ static double slow_sticking_speed(const struct cor_exponents *law, double dampin
     return sqrt(cor_quiet_product(factor / a, beta_function(p, 1.5)));
 }
 
-/* True if the motion at this speed is the elastic one. The force vanishes at x^(a-b) = damping v, where v^2 is about
+/* True if the motion at this speed is nearly elastic. The force vanishes at x^(a-b) = damping v, where v^2 is about
  * speed^2 + 2 x. */
 static int is_slow(const struct cor_exponents *law, double damping, double speed)
 {
@@ -202,11 +203,11 @@ static void solve_slow(struct cor_full_impact *impact, const struct cor_exponent
 
 /* ---- a collision ---- */
 
-#define MOST_SPEED 1e140 /* beyond it the doubles end */
-#define SLOWEST 1e-12    /* below it, and with damping that is not WEAK, the bodies stick as at this speed */
+#define MOST_SPEED 1e140 /* higher speeds overflow */
+#define SLOWEST 1e-12    /* below it, unless the damping is WEAK, the bodies stick as they do at this speed */
 
-/* The units of a motion: the speed, or where the constant force is the larger one that force, and strong damping, set
- * them. */
+/* Returns the units of a motion. The speed sets them, or the constant force and strong damping if this force is
+ * larger. */
 static struct scales motion_scales(const struct cor_exponents *law, double damping, double speed, int *is_forced)
 {
     const double a = cor_elastic(law), b = cor_damping(law), length = cor_quiet_power(speed, 2 / (a + 1));

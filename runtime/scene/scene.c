@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* From what is known to a contact: bodies or a spring, then the damping */
+/* Makes a contact of a scene: first from bodies or a spring, then the damping */
 #include "cor/scene.h"
 
 #include <math.h>
@@ -14,12 +14,12 @@ static int refuse_scene(struct cor_scene_fault *fault, int what, int number, int
     return what;
 }
 
-/* A fault where it holds */
+/* A fault, and the condition for it */
 struct rule {
     int broken, fault, number, other;
 };
 
-/* Refuses by the first rule that is broken; the last one is {0}. */
+/* Refuses by the first broken rule; the last rule is {0}. */
 static int refuse_first(struct cor_scene_fault *fault, const struct rule *rule)
 {
     while (!rule->broken && rule->fault != COR_FAULT_NONE)
@@ -29,7 +29,7 @@ static int refuse_first(struct cor_scene_fault *fault, const struct rule *rule)
 
 /* ---- bodies, or a spring ---- */
 
-/* Anything of a body but its dissipation. A spring may end at a wall. */
+/* True if a number of a body is given, other than its dissipation. A spring may end at a wall. */
 static int has_bodies(const struct cor_scene *scene)
 {
     const int spring = cor_scene_given(scene, COR_SCENE_STIFFNESS) ||
@@ -53,7 +53,7 @@ static int check_bodies(struct cor_scene_fault *fault, const struct cor_scene *s
     return cor_scene_check_bodies(fault, scene, 0) != COR_FAULT_NONE ? fault->fault : refuse_first(fault, rules);
 }
 
-/* The number of a viscosity of a body, its own or that of body 1; -1: none is given */
+/* Returns the number of a viscosity of a body, its own or body 1's; -1: none is given. */
 static int viscosity_of(const struct cor_scene *scene, int body)
 {
     if (body == 2 && cor_scene_given(scene, COR_SCENE_VISCOSITY_2))
@@ -95,7 +95,7 @@ double cor_scene_rayleigh_step_s(const struct cor_scene *scene)
     return least;
 }
 
-/* Sets mass, stiffness and radius, and the damping that the materials themselves have. */
+/* Sets mass, stiffness and radius, and the damping of the materials themselves. */
 static int set_materials(struct cor_scene_contact *contact, struct cor_scene_fault *fault,
                          const struct cor_scene *scene)
 {
@@ -123,8 +123,8 @@ static int set_materials(struct cor_scene_contact *contact, struct cor_scene_fau
     return COR_FAULT_NONE;
 }
 
-/* The number that gives the stiffness of two bodies of known mass: C, A or the duration, each with another number that
- * gives the damping. -1: the stiffness is given, or nothing gives it. */
+/* Returns the number that gives the stiffness of two bodies of known mass: C, A or the duration, each with another
+ * number that gives the damping. -1: the stiffness is given, or nothing gives it. */
 static int source_of_stiffness(const struct cor_scene *scene)
 {
     static const int ratios[] = {COR_SCENE_G_STAR, COR_SCENE_RESTITUTION, COR_SCENE_BETA, COR_SCENE_ZETA};
@@ -164,7 +164,7 @@ static int set_scales(struct cor_scene_contact *contact, struct cor_scene_fault 
     return COR_FAULT_NONE;
 }
 
-/* The constant force F = m G + 2 pi w R */
+/* Sets the constant force F = m G + 2 pi w R. */
 static int set_force(struct cor_scene_contact *contact, struct cor_scene_fault *fault, const struct cor_scene *scene)
 {
     const int heavy = cor_scene_given(scene, COR_SCENE_GRAVITY), sticky = cor_scene_given(scene, COR_SCENE_ADHESION),
@@ -221,7 +221,7 @@ static int find_way(int *found, struct cor_scene_fault *fault, const struct cor_
     return *found < 0 && !scene->plate ? refuse_scene(fault, COR_FAULT_NO_WAY, 0, 0) : COR_FAULT_NONE;
 }
 
-/* Whether this way suits the law and has the numbers that it needs */
+/* Checks that this way suits the law and has the numbers that it needs. */
 static int check_way(struct cor_scene_fault *fault, const struct cor_scene *scene,
                      const struct cor_scene_contact *contact, int way)
 {
@@ -253,7 +253,7 @@ static int check_way(struct cor_scene_fault *fault, const struct cor_scene *scen
 
 /* ---- two numbers of a contact give its stiffness and its damping ---- */
 
-/* (K/m)^(1/(a+1)) of a damping and of C = value, or A = value, from beta g^-q = (C/m) (m/K)^((b+1)/(a+1)) */
+/* Returns (K/m)^(1/(a+1)) of a damping and of C = value, or A = value, from beta g^-q = (C/m) (m/K)^((b+1)/(a+1)). */
 static double rate_of_damping(const struct cor_scene_contact *contact, int source, double value)
 {
     const double beta = cor_scene_beta(contact, 1), a = cor_elastic(&contact->law), b = cor_damping(&contact->law);
@@ -382,7 +382,7 @@ static int set_liquid(struct cor_scene_contact *contact, struct cor_scene_fault 
 
 /* ---- a damping from what was measured ---- */
 
-/* A restitution or a duration without its end is that of either end, in a contact for each. */
+/* Sets the damping. A restitution or a duration without its end may belong to either end: one contact for each. */
 static int set_damping(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *count, struct cor_scene_fault *fault,
                        const struct cor_scene *scene)
 {
@@ -390,8 +390,8 @@ static int set_damping(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *c
     if (status == COR_FAULT_NONE)
         status = check_way(fault, scene, &contacts[0], way);
     if (status != COR_FAULT_NONE || way < 0 || (is_material(way) && has_bodies(scene)))
-        return status; /* set_materials has set it */
-    /* A restitution without a speed, of a law with q = 0, is that without a constant force. */
+        return status; /* already set by set_materials */
+    /* Where q = 0, a restitution without a speed is the value without a constant force. */
     const double speed = cor_scene_given(scene, COR_SCENE_AT) ? scene->number[COR_SCENE_AT]
                          : way == COR_SCENE_RESTITUTION && (contacts[0].force_n > 0 || contacts[0].adhesion_j_m2 > 0)
                              ? (double)NAN
@@ -423,7 +423,7 @@ static int set_damping(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *c
     return status;
 }
 
-/* True if a finite number that is not 0 is out of the range, whatever its sign */
+/* True if a finite nonzero number is out of the range, whatever its sign */
 static int is_beyond(const struct cor_scene *scene, int number)
 {
     const double size = fabs(scene->number[number]);

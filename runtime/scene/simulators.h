@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Published formulas that simulators use, for comparisons with exact functions; the numbers of models */
+/* Published formulas of simulators, to compare with exact functions; the input numbers of models */
 #ifndef COR_RUNTIME_SCENE_SIMULATORS_H
 #define COR_RUNTIME_SCENE_SIMULATORS_H
 
@@ -8,15 +8,15 @@
 #include "cor/scene.h"
 #include "runtime/scene/exponents.h"
 
-/* Thornton, Cummins and Cleary, Powder Technol. 233, 30 (2013): damping 2 gamma sqrt(m k_tangent), fitted to zero
- * force */
+/* Returns gamma of Thornton, Cummins and Cleary, Powder Technol. 233, 30 (2013): damping 2 gamma sqrt(m k_tangent),
+ * fitted to zero force. */
 double cor_thornton_gamma(double e);
-/* The polynomial of Tsuji, Tanaka and Ishida, Powder Technol. 71, 239 (1992), in the form of LAMMPS */
+/* Returns the polynomial of Tsuji, Tanaka and Ishida, Powder Technol. 71, 239 (1992), in the form of LAMMPS. */
 double cor_tsuji_alpha(double e);
-/* beta as a function of e: Flores et al. (2011) */
+/* Returns beta as a function of e: Flores et al. (2011). */
 double cor_flores_beta(double e);
 
-/* The contact with the law of a model (NULL: its own) and with the damping of the model at a speed */
+/* Returns the contact with the law of a model (NULL: its own) and with the damping of the model at a speed. */
 COR_INLINE struct cor_scene_contact cor_model_contact(struct cor_scene_contact c, const struct cor_exponents *law,
                                                       double damping, double speed_m_s)
 {
@@ -29,7 +29,7 @@ COR_INLINE struct cor_scene_contact cor_model_contact(struct cor_scene_contact c
     return c;
 }
 
-/* Density of a sphere; NaN: it has none, as a wall */
+/* Returns the density of a sphere; NaN for a wall, which has none. */
 COR_INLINE double cor_scene_body_density(const struct cor_scene *scene, int body)
 {
     const struct cor_body b = cor_scene_body(scene, body);
@@ -46,8 +46,8 @@ COR_INLINE int cor_scene_materials_differ(const struct cor_scene *scene)
                      1e-14);
 }
 
-/* True if a contact and a speed have numbers with which no formula of a simulator leaves the doubles: within 2^-160 to
- * 2^160, about 1e48, or unknown */
+/* True if no formula of a simulator overflows with the numbers of a contact and a speed: 0, unknown, or from 2^-160 to
+ * 2^160, about 1e48 */
 COR_INLINE int cor_is_moderate(const struct cor_scene_contact *contact, double speed_m_s)
 {
     const double numbers[] = {contact->mass_kg, contact->stiffness, contact->radius_m, speed_m_s};
@@ -64,26 +64,27 @@ COR_INLINE int cor_model_has_version(const struct cor_simulator_model *model, lo
     return version == 0 || (version >= model->since && (model->until == 0 || version <= model->until));
 }
 
-/* True if the model has the law of the contact; if it can realise one eps of it, at one speed */
+/* True if the model has the law of the contact; true if it can realise one eps of the contact, at one speed */
 int cor_simulator_has_law(const struct cor_simulator_model *model, const struct cor_scene_contact *contact);
 int cor_simulator_has_one_eps(const struct cor_simulator_model *model, const struct cor_scene_contact *contact);
 
-/* The request to a model: the contacts of a scene by cor_scene_contacts, at one speed or, NaN, at all; eps at the speed
- * or at all speeds; NaN if it depends on the speed or the end. steps > 0: number of time steps in an elastic duration;
- * the damping is then the one of cor_scene_step_corrected at the speed. */
+/* The request to a model: the contacts of a scene by cor_scene_contacts. speed_m_s: NaN for all speeds. eps: at the
+ * speed, or at all speeds; NaN if it depends on the speed or the end. steps > 0: number of time steps in an elastic
+ * duration; the damping is then corrected by cor_scene_step_corrected at the speed. */
 struct cor_simulator_target {
     const struct cor_scene *scene;
     const struct cor_scene_contact *contacts;
     int count;
     double speed_m_s, eps, steps;
 };
-/* The damping of the model for the target, by its law (`same_law`) or by eps only, and the number that a user sets for
- * it; NaN with the reason if they do not exist */
+/* Returns the damping of the model for the target, by its law (`same_law`) or by eps only; the number that a user sets
+ * for it. NaN, with the reason, if they do not exist. */
 double cor_simulator_damping(const struct cor_simulator_model *model, const struct cor_simulator_target *target,
                              int same_law);
 double cor_simulator_number(const struct cor_simulator_model *model, const struct cor_simulator_target *target,
                             int same_law, enum cor_simulator_status *status);
-/* The damping corrected for target->steps; NaN if the simulator has no integrator of ours. An impulse needs none. */
+/* Returns the damping corrected for target->steps; NaN if the simulator has none of these integrators. An impulse needs
+ * no correction. */
 double cor_simulator_step_damping(const struct cor_simulator_model *model, const struct cor_simulator_target *target,
                                   int same_law, double damping);
 

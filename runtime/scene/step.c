@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What the time step of a simulator does to eps: the dimensionless collision, integrated as the simulator does, from
- * all phases of the first step */
+/* The effect of a simulator's time step on eps: the dimensionless collision is integrated as in the simulator, from all
+ * phases of the first step */
 #include "cor/scene.h"
 
 #include <math.h>
@@ -27,13 +27,13 @@ double cor_scene_elastic_duration_s(const struct cor_scene_contact *contact, dou
 /* ---- one collision ---- */
 
 enum {
-    NODES = 20,     /* of a smooth piece of the phases */
-    NODES_LONG = 8, /* if one collision takes LONG steps */
+    NODES = 20,     /* nodes in a smooth piece of the phases */
+    NODES_LONG = 8, /* if one collision needs LONG steps */
     LONG = 1 << 13,
     MOST_PIECES = 256,
-    OFTEN = 1 << 10,      /* steps after which a collision may have crept to rest */
+    OFTEN = 1 << 10,      /* number of steps between tests for creep to rest */
     MOST_STEPS = 1 << 22, /* of one collision */
-    WHOLE_POWER = 32      /* the largest power by multiplication */
+    WHOLE_POWER = 32      /* the largest power computed by multiplication */
 };
 #define FIRST_PHASE 1e-14
 /* Bodies in contact that have less energy than m (STUCK g)^2/2 do not part with more than STUCK times the impact speed
@@ -49,16 +49,16 @@ struct stepped {
     double a, b, beta, step;
     double press; /* constant force */
     double exact; /* eps */
-    double still; /* slower bodies without energy stay */
-    double deep;  /* energy of bodies that creep to rest: half of the least */
-    double most;  /* place and velocity beyond which a force may leave the doubles */
-    double ahead; /* the damping force takes the velocity so many steps after the last half step */
-    int roots;    /* so many square roots give x^(1/denominator); negative: pow */
-    int implicit; /* the force is that at the end of the step */
+    double still; /* slower bodies without energy stay in contact */
+    double deep;  /* energy below which bodies creep to rest: half of the least */
+    double most;  /* bound of place and velocity, so that no force overflows */
+    double ahead; /* the damping force uses the velocity this number of steps after the last half step */
+    int roots;    /* this number of square roots gives x^(1/denominator); negative: pow */
+    int implicit; /* the force at the end of the step acts */
     int no_pull;  /* the contact force is never negative */
 };
 
-/* x^a + beta x^b v, but 0 where the bodies are apart and where the simulator does not let them pull */
+/* Returns x^a + beta x^b v, but 0 if the bodies are apart or if the simulator does not let them pull. */
 static double force_at(const struct stepped *m, double x, double v)
 {
     double root = x, spring, damper;
@@ -83,13 +83,12 @@ static double force_at(const struct stepped *m, double x, double v)
 
 /* A collision from one phase of the first step */
 struct bounce {
-    double phase,
-        off; /* off: eps minus the exact eps; NaN if the steps are too many or the motion leaves the doubles */
-    unsigned long pattern; /* differs if other steps push, or if the bodies stay */
+    double phase, off;     /* off: eps minus the exact eps; NaN if there are too many steps or the motion overflows */
+    unsigned long pattern; /* differs if the force pushes in other steps, or if the bodies stay together */
     long steps;
 };
 
-/* Twice the energy; below 0 bodies in contact never part */
+/* Returns twice the energy; below 0 bodies in contact never part. */
 static double energy_at(const struct stepped *m, double x, double v)
 {
     return v * v + (2 / (m->a + 1) * cor_quiet_power(x, m->a) - 2 * m->press) * x;
@@ -103,7 +102,7 @@ static int has_ended(const struct stepped *m, double x, double v, double full, d
                         (full * full > 2 * m->press * x || energy_at(m, x, full) < 0));
 }
 
-/* phase: time from the surface to the end of the first step that ends in contact, in steps */
+/* Follows a collision. phase: time from the surface to the end of the first step that ends in contact, in steps */
 static struct bounce follow_bounce(const struct stepped *m, double phase)
 {
     const double h = m->step, press = m->press;
@@ -210,7 +209,7 @@ static int are_alike(double *off, const struct bounce *low, struct bounce *high,
     return 1;
 }
 
-/* eps over all phases, less `exact` */
+/* Averages eps minus `exact` over all phases. */
 static int average_phases(struct cor_step_error *error, const struct stepped *m)
 {
     const struct bounce last = follow_bounce(m, 1);
@@ -237,7 +236,7 @@ static int average_phases(struct cor_step_error *error, const struct stepped *m)
         }
     }
     error->bias = fmin(fmax(error->bias, error->least), error->largest);
-    if (squares < 0) /* of steps that grow beyond all digits */
+    if (squares < 0) /* the results grow without bound */
         return COR_FAULT_STEP;
     error->scatter = sqrt(squares / weight);
     return error->scatter < HUGE_VAL ? COR_FAULT_NONE : COR_FAULT_STEP;
@@ -259,8 +258,8 @@ int cor_scene_step_error(struct cor_step_error *error, const struct cor_scene_co
 
 /* ---- the step for an error, and the damping for a step ---- */
 
-/* Whether bias and scatter are within the tolerance at so many steps and up to one more. Between whole numbers of steps
- * the scatter of some laws rises and falls by its own size. */
+/* True if bias and scatter are within the tolerance at this number of steps and up to one more. Between whole numbers
+ * of steps the scatter of some laws rises and falls by its own size. */
 static int is_within(int *status, const struct cor_scene_contact *contact, double speed_m_s, int end, double steps,
                      int integrator, double tolerance)
 {
@@ -278,7 +277,7 @@ static int is_within(int *status, const struct cor_scene_contact *contact, doubl
 int cor_scene_step_for(double *steps, const struct cor_scene_contact *contact, double speed_m_s, int end,
                        double tolerance, int integrator)
 {
-    static const double ratio = 1.2, scanned = 4; /* the scan ends at so many times the steps of the last failure */
+    static const double ratio = 1.2, scanned = 4; /* the scan ends at this multiple of the steps of the last failure */
     struct stepped m;
     int status = isgreater(tolerance, 0) ? COR_FAULT_NONE : COR_FAULT_STEP;
     *steps = (double)NAN;
