@@ -164,6 +164,34 @@ static double duration_by_quadrature(double beta)
     return cor_hunt_crossley_duration(beta, 1.25);
 }
 
+/* u'/u of elastic spheres whose tangential displacement is remembered, with friction 0.3 */
+static double oblique(double tangent)
+{
+    static const struct cor_scene_contact contact = {.law = {3, 1, 2}, .mass_kg = 1, .stiffness = 1, .radius_m = 1};
+    struct cor_oblique_impact impact = {.restitution = NAN};
+    cor_scene_oblique(&impact, &contact, &(struct cor_tangential){.kappa = 4.5}, 0.3, 1, tangent, 0);
+    return impact.restitution;
+}
+
+static long double exact_oblique(long double tangent)
+{
+    return oblique((double)tangent); /* within COR_OBLIQUE_ERROR */
+}
+
+/* The same by velocity Verlet, as LAMMPS, with 1000 steps */
+static double formula_oblique(double tangent)
+{
+    const double h = 3.218e-3;
+    double x = h, v = 1, u = tangent, s = h * u;
+    for (; x > 0; x += h * v, s += h * u) {
+        const double root = sqrt(x), force = x * root, g = fmax(fmin(4.5 * root * s, 1.05 * force), -1.05 * force);
+        s = g / (4.5 * root);
+        v -= h * force;
+        u -= h * g;
+    }
+    return u / tangent;
+}
+
 /* ---- the table ---- */
 
 typedef double scalar_function(double x);
@@ -247,6 +275,9 @@ static const struct method {
      0.99},
     {"beta of eps; sphere; zero force", "Newton's method on a Pade", OTHER(formula_sphere_newton), exact_sphere_force,
      1, 0.1, 0.99},
+    {"u'/u of tan(angle); mindlin; friction 0.3", "cor", OTHER(oblique), NULL, 0, 0.12, 0.36},
+    {"u'/u of tan(angle); mindlin; friction 0.3", "velocity Verlet; 1000 steps", OTHER(formula_oblique), exact_oblique,
+     0, 0.12, 0.36},
 };
 enum { METHODS = sizeof methods / sizeof *methods };
 
