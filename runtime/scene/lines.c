@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The lines by which a simulator realises a contact: which of its models is active, what that model realises, and the
- * other models as comments */
+/* The input lines for a contact in a simulator: the active model, its realised e, and other models as comments */
 #include "cor/scene.h"
 
 #include <math.h>
@@ -17,7 +16,7 @@ enum { INPUT_DIGITS = 12, TEXT_DIGITS = 6, NUMBER = 32, WORD = 16, SENTENCE = 80
 
 /* ---- names and versions ---- */
 
-/* The number of first letters of `text` that are those of `name`, which has no upper case */
+/* Returns the length of the common prefix, ignoring case. name is lower case. */
 static size_t common_letters(const char *text, const char *name)
 {
     size_t length = 0;
@@ -47,7 +46,7 @@ static const char *read_digits(long *value, const char *text)
     return text;
 }
 
-/* Month and year after the day; 0: the text is another one */
+/* Returns a date as a number. text: month and year, after the day. 0: it is no date. */
 static long date_of(long day, const char *text)
 {
     static const char *const months[] = {"january", "february", "march",     "april",   "may",      "june",
@@ -85,8 +84,8 @@ struct text {
     size_t size, length;
     const struct cor_simulator *simulator;
     int commented; /* each line becomes a comment */
-    int at_start;  /* of a line */
-    int known;     /* all numbers since it was set */
+    int at_start;  /* the next character begins a line */
+    int known;     /* all numbers since this became 1 were known */
 };
 
 static void put_raw(struct text *t, const char *from)
@@ -105,7 +104,7 @@ static void put_text(struct text *t, const char *from)
     for (; *from; from++) {
         const char one[] = {*from, '\0'};
         if (t->commented && *t->simulator->comment_end && from[0] == '-' && from[1] == '-') {
-            from++; /* what XML has no place for: the hyphens of options */
+            from++; /* XML does not allow the hyphens of options */
             continue;
         }
         if (t->commented && t->at_start && *from != '\n')
@@ -117,7 +116,7 @@ static void put_text(struct text *t, const char *from)
     }
 }
 
-/* A comment of one line */
+/* Writes a comment of one line. */
 static void put_comment(struct text *t, const char *format, ...)
 {
     char line[SENTENCE];
@@ -131,7 +130,7 @@ static void put_comment(struct text *t, const char *format, ...)
     t->commented--;
 }
 
-/* A number as text; with a point, whatever the locale has */
+/* Formats a number as text, with a decimal point in every locale. */
 struct number {
     char text[NUMBER];
 };
@@ -148,9 +147,9 @@ static struct number number_text(double value, int digits)
 #define INPUT(value) number_text(value, INPUT_DIGITS).text
 #define EXACT(value) number_text(value, 15).text
 
-/* ---- what is asked of a simulator ---- */
+/* ---- the request to a simulator ---- */
 
-/* Contacts of two bodies: the three that lines have, and each body at a wall of either material */
+/* Contacts of two bodies: the three in the lines, and each body at a wall of either material */
 enum { PAIR, LIKE_1, LIKE_2, PAIRS, CONTACTS = PAIRS + 4 };
 static const struct {
     int body, other, wall;
@@ -159,23 +158,23 @@ static const struct {
 struct task {
     const struct cor_simulator_request *request;
     const struct cor_simulator *simulator;
-    int types;   /* of bodies: 2 for two different ones, or a wall */
+    int types;   /* types of bodies: 2 for two different bodies, or a body and a wall */
     int has_law; /* some model has the law of the contact */
-    int pressed; /* by gravity, on which eps then depends */
+    int pressed; /* pressed by gravity; eps then depends on it */
     /* For each end at which the restitution may have been measured, or the contact of the request */
     struct cor_scene_contact contact[CONTACTS][COR_SCENE_ENDS];
     struct cor_simulator_target target[CONTACTS];
-    struct cor_simulator_request own; /* of soften_wall, or of one contact of several materials */
+    struct cor_simulator_request own; /* by soften_wall, or for one contact of several materials */
     size_t i, j;                      /* types of this contact, from 0 */
     struct cor_scene_contact soft[COR_SCENE_ENDS];
     double k1, hardening, depth;        /* of put_luding: k_1, k_p/k_1, plasticity depth */
-    char law[NUMBER];                   /* its name */
+    char law[NUMBER];                   /* name of the law */
     char refusal[COR_SIMULATOR_REASON]; /* "": none yet */
 };
 
 #define UNDER_FORCE(task) ((task)->pressed ? " under gravity" : "")
 
-/* Says why there are no lines; 0. */
+/* Stores the reason for the refusal. Returns 0. */
 static int refuse_task(struct task *task, const char *format, ...)
 {
     va_list list;
@@ -185,7 +184,8 @@ static int refuse_task(struct task *task, const char *format, ...)
     return 0;
 }
 
-/* Several materials: types are their balls, in the order of the request, and then their walls. */
+/* True for a wall. With several materials the types are first the balls, in the order of the request, then the
+ * walls. */
 static int is_wall(const struct cor_material *material)
 {
     return cor_is_infinity(material->body.mass_kg);
@@ -208,7 +208,7 @@ static const struct cor_material *material_of(const struct cor_simulator_request
     return m;
 }
 
-/* The contact of two types in any order; of two walls, which never touch, that of the first ball and the second wall */
+/* Returns the contact of two types in any order. Two walls never touch: the first ball and the second wall. */
 static struct cor_material_contact *contact_of(const struct cor_simulator_request *request, size_t i, size_t j)
 {
     const size_t first = i < j ? i : j, last = i < j ? j : i;
@@ -219,12 +219,12 @@ static struct cor_material_contact *contact_of(const struct cor_simulator_reques
 struct block {
     const struct cor_simulator_model *model;
     double number[CONTACTS];
-    double damping, speed_m_s; /* for the pair of the request at this speed */
+    double damping, speed_m_s; /* of the pair in the request at this speed */
     double time_step_s;        /* NaN: not known */
-    char reason[SENTENCE];     /* why it has no numbers, or has none that are corrected */
+    char reason[SENTENCE];     /* why it has no numbers, or no corrected ones */
 };
 
-/* Turns the numbers of words to the contact of types i and j. */
+/* Makes the contact of types i and j the source of the numbers of words. */
 static void turn_to_contact(struct task *task, struct block *block, size_t i, size_t j)
 {
     const struct cor_material_contact *const c = contact_of(task->request, i, j);
@@ -235,7 +235,7 @@ static void turn_to_contact(struct task *task, struct block *block, size_t i, si
     block->number[PAIR] = c->number;
 }
 
-/* True if the request is of two spheres that differ */
+/* True if the request has two different spheres */
 static int bodies_differ(const struct cor_scene *scene)
 {
     if (scene->wall || scene->plate || !cor_scene_given(scene, COR_SCENE_YOUNG))
@@ -251,7 +251,7 @@ static int has_own_damping(const struct cor_scene *scene)
     return cor_scene_given(scene, COR_SCENE_DISSIPATION_TIME) || cor_scene_given(scene, COR_SCENE_VISCOSITY);
 }
 
-/* Turns a contact into another one of the same materials: with their dissipation times, or zeta or C/K of the pair */
+/* Changes a contact into another of these materials: with their dissipation times, or zeta or C/K of the pair */
 static void make_contact(struct cor_scene_contact *contact, const struct cor_scene *scene, int kind)
 {
     struct cor_sphere_contact sphere;
@@ -274,7 +274,7 @@ static void make_contact(struct cor_scene_contact *contact, const struct cor_sce
                               0);
 }
 
-/* All contacts from that of the request, or from one that replaces it */
+/* Fills all contacts from the contact of the request, or from its replacement. */
 static void fill_pairs(struct task *task, const struct cor_scene_contact *contacts, int count, double speed_m_s,
                        double eps)
 {
@@ -289,7 +289,7 @@ static void fill_pairs(struct task *task, const struct cor_scene_contact *contac
     }
 }
 
-/* The end at which eps is asked for */
+/* Returns the end of the requested eps. */
 static int end_of(const struct cor_scene *scene)
 {
     return scene->end == COR_BOTH_ENDS ? COR_END_ZERO_OVERLAP : scene->end;
@@ -302,7 +302,7 @@ static int is_requested(const struct cor_simulator_model *model, const struct ta
     return cor_model_has_version(model, version ? cor_simulator_version(version) : 0);
 }
 
-/* Whether lines of the model can be printed, but for their numbers */
+/* True if lines of the model can be printed, apart from unknown numbers */
 static int model_suits(const struct cor_simulator_model *model, const struct task *task, int has_law)
 {
     return (task->request->materials ? model->many != NULL
@@ -319,7 +319,7 @@ static int has_soft_wall(const struct task *task)
            cor_law_is_hertz(&task->request->contacts->law);
 }
 
-/* ---- what a model realises ---- */
+/* ---- the realised e of a model ---- */
 
 static double damping_of(const struct block *block, const struct task *task, int pair)
 {
@@ -330,14 +330,14 @@ static double damping_of(const struct block *block, const struct task *task, int
                : model->damping_of_number(block->number[pair], task->target[pair].contacts, block->speed_m_s);
 }
 
-/* The contact that the model makes, for durations and eps */
+/* Returns the contact that the model makes, for durations and eps. */
 static struct cor_scene_contact contact_made(const struct block *block, const struct task *task, int pair)
 {
     return cor_model_contact(task->contact[pair][0], task->has_law ? NULL : &cor_law_exponents[block->model->law],
                              damping_of(block, task, pair), block->speed_m_s);
 }
 
-/* eps at a speed; NaN: not known */
+/* Returns eps at a speed; NaN: not known. */
 static double realised_eps(const struct block *block, const struct task *task, double speed_m_s)
 {
     const struct cor_simulator_model *const model = block->model;
@@ -359,7 +359,7 @@ static int integrator_of(const struct task *task)
     return own == COR_NO_INTEGRATOR || task->request->integrator == COR_NO_INTEGRATOR ? own : task->request->integrator;
 }
 
-/* True if the lines of the model make this contact: at a wall those with a matrix, and YADE's, make like pairs. */
+/* True if the lines of the model define this contact. At a wall, matrices and YADE's lines also define like pairs. */
 static int has_contact(const struct block *block, const struct task *task, int pair)
 {
     const enum cor_simulator_pairs pairs = block->model->pairs;
@@ -368,9 +368,9 @@ static int has_contact(const struct block *block, const struct task *task, int p
                                  (pair == LIKE_1 && (pairs == COR_PAIRS_MATRIX || pairs == COR_PAIRS_ONE_LAW))));
 }
 
-/* The step of one contact at a speed: its duration over the number of steps, or the largest step for the tolerance;
- * infinite where the bodies never part, NaN where it is not known. *steps: of the request, then those of the pair. The
- * damping of other contacts may be replaced: their step is that of either end, damped or not. */
+/* Returns the time step of one contact at a speed: its duration over the number of steps, or the largest step for the
+ * tolerance. Infinite if the bodies never part, NaN if not known. *steps: of the request, then of the pair. The damping
+ * of other contacts may be replaced: their step is the step of either end, damped or not. */
 static double step_of(const struct cor_scene_contact *c, const struct task *task, int pair, int end, double speed,
                       double *steps)
 {
@@ -382,7 +382,7 @@ static double step_of(const struct cor_scene_contact *c, const struct task *task
         own = NAN;
     if (pair == PAIR)
         *steps = own;
-    if (c->force_n > 0 && tolerance == 0) { /* under a force bodies stay, or fly before they are apart */
+    if (c->force_n > 0 && tolerance == 0) { /* under a force bodies stay in contact, or fly before they part */
         struct cor_scene_impact bounce = impact;
         struct cor_scene_contact undamped = *c;
         undamped.damping = 0;
@@ -393,7 +393,7 @@ static double step_of(const struct cor_scene_contact *c, const struct task *task
     return pair == PAIR ? step : fmin(step, cor_quiet_quotient(fmin(impact.duration_s[!end], elastic), *steps));
 }
 
-/* The smallest step of all contacts of the block; NaN where that of the pair is not known */
+/* Returns the smallest step of all contacts of the block; NaN if the step of the pair is not known. */
 static double time_step(const struct block *block, const struct task *task)
 {
     const struct cor_simulator_request *const request = task->request;
@@ -422,7 +422,7 @@ static double time_step(const struct block *block, const struct task *task)
     return least > 0 && least < INFINITY ? least : NAN;
 }
 
-/* Corrects the numbers for the time step, at the one speed of the request. False if that is not possible */
+/* Corrects the numbers for the time step, at the only speed of the request. False if that is not possible */
 static int correct_block(struct block *block, const struct task *task)
 {
     enum cor_simulator_status status;
@@ -452,7 +452,7 @@ static int correct_block(struct block *block, const struct task *task)
     return 1;
 }
 
-/* Finds the numbers of a model. Returns whether there are some. */
+/* Finds the numbers of a model. Returns 1 if they exist. */
 static int fill_block(struct block *block, const struct task *task, const struct cor_simulator_model *model)
 {
     enum cor_simulator_status status = COR_SIMULATOR_OK;
@@ -494,7 +494,7 @@ static int fill_block(struct block *block, const struct task *task, const struct
 
 /* ---- lines ---- */
 
-/* The law's number by its name, not that of a plate; -1: it has none */
+/* Returns the index of the law if it has a name and is not a plate's, otherwise -1. */
 static int law_with_name(const struct cor_exponents *law)
 {
     for (int i = COR_LAW_PLATE - 1; i >= 0; i--)
@@ -503,7 +503,7 @@ static int law_with_name(const struct cor_exponents *law)
     return -1;
 }
 
-/* The command that writes a header for this contact: g* holds every law whose eps depends on the speed. */
+/* Writes the command that makes a header for this contact. g* applies to every law whose eps depends on the speed. */
 static void put_embed(struct text *t, const struct task *task)
 {
     const struct cor_simulator_request *const request = task->request;
@@ -523,7 +523,7 @@ static void put_embed(struct text *t, const struct task *task)
     else if (named != COR_LAW_VISCOELASTIC)
         snprintf(other, sizeof other, " --law %s", cor_law_name((enum cor_law)named));
     snprintf(damping, sizeof damping, "%s --g-star %s", other, EXACT(cor_scene_damping(contact, COR_SCENE_G_STAR)));
-    if (contact->plastic) /* any eps and its speed name v_y */
+    if (contact->plastic) /* any eps and its speed determine v_y */
         snprintf(damping, sizeof damping, " --law elastic-plastic --restitution 0.5 --at %s",
                  EXACT(contact->yield_speed_m_s * cor_elastic_plastic_speed_ratio(0.5)));
     if (task->pressed)
@@ -539,8 +539,8 @@ static void put_embed(struct text *t, const struct task *task)
     put_text(t, line);
 }
 
-/* The number of a word; NaN if it is not known. zeta and the natural frequency fix MuJoCo's time constant, the contact
- * time and e' the numbers of YADE. Simbody's stiffness s of each of two bodies is K = (4/3) sqrt(R) s/2^(3/2). */
+/* Returns the number for a word; NaN if unknown. zeta and the natural frequency determine MuJoCo's time constant; the
+ * contact time and e' the numbers of YADE. For Simbody's stiffness s of each body, K = (4/3) sqrt(R) s/2^(3/2). */
 static double word_number(const char *word, const struct block *block, const struct task *task, int pair)
 {
     const struct cor_simulator_target *const target = &task->target[pair];
@@ -616,7 +616,7 @@ static double word_number(const char *word, const struct block *block, const str
     return NAN;
 }
 
-/* The text of a word; NULL: the word stands for a number */
+/* Returns the text for a word; NULL: the word stands for a number. */
 static const char *word_text(const char *word, const struct task *task, int pair)
 {
     static const char *const pairs[] = {"1 2", "1 1", "2 2"};
@@ -641,7 +641,7 @@ static void put_number(struct text *t, const char *word, const struct block *blo
     put_text(t, number_text(value, strcmp(word, "dt") == 0 ? TEXT_DIGITS : INPUT_DIGITS).text);
 }
 
-/* The density of a body as an argument, if it is known; of the second body it is needed only where materials differ. */
+/* Writes the density of a body as an argument, if it is known. The second body needs it only if materials differ. */
 static void put_density(struct text *t, const char *word, const struct block *block, const struct task *task)
 {
     const double density = word_number(word, block, task, PAIR);
@@ -651,7 +651,7 @@ static void put_density(struct text *t, const char *word, const struct block *bl
     put_text(t, isnan(density) ? "" : ", ");
 }
 
-/* {contact}: the types of the contact, i or i_j; {plane}: the variable with the plane of wall j */
+/* Writes the types of the contact, i or i_j, for {contact}; the variable with the plane of wall j for {plane}. */
 static void put_types(struct text *t, const char *word, const struct task *task)
 {
     const int plane = strcmp(word, "plane") == 0;
@@ -662,8 +662,8 @@ static void put_types(struct text *t, const char *word, const struct task *task)
     put_text(t, plane ? "}" : "");
 }
 
-/* The tangential force of LAMMPS or LIGGGHTS. LAMMPS has the damper over the normal one, and with Hertz's force the
- * stiffness per contact radius. */
+/* Writes the tangential force of LAMMPS or LIGGGHTS. LAMMPS has the damper relative to the normal one, and with Hertz's
+ * force the stiffness per contact radius. */
 static void put_tangential(struct text *t, const struct block *block, const struct task *task, int pair)
 {
     const struct cor_simulator_request *const r = task->request;
@@ -685,8 +685,8 @@ static void put_tangential(struct text *t, const struct block *block, const stru
     put_number(t, "mu", block, task, pair);
 }
 
-/* A word for the pair; t->known becomes 0 if its number is not known. {X[]} is the matrix of X for all pairs of types,
- * {X[,]} the same with commas, {X[i]} the list of X of all bodies. */
+/* Writes a word for the pair. t->known becomes 0 if its number is not known. {X[]} is the matrix of X for all pairs of
+ * types, {X[,]} this matrix with commas, {X[i]} the list of X of all bodies. */
 static void put_word(struct text *t, const char *word, const struct block *block, const struct task *task, int pair)
 {
     static const int order[] = {LIKE_1, PAIR, PAIR, LIKE_2};
@@ -728,7 +728,7 @@ static const char *put_line(struct text *t, const char *from, const struct block
         const char *const close = strchr(from, '}');
         const size_t length = close ? (size_t)(close - from) : 0;
         char word[WORD];
-        /* Braces of the simulator's language hold a line break, and those of a template do not. */
+        /* A pair of braces in the simulator's language encloses a line break; braces of a template do not. */
         if (*from == '{' && length > 1 && length < sizeof word && !memchr(from, '\n', length)) {
             memcpy(word, from + 1, length - 1);
             word[length - 1] = '\0';
@@ -749,7 +749,7 @@ static int line_has(const char *line, const char *word)
     return found && (!end || found < end);
 }
 
-/* The lines of a template. Returns whether all numbers are known. */
+/* Writes the lines of a template. Returns 1 if all numbers are known. */
 static int put_template(struct text *t, const char *template, const struct block *block, const struct task *task)
 {
     static const int order[] = {LIKE_1, LIKE_2, PAIR};
@@ -773,7 +773,7 @@ static int put_template(struct text *t, const char *template, const struct block
 
 /* ---- comments of a block ---- */
 
-/* The factor of the number at `masses` times the mass: for the same eps of a constant law, or the same material */
+/* Returns the factor of the number at `masses` times the mass: for equal eps where q = 0, or for the same material. */
 static double mass_factor(const struct block *block, const struct task *task, double masses)
 {
     const struct cor_simulator_model *const model = block->model;
@@ -792,7 +792,7 @@ static int needs_mass(const struct block *block, const struct task *task)
     return isgreater(fabs(mass_factor(block, task, 2) - 1), 1e-9) || block->model->mass == COR_MASS_IN_LINES;
 }
 
-/* Which number depends on the mass, and what to do where masses differ */
+/* States which number depends on the mass, and how to change it for other masses. */
 static void put_mass(struct text *t, const struct block *block, const struct task *task)
 {
     const char *const parameter = block->model->parameter;
@@ -819,7 +819,7 @@ static void put_mass(struct text *t, const struct block *block, const struct tas
                        : "Where masses differ, each pair of types needs its own.");
 }
 
-/* Says which lines hold for which pair of two bodies that differ, and what to replace. */
+/* States which lines hold for which pair of two different bodies, and what to replace. */
 static void put_pairs(struct text *t, const struct block *block, const struct task *task)
 {
     const enum cor_simulator_pairs pairs = block->model->pairs;
@@ -852,7 +852,7 @@ static void put_pairs(struct text *t, const struct block *block, const struct ta
                     TEXT(cor_scene_body_density(scene, 1)), TEXT(cor_scene_body_density(scene, 2)));
 }
 
-/* eps with the time step */
+/* Writes eps with the time step. */
 static void put_stepped(struct text *t, const struct block *block, const struct task *task, double speed_m_s,
                         double eps)
 {
@@ -897,7 +897,7 @@ static void put_realised(struct text *t, const struct block *block, const struct
         put_comment(t, "eps depends on the impact speed as that of the contact does: --speed LIST prints it here");
 }
 
-/* The tangential restitution of the lines at each angle or tangential speed of the request */
+/* Writes the tangential restitution at each angle or tangential speed of the request. */
 static void put_oblique(struct text *t, const struct block *block, const struct task *task)
 {
     const struct cor_simulator_request *const r = task->request;
@@ -916,7 +916,7 @@ static void put_oblique(struct text *t, const struct block *block, const struct 
     }
 }
 
-/* What the number is, if it is an e that is not realised */
+/* Explains the number, if it is an e that differs from the realised e. */
 static void put_own_e(struct text *t, const struct block *block, const struct task *task)
 {
     const double eps = cor_law_eps(block->model->law, block->model->end, block->damping);
@@ -941,7 +941,7 @@ static void put_setup(struct text *t, const struct block *block, const struct ta
                     s->title, s->version, s->version);
 }
 
-/* All of a model: comments, lines and time step. Returns whether the numbers are known. */
+/* Writes a model's comments, lines and time step. Returns 1 if the numbers are known. */
 static int put_block(struct text *t, const struct block *block, const struct task *task, const char *instead)
 {
     const struct cor_simulator_model *const model = block->model;
@@ -977,8 +977,9 @@ static int put_block(struct text *t, const struct block *block, const struct tas
 
 /* ---- spheres that yield ---- */
 
-/* Luding's contact loads with k_1 and unloads with k_2(x) = k_1 + (k_p - k_1) x/x_p of the largest overlap x, so that
- * eps = sqrt(k_1/k_2). k_1 gives the largest overlap of the contact at its speed; x_p is twice that overlap. */
+/* Writes Luding's contact. It loads with k_1 and unloads with k_2(x) = k_1 + (k_p - k_1) x/x_p, x being the largest
+ * overlap, so that eps = sqrt(k_1/k_2). k_1 gives the largest overlap of the contact at its speed; x_p is twice that
+ * overlap. */
 static void put_luding(struct text *t, struct task *task, double speed_m_s, double eps)
 {
     const struct cor_scene_contact *const contact = task->request->contacts;
@@ -1018,7 +1019,7 @@ static void put_yielding(struct text *t, struct task *task)
 
 /* ---- choice ---- */
 
-/* How well a model suits: first the end that is asked for, then the version */
+/* Returns a rank for a model: the requested end counts first, then the version. */
 static int rank_model(const struct cor_simulator_model *model, const struct task *task)
 {
     const int end = task->request->scene->end;
@@ -1026,7 +1027,7 @@ static int rank_model(const struct cor_simulator_model *model, const struct task
            cor_model_has_version(model, task->simulator->packaged);
 }
 
-/* Prints the model by which the simulator realises at its own end what was asked for at another one. */
+/* Prints the model that realises the request at the simulator's own end, if another end was requested. */
 static void put_other_end(struct text *t, const struct block *active, const struct task *task)
 {
     const struct cor_simulator_request *const request = task->request;
@@ -1061,7 +1062,7 @@ static void put_other_end(struct text *t, const struct block *active, const stru
         *t = before;
 }
 
-/* What the simulator would realise if its user gave it eps as e */
+/* Writes the realised e of the simulator if a user sets eps as e. */
 static void put_own_maps(struct text *t, const struct task *task)
 {
     const double eps = task->target[PAIR].eps;
@@ -1074,7 +1075,7 @@ static void put_own_maps(struct text *t, const struct task *task)
     }
 }
 
-/* Prints all models with the contact. False if none has it: the refusal has the reason of the first one, or is empty */
+/* Prints all models with the contact. False if none has it: the refusal has the first one's reason, or is empty */
 static int put_all(struct text *t, struct task *task)
 {
     struct block block, active = {.model = NULL};
@@ -1124,7 +1125,7 @@ static int put_all(struct text *t, struct task *task)
 
 /* ---- the text ---- */
 
-/* Gives the contact the stiffness of a soft wall, on which eps depends under gravity. */
+/* Gives the contact the stiffness of a soft wall; under gravity eps depends on it. */
 static void soften_wall(struct task *task)
 {
     const double *const number = task->request->scene->number;
@@ -1175,7 +1176,7 @@ static int find_speed(struct task *task)
     return 1;
 }
 
-/* True if a simulator has lines, and, of a request of several materials, lines for them */
+/* True if a simulator has lines; for several materials, lines for them */
 static int has_lines(const struct cor_simulator *simulator, const struct task *task)
 {
     int many = task->request->materials == NULL;
@@ -1203,7 +1204,7 @@ static int find_simulator(struct task *task)
     return 0;
 }
 
-/* Finds the simulator, and whether it has what the request asks for. */
+/* Checks that the simulator supports the requested friction. */
 static int check_friction(struct task *task)
 {
     const struct cor_simulator_request *const r = task->request;
@@ -1260,9 +1261,9 @@ static int check_task(struct task *task)
            refuse_task(task, "no model of %s has lines for a wall", task->simulator->title);
 }
 
-/* No model has the law. Where one is linear, a spring of the same duration at the speed, K = m (pi/T)^2 with T of the
- * contact without damping, takes the place of the contact in *request. False: no model is, or the contact has a force
- * or no mass */
+/* Replaces a law that no model has. If a model is linear, the contact in *request becomes a spring of the same duration
+ * at the speed, K = m (pi/T)^2, with T of the contact without damping. False: no model is linear, or the contact has a
+ * force or no mass */
 static int replace_law(struct cor_simulator_request *request, struct cor_scene *scene,
                        struct cor_scene_contact contacts[COR_SCENE_ENDS], const struct task *task)
 {
@@ -1306,7 +1307,7 @@ static int check_numbers(struct task *task)
 
 /* ---- several materials ---- */
 
-/* The scene of two types with their smallest or their largest balls, without a damping; only j may be a wall. */
+/* Returns the scene of two types with their smallest or their largest balls, without damping; only j may be a wall. */
 static struct cor_scene scene_of_types(const struct cor_simulator_request *request, size_t i, size_t j, int largest)
 {
     struct cor_scene scene = *request->scene;
@@ -1326,8 +1327,8 @@ static struct cor_scene scene_of_types(const struct cor_simulator_request *reque
     return scene;
 }
 
-/* The dissipation time of a type, or of the measured contact of two of its balls; NaN: neither is known. *ends: 2 if it
- * depends on the end at which that contact was measured */
+/* Returns the dissipation time of a type, or of the measured contact of two of its balls; NaN: neither is known. *ends:
+ * 2 if it depends on the end at which that contact was measured */
 static double dissipation_time(const struct cor_simulator_request *request, size_t type, int end, int *ends)
 {
     const struct cor_material *const m = material_of(request, type);
@@ -1381,7 +1382,7 @@ static int find_contact(struct task *task, size_t i, size_t j)
         memcpy(c->contact + end, found, sizeof *found * (size_t)c->count);
     }
     c->count = c->measured ? c->count : ends;
-    if (c->measured && r->scene->end != COR_BOTH_ENDS && c->scene.end != r->scene->end) { /* eps is the other one */
+    if (c->measured && r->scene->end != COR_BOTH_ENDS && c->scene.end != r->scene->end) { /* eps is for the other end */
         number[COR_SCENE_RESTITUTION] = number[COR_SCENE_AT] = NAN;
         c->scene.end = r->scene->end;
     }
@@ -1399,7 +1400,7 @@ static int check_name(struct task *task, const char *name)
                        name, NUMBER - 1);
 }
 
-/* Checks the materials and their pairs, and finds all contacts, at first those of like balls. */
+/* Checks the materials and their pairs, and finds all contacts, like balls first. */
 static int check_materials(struct task *task)
 {
     const struct cor_simulator_request *const r = task->request;
@@ -1437,7 +1438,7 @@ static int check_materials(struct task *task)
     return 1;
 }
 
-/* The task of one contact. False after a refusal of the whole */
+/* Starts the task of one contact. False after a refusal of the whole request */
 static int start_contact(struct task *own, struct task *task, size_t i, size_t j)
 {
     const struct cor_material_contact *const c = contact_of(task->request, i, j);
@@ -1455,7 +1456,7 @@ static int start_contact(struct task *own, struct task *task, size_t i, size_t j
 }
 
 /* Finds the numbers of a model for all contacts, and the contact with the smallest time step, NaN if one is not known.
- * Returns how well the model suits; -1: not at all */
+ * Returns the rank of the model; -1: unsuitable */
 static int fill_contacts(struct task *task, const struct cor_simulator_model *model, struct block *shortest)
 {
     const size_t types = task->request->material_count, balls = count_balls(task->request);
@@ -1479,7 +1480,7 @@ static int fill_contacts(struct task *task, const struct cor_simulator_model *mo
     return rank;
 }
 
-/* Where the number depends on the mass: eps between the largest balls of both types */
+/* Writes eps between the largest balls of both types, if the number depends on the mass. */
 static void put_largest(struct text *t, const struct block *block, const struct task *own)
 {
     const struct cor_simulator_model *const model = block->model;
@@ -1492,7 +1493,7 @@ static void put_largest(struct text *t, const struct block *block, const struct 
     if (!needs_mass(block, own) || !isgreater(c.mass_kg, small.mass_kg) || !model->damping_of_number)
         return;
     struct cor_scene_contact made = c;
-    if (model->id == COR_CHRONO_HERTZ) { /* one radius of curvature, that of its lines, for every contact */
+    if (model->id == COR_CHRONO_HERTZ) { /* one radius of curvature, from its lines, for every contact */
         made.stiffness = small.stiffness;
         made.radius_m = small.radius_m;
     }
@@ -1504,7 +1505,7 @@ static void put_largest(struct text *t, const struct block *block, const struct 
                     TEXT(speed), TEXT(wanted));
 }
 
-/* Prints how the damping of a contact is known, and the eps that follow. */
+/* Prints the source of a contact's damping, and the eps that follow. */
 static void put_contact(struct text *t, const struct block *block, const struct task *own)
 {
     const struct cor_simulator_request *const r = own->request;
@@ -1528,9 +1529,9 @@ static void put_contact(struct text *t, const struct block *block, const struct 
         put_comment(t, "%s", own->simulator->wall);
 }
 
-/* True if a line of a template for several materials is repeated for types i and j: by m for each type, b for each
- * ball, g for each ball if a wall is there, v for each wall, p for each two balls, u for each two types that differ, w
- * for each ball and wall, c for each contact; by - the line is there once. */
+/* True if a line of a template for several materials is repeated for types i and j. m: each type; b: each ball; g: each
+ * ball, if the scene has a wall; v: each wall; p: each two balls; u: each two different types; w: each ball and wall;
+ * c: each contact; -: only once. */
 static int repeats_line(char letter, size_t i, size_t j, size_t balls, size_t types)
 {
     const int contact = i <= j && i < balls;
@@ -1582,7 +1583,7 @@ static int put_materials(struct text *t, struct task *task)
     const struct cor_simulator_model *const model = best.model;
     task->own.step_corrected = given->step_corrected;
     task->own.time_step_s = isless(best.time_step_s, INFINITY) ? best.time_step_s : 0;
-    if (fill_contacts(task, model, &block) < 0) /* with the step of all */
+    if (fill_contacts(task, model, &block) < 0) /* with the smallest step of all */
         return 0;
     put_comment(t, "%s, %s (%s): contacts end at %s", s->title, model->model, model->version,
                 cor_end_names[model->end]);

@@ -16,26 +16,26 @@
 #include "runtime/scene/motion.h"
 
 enum { ORDER = MOTION_ORDER, MOST_STEPS = 20000, MOST_IDLE = 6, PARTS = 12, HALVINGS = 60 };
-#define TOLERANCE 1e-14 /* of a force relative to the largest one of the step, below which it is 0 */
-#define MOMENT 1e-9     /* of a step */
+#define TOLERANCE 1e-14 /* a force smaller than this part of the largest one of the step is 0 */
+#define MOMENT 1e-9     /* a short part of a step */
 #define POWER_MOST 1e280
 #define PRESS_MOST 1e12
 #define KAPPA_MOST 1e24
-#define JUMP 1e-10  /* of w, where it begins to creep */
-#define STRETCH 1.3 /* of the steps of motion.c, whose last terms are 1e-17; here 1e-14 suffices */
+#define JUMP 1e-10  /* largest jump of w at which creep may begin */
+#define STRETCH 1.3 /* factor on the steps of motion.c, whose last terms are 1e-17; here 1e-14 suffices */
 
 /* STICKS: spring and damper act. SLIPS: the cap acts. CREEPS: a damper that acts only while the contact sticks holds w
- * at the threshold between both. */
+ * at the threshold between the two. */
 enum mode { STICKS, SLIPS, CREEPS };
 
 struct slide {
     struct motion m;
     int memory, damper_in_cap, slips, d, mode, idle, parts; /* idle: changes of the mode at one place */
-    int least;                                  /* exponent of u that `held` has at least, and T u x^p, too */
-    int time, spring, rate, damper;             /* places of powers of u: T/d, x^r, T x^(p-r)/d, x^b */
-    int stiff, elastic, damping;                /* of T u x^p/d, x^a and x^b over u^least */
-    double p, r, kappa, gamma, cap, side, sign; /* side: direction of the slip force. sign: the sign of F */
-    double w, q, size;                          /* size: of w at the start */
+    int least;                                              /* exponent of u that `held` and T u x^p have at least */
+    int time, spring, rate, damper;                         /* indices of powers of u: T/d, x^r, T x^(p-r)/d, x^b */
+    int stiff, elastic, damping;                            /* indices of T u x^p/d, x^a and x^b over u^least */
+    double p, r, kappa, gamma, cap, side, sign;             /* side: direction of the slip force. sign: the sign of F */
+    double w, q, size;                                      /* size: of w at the start */
     double series_w[ORDER + 1], series_q[ORDER + 1], held[ORDER + 1], damped[ORDER + 1], test[2][ORDER + 1];
 };
 
@@ -65,11 +65,11 @@ static double slope_at(const double *c, double s)
     return y;
 }
 
-/* Returns the first place up to `end` at which a series falls below zero, or infinity. Leading coefficients of zero,
- * which series from x = 0 have, are divided out: next to x = 0 the test is relative. */
+/* Returns the first place up to `end` where a series falls below zero, or infinity. Series from x = 0 have leading zero
+ * coefficients. They are divided out, so that the test is relative next to x = 0. */
 static double first_fall(const double *series, double end)
 {
-    double c[ORDER + 1] = {0}, size = 0, power = 1; /* c: in parts of `end` */
+    double c[ORDER + 1] = {0}, size = 0, power = 1; /* c: in units of `end` */
     int first = 0;
     while (first < ORDER && series[first] == 0)
         first++;
@@ -128,7 +128,7 @@ static void expand_stick(struct slide *s)
     s->test[0][ORDER] = s->test[1][ORDER] = 0;
 }
 
-/* Sets w, and `held`, the spring force in the direction of the slip over u^least: the cap less the damper in it. */
+/* Sets w and `held`, the spring force in the direction of the slip over u^least: the cap minus the damper in it. */
 static void expand_slip(struct slide *s)
 {
     const struct motion *const m = &s->m;
@@ -145,21 +145,21 @@ static void expand_slip(struct slide *s)
     s->held[ORDER] = 0;
 }
 
-/* The rate at which the spring force would grow, in the direction of the slip, less the rate of `held`, times T u over
- * u^least. The contact slips while this is positive. Without w this is the second part. */
+/* Expands the rate at which the spring force would grow, in the direction of the slip, minus the rate of `held`, times
+ * T u over u^least. The contact slips while this is positive. Without w this is the second part. */
 static void expand_excess(struct slide *s, double *excess, const double *w)
 {
     const double *const stiff = power_series(s, s->stiff), *const u = power_series(s, 1);
-    double rise[ORDER + 1] = {0}; /* of `held`, in s */
+    double rise[ORDER + 1] = {0}; /* derivative of `held` in s */
     for (int n = 0; n < ORDER; n++)
         rise[n] = (n + 1) * s->held[n + 1] / s->m.unit;
     for (int n = 0; n < ORDER; n++)
         excess[n] = (w ? s->side * s->kappa * s->d * product_at(stiff, w, n) : 0) - product_at(u, rise, n) +
                     (s->r * s->d - s->least) * product_at(s->m.v, s->held, n);
-    excess[ORDER - 1] = excess[ORDER] = 0; /* need the coefficient of `held` that is not known */
+    excess[ORDER - 1] = excess[ORDER] = 0; /* they need the unknown coefficient of `held` */
 }
 
-/* Sets w to the threshold, and the tests: the cap alone keeps w below it, and with the damper above it. */
+/* Sets w to the threshold, and the tests: with the cap only, w stays below it; with the damper, above it. */
 static void expand_creep(struct slide *s)
 {
     const double *const stiff = power_series(s, s->stiff), *const slope = power_series(s, s->time),
@@ -185,7 +185,7 @@ static void expand_creep(struct slide *s)
 
 /* ---- modes ---- */
 
-/* A step after which the last terms of w and q do not matter. Series from x = 0 have gaps. */
+/* Returns a step at which the last terms of w and q do not matter. Series from x = 0 have gaps. */
 static double tangential_step(const struct slide *s)
 {
     const double size_q = s->size / fmax(1, sqrt(s->kappa));
@@ -199,8 +199,8 @@ static double tangential_step(const struct slide *s)
     return step;
 }
 
-/* Sets q of a contact that slipped, and now sticks, at x = 0: a damper in the cap leaves a spring force of the order of
- * x^b, b < a. If b < r no finite q gives it: the spring pushes back to the cap on the other side. */
+/* Sets q of a contact that slipped and now sticks at x = 0. A damper in the cap leaves a spring force of the order of
+ * x^b, b < a. If b < r no finite q gives this force, and the spring pushes back to the cap on the other side. */
 static void stick_at_first_touch(struct slide *s)
 {
     const int order = (int)lround(s->r * s->d);
@@ -211,7 +211,7 @@ static void stick_at_first_touch(struct slide *s)
     }
 }
 
-/* Begins a mode, at the place of m. */
+/* Begins a mode at the place of m. */
 static void change_mode(struct slide *s, int mode, double side)
 {
     const int touches = cor_motion_start(&s->m) == 0;
@@ -248,7 +248,7 @@ static double expand_mode(struct slide *s, int *next, double *side)
     step = tangential_step(s);
     if (!s->slips)
         return step;
-    if (s->idle >= MOST_IDLE) /* rounding errors decide: any mode will do for a moment */
+    if (s->idle >= MOST_IDLE) /* rounding errors decide: any mode is right for a moment */
         return *next = s->mode, step * MOMENT;
     if (s->mode == SLIPS) {
         if (s->memory == COR_REMEMBERS_NOTHING)
@@ -276,7 +276,7 @@ static double expand_mode(struct slide *s, int *next, double *side)
 
 /* ---- an impact ---- */
 
-/* Length and time in which mass, stiffness and impact speed are 1 */
+/* Length and time for which mass, stiffness and impact speed are 1 */
 struct scales {
     double length, time;
 };
@@ -289,8 +289,8 @@ static struct scales speed_scales(const struct cor_scene_contact *contact, doubl
     return (struct scales){cor_quiet_product(time, speed_m_s), time};
 }
 
-/* Sets the units of the normal motion: those of the speed, and smaller ones where damping or a constant force outweighs
- * the inertia. Returns 0 where the motion leaves the doubles. */
+/* Sets the units of the normal motion: from the speed, or smaller ones if damping or a constant force outweighs the
+ * inertia. Returns 0 if the motion overflows. */
 static int begin(struct slide *s, const struct cor_scene_contact *contact, const struct cor_tangential *tangential,
                  double speed_m_s)
 {
@@ -325,7 +325,7 @@ static int begin(struct slide *s, const struct cor_scene_contact *contact, const
     return isless(press, PRESS_MOST) && isless(s->kappa, KAPPA_MOST);
 }
 
-/* Sets r, and the powers of u that it needs. */
+/* Sets r and the powers of u that it needs. */
 static int set_memory(struct slide *s, int returns)
 {
     const int shrinks = s->memory == COR_REMEMBERS_DISPLACEMENT_RESCALED || s->memory == COR_REMEMBERS_FORCE_RESCALED;
@@ -348,7 +348,7 @@ static int set_memory(struct slide *s, int returns)
     return m->powers < MOTION_POWERS && rd >= 0 && pd + s->d >= 0;
 }
 
-/* Follows the impact to its end. Returns 0 where it takes too many steps. */
+/* Follows the impact to its end. Returns 0 if it needs too many steps. */
 static int follow(struct slide *s, int end)
 {
     int next = STICKS, returns = 0;
@@ -401,7 +401,8 @@ static int follow(struct slide *s, int end)
 #define NOT_INLINE static
 #endif
 
-/* An impact with arguments in range. Not inline, so that its stack is not added to the one of cor_scene_eps */
+/* Computes an impact with arguments in range. Not inline, so that its stack is not added to the stack of
+ * cor_scene_eps */
 NOT_INLINE int follow_impact(struct cor_oblique_impact *oblique, const struct cor_scene_contact *contact,
                              const struct cor_tangential *tangential, double friction, double speed_m_s, double tangent,
                              int end)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* One table of the contact models of simulators; docs/simulators.md explains it. For each model it holds the damping
- * law, the end of contact, the damping that the model makes of the e that a user sets, and the number to set for a
- * damping. No function with a table of its own. */
+ * law, the end of contact, the damping that the model computes from the e that a user sets, and the number to set for a
+ * damping. */
 #include "cor/scene.h"
 
 #include "runtime/scene/simulators.h"
@@ -38,7 +38,7 @@ double cor_flores_beta(double e)
     return 1.6 * (1 - e) / e;
 }
 
-/* Exact at zero overlap. LIGGGHTS, Chrono, MercuryDPM and others use it for every end of contact. */
+/* Exact at zero overlap. LIGGGHTS, Chrono, MercuryDPM and others use this formula for every end of contact. */
 static double exact_at_zero_overlap(double e)
 {
     return cor_law_damping(COR_LAW_LINEAR, COR_END_ZERO_OVERLAP, e);
@@ -77,7 +77,7 @@ static double tsuji_since_2026(double e)
     return sqrt(0.4) * cor_tsuji_alpha(e);
 }
 
-/* the same polynomial on a linear spring */
+/* The polynomial is used on a linear spring. */
 static double tsuji_on_hooke_until_2026(double e)
 {
     return cor_tsuji_alpha(e) / 2;
@@ -88,7 +88,7 @@ static double tsuji_on_hooke_since_2026(double e)
     return cor_tsuji_alpha(e) / sqrt(2);
 }
 
-/* the formula of the linear dashpot, with Hertz's force */
+/* The formula of the linear dashpot is used with Hertz's force. */
 static double mfix_hertz(double e)
 {
     return 2 / sqrt(5) * cor_law_damping(COR_LAW_LINEAR, COR_END_ZERO_OVERLAP, e);
@@ -107,7 +107,7 @@ static double loss_of_impulse(double e)
     return 1 - e;
 }
 
-/* Kratos bisects for the root of the zero-force formula between 0 and 16, until the bracket is below 0.0001 */
+/* Kratos finds the root of the zero-force formula by bisection between 0 and 16, until the bracket is below 0.0001. */
 static double kratos_linear(double e)
 {
     const double wanted = e < 0.001 ? 0.001 : e;
@@ -152,15 +152,15 @@ SCALED(crossley_per_speed, 1 / G)         /* d = beta/g, s/m */
 SCALED(simbody, 2 / (3 * G))              /* c of (3/2) c x' */
 SCALED(crossley_beta, 1.0)
 SCALED(area_root, pow(K / M, 0.75) / sqrt(R * G))             /* eta m sqrt(R x) x' on a linear spring */
-SCALED(area_hertz, pow(K / M, 0.6) / (sqrt(R) * pow(G, 0.2))) /* the same on Hertz's force */
+SCALED(area_hertz, pow(K / M, 0.6) / (sqrt(R) * pow(G, 0.2))) /* likewise on Hertz's force */
 SCALED(dissipation_time, 2.0 / 3 * pow(M / K, 0.4) / pow(G, 0.2))
 SCALED(dissipation_time_esys, pow(M / K, 0.4) / pow(G, 0.2))
 SCALED(hertz_velocity, pow(M, 0.6) * pow(K, 0.4) * pow(G, 0.2))
 SCALED(hertz_mass_velocity, pow(K / M, 0.4) * pow(G, 0.2))
 SCALED(chrono_hertz, pow(K / M, 0.6) / (R * pow(G, 0.2)))
 
-/* YADE from 2025 on takes P(sqrt(beta)) as en, where beta is that of the speed vn = 1 m/s, and P the Padé approximant
- * of order [3/6] of eps at zero force (Müller and Pöschel, Phys. Rev. E 84, 021302 (2011)), in v = sqrt(beta). */
+/* YADE since 2025 uses P(sqrt(beta)) as en, where beta is at the speed vn = 1 m/s, and P is the Padé approximant of
+ * order [3/6] of eps at zero force (Müller and Pöschel, Phys. Rev. E 84, 021302 (2011)), in v = sqrt(beta). */
 static double yade_pade(double v)
 {
     static const double above[] = {1, 1.07232, 0.574198, 0.141552};
@@ -206,7 +206,7 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
 #define OPEN 0x1p-1022 /* e > 0 */
 #define IMPLICIT "As the time step goes to zero: its method is implicit, and longer steps damp more."
 #define PFC(mode) EVERYWHERE("contact cmat default model linear property kn {K} dp_nratio {n} dp_mode " mode "\n")
-/* Lines for the input. Both kinds of lines: for two bodies, and for a body and a wall */
+/* Lines for the input, for two bodies and for a body and a wall */
 #define EVERYWHERE(text) .lines = text, .wall_lines = text
 #define PAIRS(text) .lines = text
 #define BOTH(text, at_wall) .lines = text, .wall_lines = at_wall
@@ -222,11 +222,11 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
                 "zplane 0 NULL") "wfix cor_wall_{i}_{j} cor_{i} wall/gran granular " spring                            \
                                  " {n} tangential linear_nohistory 0 0 damping " damping " {plane}\n",                 \
     .pairs = COR_PAIRS_LINES
-/* The place of a wall of a material, which a user may define before */
+/* The plane of a wall of a material, which a user may define before */
 #define WALL_PLANE(plane)                                                                                              \
     "v# the plane of wall {j}: for another one define this variable before these lines\n"                              \
     "vvariable cor_wall_{j} index \"" plane "\"\n"
-/* A wall is of atom type 2, for its contacts have other numbers than those of two spheres. */
+/* A wall has atom type 2, because its contacts have other numbers than the contacts of two spheres. */
 #define LIGGGHTS(model, limit, properties)                                                                             \
     .lines = LIGGGHTS_PAIR(model, limit, properties),                                                                  \
     .wall_lines =                                                                                                      \
@@ -244,7 +244,7 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
     "?fix cor_young all property/global youngsModulus peratomtype {young[i]}\n"                                        \
     "?fix cor_poisson all property/global poissonsRatio peratomtype {poisson[i]}\n"                                    \
     "-fix cor_e all property/global coefficientRestitution peratomtypepair {types} {n[]}\n"
-/* kt and gammat are asked for even with tangential off. */
+/* LIGGGHTS requires kt and gammat even with tangential off. */
 #define LIGGGHTS_STIFFNESS(stiffness)                                                                                  \
     "-fix cor_kn all property/global kn peratomtypepair {types} " stiffness "\n"                                       \
     "-fix cor_gamman all property/global gamman peratomtypepair {types} {n[]}\n"                                       \
@@ -276,7 +276,7 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
     "fix cor_luding_" number " all property/global " property " peratomtypepair {types} " value "\n"
 #define YADE_LUDING "k1={k1}, kp={kp}, kc=0, ks=0, PhiF={depth}, G0=0)\n"
 
-/* Species of several materials, and those of their pairs; walls have no density. */
+/* Species of several materials, and species of their pairs; walls have no density. */
 #define MERCURYDPM_MANY(name, numbers)                                                                                 \
     .many = "mauto cor_{i} = speciesHandler.copyAndAddObject(" name "Species());\n"                                    \
             "bcor_{i}->setDensity({rho});\n"                                                                           \
@@ -286,10 +286,10 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
 #define MERCURYDPM_FRICTION                                                                                            \
     "?species->setSlidingFrictionCoefficient({mu});\n?species->setSlidingFrictionCoefficientStatic({mu});\n"           \
     "?species->setSlidingStiffness({kt0});\n"
-/* Of one material: the mixed species of two has no density. */
+/* Density of one material; the mixed species of two materials has none. */
 #define MERCURYDPM_DENSITY "?species->setDensity({rho});\n"
 
-/* Where a model comes from: file, "run" or "source", version */
+/* Source of a model: file, "run" or "source", version */
 #define OF(of_file, how, of_version) .file = of_file, .known = how, .version = of_version
 #define OF_LAMMPS_RUN OF("src/GRANULAR/gran_sub_mod_damping.cpp", "run", "29 Sep 2021 to 4 Feb 2025")
 #define OF_LAMMPS_SOURCE OF("src/GRANULAR/gran_sub_mod_damping.cpp", "source", "source 07b704ca, 2026")
@@ -307,7 +307,7 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
 #define SIMULATOR(rows, of_name, of_title, moves)                                                                      \
     .name = of_name, .title = of_title, .integrator = COR_##moves, .models = rows,                                     \
     .model_count = sizeof(rows) / sizeof *(rows)
-/* Last come the lines, and .since and .until */
+/* The last arguments are the lines, .since and .until. */
 #define ROW(of_id, of, of_model, number, of_law, of_end, map, sentence, ...)                                           \
     {                                                                                                                  \
         .id = COR_##of_id, of, .model = of_model, .parameter = number, .law = COR_LAW_##of_law,                        \
@@ -416,7 +416,7 @@ static const struct cor_simulator_model yade[] = {
     ROW(YADE_TC_EN, OF_YADE("ViscoelasticPM.cpp"), "ViscElMat, tc and en", "e", LINEAR, ZERO_FORCE,
         ASKED(exact_at_zero_overlap, OPEN, 1),
         "YADE realises more than its en, and its contacts are shorter than tc; kn and cn are exact.",
-        /* at a wall YADE makes half of these kn and cn */
+        /* at a wall YADE uses half of these kn and cn */
         YADE(PAIRS, "cor_material = ViscElMat({density}tc={tc}, en={n}, et={et}, frictionAngle={phi})\n",
              "Ip2_ViscElMat_ViscElMat_ViscElPhys()", "Law2_ScGeom_ViscElPhys_Basic()")),
     ROW(YADE_YOUNG_EN, OF_YADE("ViscoelasticPM.cpp"), "ViscElMat, young and en", "e", LINEAR, ZERO_FORCE,
@@ -449,7 +449,8 @@ static const struct cor_simulator_model mercurydpm[] = {
         MERCURYDPM_MANY("HertzianBSHPViscoelastic", MERCURYDPM_DISSIPATION)),
 };
 
-/* Chrono combines two numbers of two materials. Here these are the types, and its strategy looks up the pair. */
+/* Chrono combines the numbers of two materials. Here these numbers are the types, and the strategy looks up the
+ * pair. */
 #define CHRONO_PAIRS(what, number, numbers)                                                                            \
     "-    float Combine" what "(float i, float j) const override\n-    {\n"                                            \
     "-        static const float pair[] = {\n-            " numbers "\n-        };\n"                                  \
@@ -919,8 +920,8 @@ double cor_mujoco_eps(const double solimp[5], double frequency, double zeta, dou
     return NAN;
 }
 
-/* The smallest positive damping and its e. Near e = 1 the fits are not monotonic, and some simulators have no damping
- * from some e on. */
+/* Returns the smallest positive damping, and sets its e. Near e = 1 the fits are not monotonic, and some simulators
+ * have no damping above some e. */
 static double weakest_damping(const struct cor_simulator_model *model, double *at)
 {
     const double most = nextafter(model->most, 0);
@@ -965,7 +966,7 @@ double cor_simulator_e(const struct cor_simulator_model *model, double requested
     return high;
 }
 
-/* ---- the numbers by which a model realises a contact ---- */
+/* ---- the numbers of a model for a contact ---- */
 
 int cor_simulator_has_law(const struct cor_simulator_model *model, const struct cor_scene_contact *contact)
 {
@@ -981,7 +982,7 @@ int cor_simulator_has_law(const struct cor_simulator_model *model, const struct 
            (cor_law_is(law, 2, 0) && model->any_spring);
 }
 
-/* A law with a closed form, and the spring of the contact */
+/* True for a law with a closed form and the spring of the contact */
 int cor_simulator_has_one_eps(const struct cor_simulator_model *model, const struct cor_scene_contact *contact)
 {
     return model->law == COR_LAW_IMPULSE ? !model->has_function
@@ -990,7 +991,7 @@ int cor_simulator_has_one_eps(const struct cor_simulator_model *model, const str
                                                (model->law == COR_LAW_LINEAR && cor_law_is(&contact->law, 2, 0));
 }
 
-/* The speed at which numbers are converted. Where the model has the contact's law, any speed gives the same lines. */
+/* Returns the speed at which numbers are converted. If the model has the contact's law, any speed gives equal lines. */
 static double speed_of(const struct cor_simulator_target *target)
 {
     return isnan(target->speed_m_s) ? 1 : target->speed_m_s;
@@ -1005,11 +1006,11 @@ static double exact_damping(const struct cor_simulator_model *model, const struc
     const int end = (int)model->end, has_end = end == COR_END_ZERO_OVERLAP || end == COR_END_ZERO_FORCE;
     const int pressed = cor_scene_given(target->scene, COR_SCENE_GRAVITY) &&
                         (!same_law || cor_scene_given(target->scene, COR_SCENE_AT));
-    /* eps was given, and no end at which it was measured: the simulator is to realise it at its own end. */
+    /* If eps was given without an end, the simulator realises it at its own end. */
     const int own_end = given && target->scene->end == COR_BOTH_ENDS && !pressed;
     if (model->law == COR_LAW_IMPULSE || (!same_law && !pressed) || (constant && own_end))
         return cor_law_damping(model->law, model->end, target->eps);
-    if (!same_law) { /* eps of the speed, under the force */
+    if (!same_law) { /* eps at the speed, under the force */
         struct cor_scene_contact c = cor_model_contact(*contact, &cor_law_exponents[model->law], 0, 1);
         return has_end && cor_law_has_spring_of(&c.law, &contact->law) &&
                        cor_scene_set_damping(&c, COR_SCENE_RESTITUTION, target->eps, target->speed_m_s, end) == 0

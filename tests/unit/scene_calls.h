@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A call of every function of scene.h, by the list public_functions.inc; public_calls.h has the calls of the other
- * functions. The arguments have the names of the parameters, and are drawn beforehand, by scene_arguments_draw. */
+/* Calls of every function of scene.h, from the list public_functions.inc; public_calls.h calls the other functions. The
+ * arguments have the names of the parameters. scene_arguments_draw draws them beforehand. */
 #ifndef COR_TESTS_SCENE_CALLS_H
 #define COR_TESTS_SCENE_CALLS_H
 
@@ -13,7 +13,7 @@ enum { SCENES = 4 };
 
 struct scene_arguments {
     struct cor_scene scene;
-    struct cor_scene_contact contact; /* of the scene, or by hand */
+    struct cor_scene_contact contact; /* of the scene, or filled at random */
     double x[4], steps, tolerance;
     const struct cor_simulator_model *model;
     int end, number;
@@ -24,7 +24,7 @@ static struct scene_arguments *scene_sets; /* SCENES of each of sets[] */
 /* Numbers of a scene: mostly ordinary ones from `low` to `high`, or not given */
 static const struct {
     double low, high;
-    unsigned given, of; /* so often of so many */
+    unsigned given, of; /* given in `given` of `of` scenes */
 } scene_numbers[COR_SCENE_NUMBERS] = {[COR_SCENE_YOUNG] = {1e6, 1e12, 1, 1},
                                       [COR_SCENE_POISSON] = {1e-3, 0.5, 1, 1},
                                       [COR_SCENE_RADIUS] = {1e-6, 1, 1, 1},
@@ -82,28 +82,28 @@ static void scene_arguments_draw(struct scene_arguments *s, struct bit_source *r
     scene_draw(&s->scene, r, any);
     cor_scene_contacts(contacts, &count, &fault, &s->scene);
     s->contact = contacts[0];
-    s->contact.plastic = s->contact.plastic || (count == 0 && draw_below(r, 2)); /* by hand, not whole */
+    s->contact.plastic = s->contact.plastic || (count == 0 && draw_below(r, 2)); /* filled at random, incomplete */
     for (int k = 0; k < 4; k++)
         s->x[k] = draw_below(r, 4) ? draw_size(r, 1e-5, 10) : any[COR_SCENE_NUMBERS + k];
     s->model = cor_simulator_model((enum cor_simulator_model_id)draw_below(r, COR_SIMULATOR_MODELS));
     s->end = (int)draw_below(r, 3);
     s->number = (int)draw_below(r, COR_SCENE_EPS_ZERO_FORCE + 1);
-    s->tolerance = s->x[3] > 0 && s->x[3] <= 1e6 ? 2 : s->x[3]; /* smaller ones would take long */
+    s->tolerance = s->x[3] > 0 && s->x[3] <= 1e6 ? 2 : s->x[3]; /* smaller tolerances would be slow */
     s->steps = draw_below(r, 8) ? draw_size(r, 2, 60) : s->x[3] > 60 ? -1 : s->x[3];
     const clock_t start = clock();
     cor_scene_step_error(&(struct cor_step_error){0}, &s->contact, s->x[0], s->end, 4, s->number % COR_INTEGRATORS);
     if (clock() - start > CLOCKS_PER_SEC / 1000 || !(cor_scene_beta(&s->contact, s->x[0]) < 1))
-        s->steps = 0; /* others take milliseconds with a thousand steps */
+        s->steps = 0; /* other steps need milliseconds with a thousand steps */
 }
 
-/* Draws the scenes of one of sets[], which is drawn already. */
+/* Draws the scenes for one of sets[], which is already drawn. */
 static void scene_sets_draw(size_t i, struct bit_source *source)
 {
     for (size_t k = 0; k < SCENES; k++)
         scene_arguments_draw(&scene_sets[SCENES * i + k], source, sets[i].beta + 36 * k);
 }
 
-/* ---- the calls: every argument by the name of its parameter ---- */
+/* ---- the calls: each argument has the name of its parameter ---- */
 
 static double speed_m_s, eps, damping, e, speed_ratio, yield_stress_pa, yield_speed_m_s, overlap_m, requested, value,
     liquid_speed_m_s, viscosity_pa_s, gap_outer_m, gap_inner_m, adhesion_j_m2, distance_m, tangential_eps, steps,
@@ -130,7 +130,7 @@ static struct cor_scene_fault fault[1];
 static enum cor_simulator_status status[1];
 static struct cor_tangential tangential[1];
 static int count[1];
-static struct { /* what functions write */
+static struct { /* output of the functions */
     struct cor_scene_impact impact;
     struct cor_step_error error;
     struct cor_oblique_impact oblique;
@@ -203,7 +203,7 @@ static void scene_arguments_load(const struct scene_arguments *s)
     memset(&out, 0, sizeof out);
 }
 
-/* The result, and all that a function may have written */
+/* Stores the result, and everything that a function may have written. */
 static void scene_results_put(struct results *r, const char *type, const void *result, size_t bytes)
 {
     const double numbers[] = {contact->damping, corrected->damping, contacts[0].damping, contacts[0].force_n};
@@ -237,7 +237,7 @@ static const struct public_function scene_functions[] = {
 #include "public_functions.inc"
 };
 
-/* Every public function: number 0 to function_count() - 1; scene.h's come last. */
+/* The public functions, numbered 0 to function_count() - 1; scene.h comes last */
 static inline size_t function_count(void)
 {
     return public_function_count + COUNT_OF(scene_functions);

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The largest force of a collision: limits, and two routes that must meet.
+/* The largest force of a collision: limits, and two methods that must agree.
  * tests/gen/test_contact.c integrates the force. */
 #include "../reference/ode.h"
 #include "scene.h"
 
-/* Hunt and Crossley's force by its first integral, x^(a+1) = (a+1) (f(beta) - f(beta v))/beta^2, at many speeds v */
+/* Returns Hunt and Crossley's force by its first integral, x^(a+1) = (a+1) (f(beta) - f(beta v))/beta^2, at many speeds
+ * v. */
 static double crossley_force(double a, double beta)
 {
     const double all = beta - log1p(beta);
@@ -27,13 +28,13 @@ TEST(forces)
     check_near(cor_law_force_max(&tsuji, 0), pow(1.25, 0.6), 1e-15);
     check_near(cor_law_force_max(&crossley, 0), pow(1.25, 0.6), 1e-15);
     check_near(cor_law_force_max(&sphere, 0), pow(1.25, 0.6), 1e-12);
-    /* linear: exp(-zeta (3 phi - pi)/sin(phi)), phi = acos(zeta), up to zeta = 1/2, then the first moment's 2 zeta */
+    /* linear: exp(-zeta (3 phi - pi)/sin(phi)), phi = acos(zeta), up to zeta = 1/2; then 2 zeta at the first moment */
     for (double zeta = 0.01; zeta < 0.5; zeta += 0.01) {
         const double phi = acos(zeta);
         check_near(cor_law_force_max(&linear, zeta), exp(-zeta * (3 * phi - 3.14159265358979323846) / sin(phi)), 1e-14);
     }
     check_near(cor_law_force_max(&linear, 0.7), 1.4, 1e-15);
-    /* both branches of Tsuji's, and the limit between them */
+    /* both branches of Tsuji's force, and the limit between them */
     const double middle = cor_law_force_max(&tsuji, 1);
     for (double gap = 1e-3; gap > 1e-15; gap /= 10)
         for (int sign = -1; sign <= 1; sign += 2)
@@ -49,25 +50,25 @@ TEST(forces)
     check_near(cor_law_force_max(&crossley, 1e-9), pow(1.25, 0.6), 1e-8);
     check_near(cor_law_force_max(&crossley, 0.1), cor_law_force_max(&crossley, nextafter(0.1, 1)), 1e-14);
     check_nan(cor_law_force_max(&tsuji, -1), cor_law_force_max(&sphere, NAN), cor_law_force_max(&crossley, INFINITY));
-    /* eps of a law without functions takes a solver */
+    /* eps of a law without functions needs a solver */
     const struct cor_scene_contact contact = {.law = {2, 1, 1}, .mass_kg = 1, .stiffness = 1, .damping = 1};
     double eps = 0;
     assert_true(cor_scene_eps(&eps, &contact, 1, COR_END_ZERO_FORCE) == COR_FAULT_SOLVER && isnan(eps));
-    /* exponents of too many powers are refused, and soon */
+    /* exponents with too many powers are refused quickly */
     const struct cor_exponents many = {900000007, 700000001, 999999989};
     const double begin = processor_seconds();
     assert_true(isnan(cor_law_force_max(&many, 0.5)) && processor_seconds() - begin < 0.1);
-    /* a sphere of strong damping: loading forgets the spring, F = beta^(2/3) max sqrt(X) V of X'' + sqrt(X) X' = 0,
-     * V = 1 - (2/3) X^(3/2), so that F = beta^(2/3) (3/4) (3/8)^(1/3) */
+    /* a sphere of strong damping: loading ignores the spring, F = beta^(2/3) max sqrt(X) V of X'' + sqrt(X) X' = 0, V =
+     * 1 - (2/3) X^(3/2), so that F = beta^(2/3) (3/4) (3/8)^(1/3) */
     check_near(cor_law_force_max(&sphere, 1e9), pow(1e9, 2.0 / 3) * 0.75 * cbrt(0.375), 1e-12);
 }
 
-/* The largest force to the first order of mu, x = beta^(-1/(b+1)) X: docs/theory.md, 9. b > 0. */
+/* Returns the largest force to first order in mu, x = beta^(-1/(b+1)) X: docs/theory.md, 9. b > 0. */
 static double strongly_damped(double a, double b, double mu)
 {
     enum { STEPS = 400 };
     const double top = pow(b * (b + 1) / (2 * b + 1), 1 / (b + 1));
-    double lost = 0; /* of the speed: the integral of X^a/V by Simpson's rule in u, X = top u^4 */
+    double lost = 0; /* lost speed: the integral of X^a/V by Simpson's rule in u, X = top u^4 */
     for (int i = 0; i <= STEPS; i++) {
         const double u = (double)i / (double)STEPS, x = top * u * u * u * u, speed = 1 - pow(x, b + 1) / (b + 1);
         lost += (i % STEPS == 0 ? 1 : 2 + 2 * (i % 2)) * pow(x, a) / speed * 4 * top * u * u * u / (3 * STEPS);
@@ -81,12 +82,12 @@ static long double dashpot_force(long double w, long double v, const void *beta)
     return w * w * w + *(const double *)beta * v;
 }
 
-/* Any damping, up to the largest doubles: the integration and the limit without the spring meet */
+/* For any damping, up to the largest doubles, the integration agrees with the limit without the spring. */
 TEST(strong_damping)
 {
     const struct cor_exponents dashpot = cor_law_exponents[COR_LAW_HERTZ_DASHPOT];
     const double weak = random_uniform(&draw, 0.1, 1.2);
-    /* b = 0: the force at the first moment is a maximum, and may be the lesser */
+    /* b = 0: the force at the first moment is a maximum, perhaps not the largest */
     const struct motion motion = {2, 0, dashpot_force, &weak, 0, 0};
     check_near(cor_law_force_max(&dashpot, weak), motion_course(&motion).force_max, 1e-11);
     for (size_t i = 0; i < points(2000); i++) {

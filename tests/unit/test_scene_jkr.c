@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Spheres that adhere as in JKR, by other routes: the energy of the tail by quadrature of the force over the overlap, a
+/* Spheres with JKR adhesion, by other methods: the energy of the tail by quadrature of the force over the overlap, a
  * motion in time and contact radius in long double, and the spheres without adhesion. */
 #include "../reference/ode.h"
 #include "scene.h"
@@ -19,7 +19,7 @@ static struct cor_scene_contact spheres(double dissipation_time_s, double adhesi
     return contact;
 }
 
-/* Overlap, its slope over the contact radius, and the force, as the theory has them */
+/* Returns the overlap, its slope over the contact radius, and the force, by the theory. */
 static long double overlap_of(const struct cor_scene_contact *s, long double c, long double *slope, long double *force)
 {
     const long double modulus = 0.75L * (long double)s->stiffness / sqrtl(s->radius_m), w = s->adhesion_j_m2,
@@ -35,7 +35,7 @@ static long double first_radius(const struct cor_scene_contact *s)
     return cbrtl(2 * pi * (long double)s->adhesion_j_m2 * R * R / modulus);
 }
 
-/* Contact radius of the end: where the slope of the overlap over it, or that of the force, is 0 */
+/* Returns the contact radius of the end, where the slope of the overlap over it, or the slope of the force, is 0. */
 static long double last_radius(const struct cor_scene_contact *s, int end)
 {
     return first_radius(s) * powl(end == COR_JKR_TAIL ? 0.25L : 0.75L, 2 / 3.0L);
@@ -61,7 +61,7 @@ TEST(elastic)
             assert_true(scene_eps(&s, v * (1 - 1e-15), end) == 0);
         }
     }
-    /* Johnson and Pollock's coefficient, and that of the largest pull */
+    /* Johnson and Pollock's coefficient, and the coefficient of the largest pull */
     static const double k[] = {7.09219597186395882715, 3.50260197183529038835};
     const double modulus = 0.75 * s.stiffness / sqrt(s.radius_m), w = s.adhesion_j_m2, R = s.radius_m;
     for (int end = 0; end < COR_SCENE_ENDS; end++) {
@@ -70,7 +70,7 @@ TEST(elastic)
     }
 }
 
-/* The damping in units of the contact: C l^b/(pi w R T), l = c_0^2/R, T^2 = m l/(pi w R) */
+/* Returns the damping in units of the contact: C l^b/(pi w R T), l = c_0^2/R, T^2 = m l/(pi w R). */
 static double kappa_of(const struct cor_scene_contact *s)
 {
     const double c = (double)first_radius(s), R = s->radius_m, l = c * c / R, force = (double)pi * s->adhesion_j_m2 * R;
@@ -156,8 +156,8 @@ TEST(durations)
     }
 }
 
-/* Damping of any strength has an answer: bodies part from the sticking speed on, which may be infinite. Bodies that
- * creep to rest do not. */
+/* Damping of any strength has a result. Bodies part above the sticking speed, which may be infinite; bodies that creep
+ * to rest do not. */
 TEST(creeping)
 {
     draw_begin();

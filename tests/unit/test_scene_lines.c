@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The lines for a simulator: which of them are active, and their numbers against the force laws of LAMMPS and LIGGGHTS
- * written down here; tests/simulators pastes them. */
+/* The lines for a simulator: the active ones, and their numbers against the force laws of LAMMPS and LIGGGHTS given
+ * here; tests/simulators runs the lines. */
 #include "scene.h"
 
 #define PI 3.14159265358979323846
 
 static const double young = 1e7, poisson = 0.3, radius[] = {5e-3, 2e-2}, mass[] = {2e-3, 8e-3};
 
-/* Spheres of the material, the second one at the number `second` of the arrays; -1: a wall */
+/* Returns spheres of the material, the second one at index `second` of the arrays; -1: a wall. */
 static struct cor_scene bodies(enum cor_law law, int second)
 {
     struct cor_scene scene = scene_without_numbers(law);
@@ -20,7 +20,7 @@ static struct cor_scene bodies(enum cor_law law, int second)
     return scene;
 }
 
-/* Above 0: the next texts are corrected for this time step; are for these speeds, and this number of steps. */
+/* corrected_step_s above 0: the next texts are corrected for this time step. all_speeds, steps: of the next texts */
 static double corrected_step_s, all_speeds[4], steps;
 
 static long lines_for(char *text, size_t size, const char *simulator, const char *version,
@@ -61,14 +61,14 @@ static long lines_for(char *text, size_t size, const char *simulator, const char
     return cor_simulator_lines(text, size, &request);
 }
 
-/* The text for a scene, or the refusal after "refused: "; valid until the next call */
+/* Returns the text for a scene, or the refusal after "refused: "; valid until the next call. */
 static const char *text_for(const char *simulator, const char *version, const struct cor_scene *scene, double speed)
 {
     static char text[20000] = "refused: ";
     return lines_for(text + 9, sizeof text - 9, simulator, version, scene, speed) < 0 ? text : text + 9;
 }
 
-/* Where the words begin in the text; the test fails if they do not. */
+/* Returns the place of the words in the text; the test fails if they are absent. */
 static const char *found(const char *text, const char *words)
 {
     const char *const at = strstr(text, words);
@@ -81,12 +81,12 @@ static void is_near(const char *number, double wanted, double tolerance)
     check(fabs(strtod(number, NULL) / wanted - 1) < tolerance, "%.20s is not %.12g", number, wanted);
 }
 
-/* Only the pair is active. */
+/* Only the line of the pair is active. */
 static const char *const pairs[] = {"\n# pair_coeff 1 1 hertz ", "\n# pair_coeff 2 2 hertz ",
                                     "\npair_coeff 1 2 hertz "};
 
-/* The stiffness of a contact of which the duration at zero force is known, 2 A(zeta) sqrt(m/K): kn of two equal bodies
- * in series is twice as large. */
+/* The stiffness of a contact follows from its duration at zero force, 2 A(zeta) sqrt(m/K). kn of two equal bodies in
+ * series is twice as large. */
 TEST(stiffness_of_a_duration)
 {
     const double zeta = 0.1, mass_kg = 2e-3, duration_s = 5e-4;
@@ -107,7 +107,7 @@ TEST(walls)
     const char *text = text_for("lammps", NULL, &scene, 1);
     is_near(strchr(found(text, "\nfix cor_wall all wall/gran granular hertz "), ' '), 1.5e-4 * kn / mass[0], 1e-11);
     assert_null(strstr(text, "pair_coeff"));
-    /* LIGGGHTS has one matrix for walls and pairs, and takes limitForce after the wall. */
+    /* LIGGGHTS has one matrix for walls and pairs, and accepts limitForce after the wall. */
     scene.end = COR_END_ZERO_FORCE;
     text = text_for("liggghts", NULL, &scene, 1);
     const char *number = found(text, "\nfix cor_gamman all property/global gamman peratomtypepair 2 ");
@@ -124,13 +124,13 @@ TEST(walls)
     const double l = log(2) / PI, zeta = l / sqrt(1 + l * l);
     is_near(strchr(found(text_for("lammps", NULL, &scene, 0), "\nfix cor_wall all wall/gran granular hooke "), ' '),
             2 * zeta * sqrt(1e5 * 2e-3), 1e-11);
-    /* YADE makes other contacts of tc and en at a wall. */
+    /* At a wall YADE makes other contacts from tc and en. */
     text = text_for("yade", NULL, &scene, 0);
     found(text, "ViscElMat(kn=");
     assert_null(strstr(text, "tc="));
 }
 
-/* The active block ends as asked; if none does, it says what it realises, and what else would do. */
+/* The active block has the requested end. If no block has, the text states the realised e and an alternative. */
 TEST(ends)
 {
     struct cor_scene scene = scene_without_numbers(COR_LAW_LINEAR);
@@ -201,12 +201,12 @@ TEST(versions)
         "29 Sep 2021|29Sep2021|29 Sept 2021|4 february 2025|20250204|20230802-1~deb12|3.8.1|3.8|2023.02a|2022|"
         "31 Foo 2021|32 Jan 2021|1 Ja 2021|1 Jan 21|-1|202308021|3.8.1\nx|3.8 1|latest|Sep 2021";
     const long number[20] = {20210929, 20210929, 20210929, 20250204, 20250204,
-                             20230802, 30801,    30800,    20230200, 20220000}; /* the last ten are no versions */
+                             20230802, 30801,    30800,    20230200, 20220000}; /* the last ten are not versions */
     size_t i = 0;
     for (const char *text = strtok(version, "|"); text; text = strtok(NULL, "|"), i++)
         check(cor_simulator_version(text) == number[i], "%s: %ld", text, cor_simulator_version(text));
     assert_true(i == COUNT_OF(number) && cor_simulator_version("") == 0);
-    /* the model of the version that is named, else of Debian's */
+    /* the model of the named version, otherwise of Debian's */
     struct cor_scene scene = bodies(COR_LAW_TSUJI, 0);
     scene.number[COR_SCENE_RESTITUTION] = 0.5;
     const char *text = text_for("lammps", NULL, &scene, 1);
@@ -223,7 +223,7 @@ TEST(versions)
     found(text_for("lammps", "new", &scene, 1), "refused: 'new' is not a version of LAMMPS");
 }
 
-/* Each pair of types has the damping whose mean eps at this step is right: each makes its own number of steps. */
+/* Each pair of types has the damping that gives the right mean eps at this step: each has its own number of steps. */
 TEST(corrected_for_a_step)
 {
     const double step = 5e-5, speed = 0.7, kn = 4.0 / 3 * young / (2 * (1 - poisson * poisson));
@@ -248,14 +248,14 @@ TEST(corrected_for_a_step)
         check(fabs(factor - 1) > 2e-4, "pair %d: nothing to correct, %g", i, factor);
         is_near(eta, 1.5e-4 * kn / m * factor, 1e-9);
     }
-    /* an impulse needs no correction; a method without steps of ours has none */
+    /* an impulse needs no correction; a method without these steps has none */
     scene = bodies(COR_LAW_HUNT_CROSSLEY, 0);
     scene_give(scene, {COR_SCENE_RESTITUTION, 0.7}, {COR_SCENE_AT, speed});
     scene.end = COR_END_ZERO_FORCE;
     found(text_for("simbody", NULL, &scene, speed), "refused: simbody, HuntCrossleyForce; OpenSim: its damping has no "
                                                     "correction for the time step: its method is implicit");
     found(text_for("bullet", NULL, &scene, speed), "realises eps = 0.7 at 0.7 m/s\n");
-    /* what is missing is said, not a step that is right */
+    /* the text names missing numbers, instead of a step */
     scene = scene_without_numbers(COR_LAW_TSUJI);
     scene_give(scene, {COR_SCENE_STIFFNESS, 1e9}, {COR_SCENE_EFFECTIVE_MASS, 1e-3}, {COR_SCENE_RESTITUTION, 0.7});
     corrected_step_s = 1e-7;
@@ -268,13 +268,14 @@ TEST(corrected_for_a_step)
 }
 
 enum { CONTACTS = 7 };
-/* Body i with body j, or with a wall of its material; first the pair */
+/* Body i with body j, or with a wall of its material; the pair comes first */
 static const int between[CONTACTS][3] = {{0, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 0, 1}, {0, 1, 1}, {1, 0, 1}, {1, 1, 1}};
 static const int of_body[] = {COR_SCENE_YOUNG, COR_SCENE_POISSON, COR_SCENE_RADIUS, COR_SCENE_DENSITY,
                               COR_SCENE_DISSIPATION_TIME};
 enum { OF_BODY = COUNT_OF(of_body) };
 
-/* Two bodies that differ in one number, or in all (`effect` OF_BODY); without dissipation times unless `damped` */
+/* Returns two bodies that differ in one number, or in all (`effect` OF_BODY); without dissipation times unless
+ * `damped`. */
 static struct cor_scene unlike(double number[2][OF_BODY], size_t effect, int damped)
 {
     struct cor_scene scene = scene_without_numbers(damped ? COR_LAW_VISCOELASTIC : COR_LAW_TSUJI);
@@ -302,8 +303,8 @@ static struct cor_sphere_contact pair_of(const double *n, const double *other, i
     return contact;
 }
 
-/* One effect at a time makes two types. LAMMPS: F = kn sqrt(R x) x + eta_n m sqrt(R x) x', so eta_n = (3/2) A kn/m. The
- * time step is the smallest of all contacts and speeds. */
+/* One difference at a time makes two types. LAMMPS: F = kn sqrt(R x) x + eta_n m sqrt(R x) x', so eta_n = (3/2) A kn/m.
+ * The time step is the smallest of all contacts and speeds. */
 TEST(bodies_that_differ_in_one_number)
 {
     for (size_t effect = 0; effect <= OF_BODY; effect++) {
@@ -340,8 +341,8 @@ TEST(bodies_that_differ_in_one_number)
     }
 }
 
-/* Without dissipation times like pairs have zeta of the pair: eps, by LIGGGHTS's exact formula, is the same. YADE has
- * the numbers of both materials. */
+/* Without dissipation times like pairs have zeta of the pair: eps, by LIGGGHTS's exact formula, is equal. YADE has the
+ * numbers of both materials. */
 TEST(unlike_bodies_of_a_constant_law)
 {
     for (size_t effect = 0; effect <= OF_BODY; effect += effect + 2 == OF_BODY ? 2 : 1) { /* no dissipation times */
@@ -363,11 +364,11 @@ TEST(unlike_bodies_of_a_constant_law)
             is_near(found(at, "density="), n[body][3], 1e-11);
         }
         check(effect != 2 || !strstr(at, "cor_material_2"), "one material for two radii");
-        /* one E makes the stiffness of the pair */
+        /* one E gives the stiffness of the pair */
         const struct cor_sphere_contact c = pair_of(n[0], n[1], 0);
         scene.law = cor_law_exponents[COR_LAW_VISCOELASTIC];
         scene_give(scene, {COR_SCENE_ZETA, NAN}, {COR_SCENE_G_STAR, 1});
-        /* like pairs have A of the pair, C/K, if they have none of their own */
+        /* like pairs without their own A have A of the pair, C/K */
         at = text_for("lammps", NULL, &scene, 1);
         const double mass_kg[] = {pair_of(n[0], n[0], 0).effective_mass_kg, pair_of(n[1], n[1], 0).effective_mass_kg,
                                   c.effective_mass_kg};
@@ -384,8 +385,8 @@ TEST(unlike_bodies_of_a_constant_law)
     }
 }
 
-/* A wall, two balls and a wall: types 3, 1, 2 and 4. The first ball has a dissipation time, the second one the time of
- * a measured contact of two of its balls; the contact of the first ball and the first wall was measured. In LAMMPS and
+/* A wall, two balls and a wall: types 3, 1, 2 and 4. The first ball has a dissipation time. The second has the time of
+ * a measured contact of two such balls; the contact of the first ball and the first wall was measured. In LAMMPS and
  * LIGGGHTS F = kn sqrt(R x) (x + (3/2) A x'), eta_n = gamman = (3/2) A kn/m; Chrono with
  * R = 1 m: kn = K, gn = (3/2) A K/m. */
 TEST(several_materials)
@@ -414,7 +415,7 @@ TEST(several_materials)
         for (int j = i; j < TYPES; j++) {
             double other[OF_BODY];
             memcpy(other, n[place[j]], sizeof other);
-            other[4] *= i == 0 && j == 2 ? 2 : 1; /* not the one of its dissipation times */
+            other[4] *= i == 0 && j == 2 ? 2 : 1; /* not the value from its dissipation times */
             const struct cor_sphere_contact c = pair_of(n[place[i]], other, j > 1);
             if (i == 1 && j == 1)
                 pair[0].restitution = cor_contact_eps_zero_overlap(&c, 0.3);
@@ -472,7 +473,7 @@ TEST(several_materials)
     request.simulator = "mercurydpm";
     assert_true(cor_simulator_lines(text, sizeof text, &request) > 0);
     is_near(found(text, "\ncor_2_4->setDissipation("), pair_of(n[2], n[3], 1).dissipation_time_s, 1e-9);
-    /* MFiX has e of one speed, by the formula of a linear spring on Hertz's force, and one material of walls. */
+    /* MFiX has e at one speed, by the formula of a linear spring with Hertz's force, and one material of walls. */
     request.simulator = "mfix";
     request.speeds = 1;
     assert_true(cor_simulator_lines(text, sizeof text, &request) < 0);
@@ -488,7 +489,7 @@ TEST(several_materials)
           "MFiX, e = %g", exp(log_e));
 }
 
-/* The contact of a scene; the one whose restitution was measured at the end, if there are two */
+/* Returns the contact of a scene; if there are two, the one whose restitution was measured at the end. */
 static struct cor_scene_contact contact_of(const struct cor_scene *scene, int end)
 {
     struct cor_scene_contact contact[COR_SCENE_ENDS];
@@ -498,7 +499,7 @@ static struct cor_scene_contact contact_of(const struct cor_scene *scene, int en
     return contact[count > 1 ? end : 0];
 }
 
-/* What a text says of speeds that are given in any order, and apart from --at */
+/* Speeds may be given in any order, and may differ from --at. */
 TEST(speeds_in_any_order)
 {
     for (int round = 0; round < 5; round++) {
@@ -517,13 +518,13 @@ TEST(speeds_in_any_order)
         steps = 0;
         is_near(found(text, " --speed-min "), low, 1e-5);
         is_near(found(text, " --speed-max "), high, 1e-5);
-        /* a host without the law, at one speed */
+        /* a simulator without the law, at one speed */
         const struct cor_scene_contact contact = contact_of(&scene, COR_END_ZERO_FORCE);
         const double eps = scene_eps(&contact, low, COR_END_ZERO_FORCE);
         const char *const at = found(text_for("mfix", NULL, &scene, low), "realises eps = ");
         is_near(at, eps, 1e-5);
         is_near(found(at, " at "), low, 1e-5);
-        /* a host of linear springs only: of the same duration, 2.943275 (5m/(4K))^(2/5) g^(-1/5) */
+        /* a simulator with only linear springs: of equal duration, 2.943275 (5m/(4K))^(2/5) g^(-1/5) */
         const char *const spring = found(text_for("mujoco", NULL, &scene, low), " solref=\"-");
         const double duration = 2.9432750 * pow(1.25 * contact.mass_kg / contact.stiffness, 0.4) * pow(low, -0.2);
         is_near(spring, PI * PI / (duration * duration), 1e-6);
@@ -532,7 +533,7 @@ TEST(speeds_in_any_order)
     }
 }
 
-/* Under gravity the numbers are those of the contact, as without gravity, and eps is that under the force. */
+/* Under gravity the numbers are as without gravity, and eps is under the force. */
 TEST(a_ball_that_falls)
 {
     static const char *const number[] = {"granular hertz ", "coefficientRestitution peratomtypepair 2 ", "betan="};
@@ -548,7 +549,7 @@ TEST(a_ball_that_falls)
         scene_give(scene, {COR_SCENE_GRAVITY, random_log(&draw, 10, 300)}, {COR_SCENE_RESTITUTION, e},
                    {COR_SCENE_AT, at});
         struct cor_scene_contact contact = contact_of(&scene, own);
-        if (kind == 2) { /* YADE's wall is one of K/sqrt(2) */
+        if (kind == 2) { /* YADE's wall has K/sqrt(2) */
             contact.stiffness /= sqrt(2);
             assert_int_equal(cor_scene_set_damping(&contact, COR_SCENE_RESTITUTION, e, at, end < 0 ? own : end), 0);
         }
@@ -563,7 +564,7 @@ TEST(a_ball_that_falls)
         at_number = found(text_for(host[kind], NULL, &scene, other), number[kind]);
         is_near(kind < 2 ? strchr(at_number, ' ') : at_number, value, 1e-9);
     }
-    /* A host without the law gets the damping by which its own law has this eps under gravity. */
+    /* A simulator without the law gets the damping at which its own law has this eps under gravity. */
     struct cor_scene scene = bodies(COR_LAW_VISCOELASTIC, -1);
     scene.end = COR_END_ZERO_OVERLAP;
     scene_give(scene, {COR_SCENE_GRAVITY, 200}, {COR_SCENE_RESTITUTION, 0.7}, {COR_SCENE_AT, 0.5});

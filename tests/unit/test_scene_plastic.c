@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Spheres that yield and spheres in a liquid, each by another route: Thornton's printed formula in long double, the
+/* Spheres that yield and spheres in a liquid, each by another method: Thornton's printed formula in long double, the
  * piecewise contact integrated in time, and the motion of the spheres in the liquid. */
 #include "../reference/ode.h"
 #include "scene.h"
 
 static const long double pi_long = 3.14159265358979323846264338L;
 
-/* Thornton (1997), eq. 31, as printed in most papers */
+/* Returns eps by eq. 31 of Thornton (1997), as printed in most papers. */
 static long double printed_eps(long double x)
 {
     const long double r = 1 / x;
@@ -22,7 +22,7 @@ TEST(eps_of_the_speed)
         const double eps = cor_elastic_plastic_eps(x);
         check_ulp(eps, printed_eps(x), COR_ELASTIC_PLASTIC_EPS_MAX_ULP);
         check(eps <= 1, "x = %a: eps = %a", x, eps);
-        /* nearer to 1 the printed formula loses digits of 1 - eps, and the next test has its limit */
+        /* closer to 1 the printed formula loses digits of 1 - eps; the next test has its limit */
         if (x > 1.125) { /* where eps determines x: d ln x/d ln eps is 4 or more */
             check_ulp(cor_elastic_plastic_loss(x), 1 - printed_eps(x), COR_ELASTIC_PLASTIC_LOSS_MAX_ULP);
             const double back = cor_elastic_plastic_speed_ratio(eps);
@@ -36,8 +36,8 @@ TEST(eps_of_the_speed)
     }
 }
 
-/* eps is smooth at v_y up to its slope: 1 - eps = 0.24 (x - 1)^2 to lowest order, from (72/108) (1 - t)^2/4 with
- * 1 - t = (6/5) (1 - r) */
+/* eps has a continuous slope at v_y: to lowest order 1 - eps = 0.24 (x - 1)^2, from (72/108) (1 - t)^2/4 with 1 - t =
+ * (6/5) (1 - r). */
 TEST(onset_and_limits)
 {
     for (double gap = 1e-3; gap > 1e-14; gap /= 10) {
@@ -55,7 +55,7 @@ TEST(onset_and_limits)
     check_nan(cor_elastic_plastic_eps(-1), cor_elastic_plastic_eps(NAN), cor_elastic_plastic_loss(NAN),
               cor_elastic_plastic_speed_ratio(1.1), cor_elastic_plastic_speed_ratio(NAN),
               cor_elastic_plastic_speed_ratio(-0.5));
-    for (double eps = 1; eps > 0.01; eps -= 1.0 / 512) { /* falls, through both methods */
+    for (double eps = 1; eps > 0.01; eps -= 1.0 / 512) { /* decreases through both methods */
         const double x = cor_elastic_plastic_speed_ratio(eps);
         check(fabs(cor_elastic_plastic_eps(x) - eps) < 4e-15 && x < cor_elastic_plastic_speed_ratio(eps - 1.0 / 512),
               "eps %g: x %g", eps, x);
@@ -67,7 +67,7 @@ TEST(onset_and_limits)
 struct spheres {
     long double modulus, radius, mass, yield_pressure; /* E*, R, m, p_y */
     long double yield_overlap, yield_force;
-    long double larger, rest; /* of the unloading: its radius, and the overlap that stays; 0: loading */
+    long double larger, rest; /* of the unloading: its radius, and the remaining overlap; 0: loading */
 };
 
 static long double hertz(long double modulus, long double radius, long double overlap)
@@ -84,7 +84,7 @@ static long double contact_force(const struct spheres *s, long double overlap)
     return s->yield_force + pi_long * s->radius * s->yield_pressure * (overlap - s->yield_overlap);
 }
 
-/* Overlap, its speed, the time */
+/* Computes the slopes of overlap, its speed, and the time. */
 static void spheres_slopes(long double *slope, const long double *y, const void *of)
 {
     const struct spheres *const s = of;
@@ -137,12 +137,12 @@ TEST(piecewise_contact)
     s.mass = 4 * pi_long / 3 * 1.25e-7L * 7850 / 2;
     s.yield_overlap = s.radius * powl(pi_long * s.yield_pressure / (2 * s.modulus), 2);
     s.yield_force = hertz(s.modulus, s.radius, s.yield_overlap);
-    const long double onset = sqrtl(4.0L / 5 * s.yield_force * s.yield_overlap / s.mass); /* by its energy */
+    const long double onset = sqrtl(4.0L / 5 * s.yield_force * s.yield_overlap / s.mass); /* from its energy */
     check_near(contact.yield_speed_m_s, onset, 1e-14);
     check_near(COR_YIELD_FACTOR, sqrtl(powl(pi_long, 5) / 30), 1e-15);
     check_near(cor_scene_yield_stress(&contact, (double)onset), 1e9L, 1e-14);
     draw_begin();
-    for (int i = 0; i < 100; i++) { /* of any speed, also above that of the contact */
+    for (int i = 0; i < 100; i++) { /* any speed, also above the contact's */
         const double speed = (double)onset * random_log(&draw, 1e-6, 1e6);
         check_near(cor_scene_yield_speed(&contact, cor_scene_yield_stress(&contact, speed)), speed, 2e-14);
     }
@@ -156,7 +156,7 @@ TEST(piecewise_contact)
             run(short_of_yield, &t, y, h);
         run(motion_speed, &t, y, later);
         const long double overlap = y[0], force = contact_force(&t, overlap), radius = sqrtl(s.radius * overlap);
-        if (*ratios > 1) { /* Hertz's contact of the same force and radius */
+        if (*ratios > 1) { /* Hertz's contact of equal force and radius */
             t.larger = 4 * s.modulus * radius * radius * radius / (3 * force);
             t.rest = overlap - radius * radius / t.larger;
         }
@@ -191,7 +191,8 @@ TEST(yield_speed_of_a_restitution)
 
 /* ---- Luding's contact ---- */
 
-/* The force in LIGGGHTS without adhesion: stiffness k, unloading up to k ratio, plasticity depth; R effective radius */
+/* Returns the force in LIGGGHTS without adhesion: stiffness k, unloading up to k ratio, plasticity depth; R effective
+ * radius. */
 static double luding_force(const double number[3], double radius, double x, double largest)
 {
     const double k = number[0], most = k * number[1], limit = most / (most - k) * number[2] * 2 * radius;
@@ -199,8 +200,8 @@ static double luding_force(const double number[3], double radius, double x, doub
     return x >= largest ? k * x : fmax(back * (x - largest) + k * largest, 0);
 }
 
-/* The lines for LIGGGHTS, integrated: eps and overlap of the spheres at the speed of the lines, and the eps that they
- * state at others. Lines for a host without such a model say so. */
+/* The lines for LIGGGHTS are integrated: eps and overlap of the spheres at the speed of the lines, and the stated eps
+ * at other speeds. Lines for a simulator without such a model state this. */
 TEST(lines_of_luding)
 {
     static const char *const names[] = {"LoadingStiffness", "UnloadingStiffness", "coefficientPlasticityDepth"};
@@ -242,16 +243,16 @@ TEST(lines_of_luding)
 
 /* ---- a liquid ---- */
 
-/* The speed that is left of v after the gap has changed from `from` to `to`; second-order steps in the logarithm of
- * the gap, whose length is the same part of it */
+/* Returns the speed that remains of v after the gap has changed from `from` to `to`. Second-order steps in the
+ * logarithm of the gap; each is a constant part of the gap. */
 static double through_liquid(double v, double drag_over_mass, double from, double to)
 {
     const int steps = 200000;
     const double factor = pow(to / from, 1.0 / steps);
     double h = from;
     for (int i = 0; i < steps && v > 0; i++, h *= factor) {
-        const double width = fabs(h * factor - h);              /* the way of this step */
-        const double half = v - drag_over_mass / h * width / 2; /* dv/d way = -(drag/m)/h, whatever v is */
+        const double width = fabs(h * factor - h);              /* the distance of this step */
+        const double half = v - drag_over_mass / h * width / 2; /* dv/d(distance) = -(drag/m)/h for every v */
         v = half - drag_over_mass / (h * factor) * width / 2;
     }
     return v;
@@ -277,7 +278,7 @@ TEST(wet_contact)
         assert_true(wet_impact.eps[0] == eps && wet_impact.max_overlap_m == dry_impact.max_overlap_m &&
                     wet_impact.duration_s[1] == dry_impact.duration_s[1]);
     }
-    /* 0 below the sticking speed, and where nothing touches */
+    /* 0 below the sticking speed, and where the bodies do not touch */
     for (int i = 1; i <= 9; i++) {
         const double speed = sticking * i / 10;
         wet_impact = scene_impact(&wet, speed);
@@ -287,7 +288,7 @@ TEST(wet_contact)
     }
     const double least = scene_eps(&wet, sticking * (1 + 1e-12), 0);
     assert_true(least > 0 && least < 1e-10);
-    /* constant eps: v_c = s (1 + 1/eps); Hunt and Crossley's rebound stays below m/C, so that s above it sticks */
+    /* constant eps: v_c = s (1 + 1/eps); Hunt and Crossley's rebound is below m/C, so that larger s stick */
     struct cor_scene_contact tsuji = wet, crossley = wet;
     tsuji.plastic = crossley.plastic = 0;
     tsuji.law = cor_law_exponents[COR_LAW_TSUJI];
@@ -298,7 +299,7 @@ TEST(wet_contact)
     assert_true(isinf(cor_scene_sticking_speed(&crossley, 0)));
     crossley.damping = 0.9 / wet.liquid_speed_m_s;
     assert_true(isfinite(cor_scene_sticking_speed(&crossley, 0)));
-    /* close gaps; special values */
+    /* nearly equal gaps; special values */
     for (int i = 0; i < 200; i++) {
         const double inner = random_log(&draw, 1e-9, 1e-3), outer = inner * (1 + random_log(&draw, 1e-9, 1e3));
         check_near(cor_scene_liquid_speed(&wet, 0.1, outer, inner), drag * log1pl((outer - (long double)inner) / inner),
@@ -334,7 +335,7 @@ TEST(refusals)
         check(cor_scene_contacts(contacts, &count, &fault, &scene) == cases[i].fault, "case %zu: %d", i, fault.fault);
         assert_int_equal(count, 0);
     }
-    /* a liquid needs bodies, and its gaps differ */
+    /* a liquid needs bodies and different gaps */
     struct cor_scene steel = scene_of_steel();
     scene_give(steel, {COR_SCENE_LIQUID_VISCOSITY, 1}, {COR_SCENE_GAP_OUTER, 0.1}, {COR_SCENE_GAP_INNER, 0.1});
     assert_int_equal(cor_scene_contacts(contacts, &count, &fault, &steel), COR_FAULT_GAPS);

@@ -21,7 +21,7 @@ static struct motion_course reference(const struct cor_exponents *law, double be
     return motion_course(&(struct motion){law->denominator, f, pressed_force, &p, 0, 0});
 }
 
-/* A contact whose impacts at 1 m/s are those of beta and f */
+/* Returns a contact whose impacts at 1 m/s have the given beta and f. */
 static struct cor_scene_contact contact_of(const struct cor_exponents *law, double beta, double f)
 {
     struct cor_scene_contact c = {.law = *law, .mass_kg = 1, .stiffness = 1, .radius_m = 1, .force_n = f};
@@ -45,7 +45,7 @@ TEST(impacts)
                 const struct motion_course r = reference(law, betas[i], forces[k]);
                 const struct cor_scene_contact c = contact_of(law, betas[i], forces[k]);
                 const struct cor_scene_impact impact = scene_impact(&c, 1);
-                /* a motion that never turns creeps up to its rest */
+                /* a motion that never turns creeps up to its place of rest */
                 const double rest = pow(forces[k], (double)law->denominator / law->elastic); /* x^a = f */
                 check_near(impact.max_overlap_m, r.max_overlap > 0 ? r.max_overlap : rest, 1e-11);
                 check_near(cor_scene_force_max_n(&c, 1), r.force_max, 1e-6);
@@ -63,12 +63,12 @@ TEST(impacts)
     assert_in_range(stuck, 10, 100);
 }
 
-/* eps on both sides of the sticking speed, which another integration finds, backwards in time */
+/* eps on both sides of the sticking speed, which another integration finds backward in time */
 TEST(sticking)
 {
     const struct cor_scene_contact strong = contact_of(&cor_law_exponents[COR_LAW_LINEAR], 1.975, 1);
     check(cor_scene_sticking_speed(&strong, 0) > 1e8 && cor_scene_sticking_speed(&strong, 0) < 1e9, "%g",
-          cor_scene_sticking_speed(&strong, 0)); /* below the end of the search, scene.h */
+          cor_scene_sticking_speed(&strong, 0)); /* below the upper end of the search, scene.h */
     for (size_t l = 0; l < sizeof laws / sizeof *laws; l++)
         for (double beta = 0.01; beta < 1; beta *= 3)
             for (int end = 0; end < COR_SCENE_ENDS; end++) {
@@ -86,7 +86,7 @@ TEST(sticking)
 
 TEST(limits)
 {
-    /* a sphere that creeps up to its rest has stopped before the constant force matters */
+    /* a sphere that creeps up to its place of rest has stopped before the constant force matters */
     const struct cor_scene_contact creeping = contact_of(&cor_law_exponents[COR_LAW_VISCOELASTIC], 1e3, 0.1);
     check_near(cor_scene_force_max_n(&creeping, 1), cor_law_force_max(&cor_law_exponents[COR_LAW_VISCOELASTIC], 1e3),
                1e-2);
@@ -118,7 +118,7 @@ TEST(limits)
             less[i] = scene_eps(&c, 1, 0) - scene_eps(&pressed, 1, 0);
         }
         check(fabs(less[1] / less[0] - 2) < 1e-4 && less[0] > 0, "%g %g", less[0], less[1]);
-        /* a restitution that was measured under the force */
+        /* a restitution measured under the force */
         pressed.force_n = 0.02;
         for (int end = 0; end < COR_SCENE_ENDS; end++) {
             assert_int_equal(cor_scene_set_damping(&pressed, COR_SCENE_RESTITUTION, 0.8, 0.5, end), COR_OK);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The error of a time step: another integrator with other phases, limits, and what is refused */
+/* The error of a time step: another integrator with other phases, limits, and refusals */
 #include "runtime/scene/simulators.h"
 #include "scene.h"
 
@@ -19,11 +19,11 @@ static struct cor_step_error error_of(const struct cor_scene_contact *contact, d
     return e;
 }
 
-/* ---- another route: SI units, the three parts of velocity Verlet, pow, every step up to the surface ---- */
+/* ---- another method: SI units, the three parts of velocity Verlet, pow, every step up to the surface ---- */
 
 struct mean {
     double eps, scatter;
-    double jump, missed; /* between neighbouring phases: the largest difference, also times its weight */
+    double jump, missed; /* between adjacent phases: the largest difference, and also times its weight */
 };
 
 static double push(const struct cor_scene_contact *c, double damping, int end, double x, double v)
@@ -33,7 +33,7 @@ static double push(const struct cor_scene_contact *c, double damping, int end, d
     return ((end == COR_END_ZERO_FORCE && force < 0 ? 0 : force) - c->force_n) / c->mass_kg;
 }
 
-/* eps where the bodies part before 40 elastic durations are over, otherwise 0 */
+/* Returns eps if the bodies part within 40 elastic durations, otherwise 0. */
 static double rebound(const struct cor_scene_contact *c, double speed, int end, double h, int integrator, double phase)
 {
     const double g = c->force_n / c->mass_kg, start = (phase - 1) * h,
@@ -60,7 +60,7 @@ static double rebound(const struct cor_scene_contact *c, double speed, int end, 
     return x > 0 ? 0 : sqrt(v * v - 2 * g * x) / speed;
 }
 
-/* The phases are closer to each other at both ends. */
+/* Averages over phases that are denser at both ends. */
 static struct mean simulated(const struct cor_scene_contact *c, double speed, int end, double step_s, int integrator,
                              int phases, double first)
 {
@@ -89,7 +89,7 @@ static void check_mean(const char *what, double eps, double scatter, const struc
           "%s: mean %.9g, not %.9g; scatter %.6g, not %.6g", what, eps, other->eps, scatter, s);
 }
 
-/* Half of the draws are damped weakly; the others are corrected, too. A third has a constant force. */
+/* Half of the cases are damped weakly; the others are corrected, too. A third has a constant force. */
 TEST(another_route)
 {
     enum { TRIES = 120, OTHER_PHASES = 601 };
@@ -135,7 +135,7 @@ TEST(another_route)
     }
 }
 
-/* Weak damping without x^b, and one more step in a narrow window of the phases: scatter by 100000 phases */
+/* Weak damping without x^b, and one more step in a narrow range of the phases: scatter from 100000 phases */
 TEST(narrow_windows)
 {
     const double many[][3] = {{5e-3, 0.005961276382523327, 2.655e-6}, {3e-4, 0.0628198558985, 1.466e-6}};
@@ -158,7 +158,7 @@ static double bias_at(const struct cor_scene_contact *contact, double steps, int
 TEST(small_steps)
 {
     const struct cor_scene_contact contact = contact_with(COR_LAW_VISCOELASTIC, 0.6, COR_END_ZERO_OVERLAP);
-    /* the velocity of half a step ago is an error of first order, that of the full step leaves none of it */
+    /* the velocity of half a step ago gives a first-order error, which the velocity of the full step removes */
     const double half = bias_at(&contact, 1000, COR_VERLET_HALF_STEP),
                  full = bias_at(&contact, 1000, COR_VERLET_FULL_STEP);
     check(fabs(bias_at(&contact, 1e4, COR_VERLET_HALF_STEP) * 10 / half - 1) < 0.01, "bias %g", half);
@@ -211,7 +211,8 @@ static void refused(const struct cor_scene_contact *contact, double speed, int e
           "end %d, %g steps, integrator %d", end, steps, integrator);
 }
 
-/* Under a constant force: no error is left of small steps, and bodies below the sticking speed stay, at any step. */
+/* Under a constant force, small steps have no error, and bodies below the sticking speed stay in contact at any
+ * step. */
 TEST(pressed)
 {
     /* LAMMPS, wall/gran hooke with limit_damping and fix gravity: mean and standard deviation of 40 phases */
@@ -236,13 +237,13 @@ TEST(pressed)
         contact.force_n = random_log(&r, 1e-4, 1e2);
         const double stays = cor_scene_sticking_speed(&contact, end), speed = stays * random_uniform(&r, 1.2, 10),
                      steps = random_log(&r, 1e3, 1e4);
-        if (!(stays < 1e3)) /* at every speed */
+        if (!(stays < 1e3)) /* they stick at every speed */
             continue;
         struct cor_step_error e = error_of(&contact, speed, end, steps, integrator);
         check(fabs(e.bias) < (integrator == COR_VERLET_FULL_STEP ? 1e3 / steps : 2) / steps,
               "law %d end %d integrator %d, %g steps: bias %g", k % 5, end, integrator, steps, e.bias);
         const double slow = stays * random_uniform(&r, 0.3, 0.8);
-        /* in a step of half the largest change of the speed, or shorter */
+        /* in a step of at most half the largest change of the speed */
         const double many =
             fmax(steps, contact.force_n * cor_scene_elastic_duration_s(&contact, slow) / (contact.mass_kg * slow));
         e = error_of(&contact, slow, end, many, integrator);
@@ -286,17 +287,17 @@ TEST(special)
     contact.plate = 0;
     assert_int_equal(cor_scene_step_for(&steps, &contact, 1, COR_END_ZERO_OVERLAP, 0, COR_LEAPFROG), COR_FAULT_STEP);
     check(isnan(steps), "steps %g", steps);
-    /* so much damping that few of the steps are in contact */
+    /* so strong a damping that few of the steps are in contact */
     contact.law = cor_law_exponents[COR_LAW_LINEAR];
     contact.damping = 30;
     assert_int_equal(cor_scene_step_for(&steps, &contact, 1, COR_END_ZERO_FORCE, 1e-9, COR_LEAPFROG), COR_FAULT_STEP);
     contact.law = cor_law_exponents[COR_LAW_VISCOELASTIC];
-    /* no damping: a symmetric integrator, whose error is that of the contact's ends alone; nothing to correct */
+    /* no damping: a symmetric integrator, with errors only from the ends of the contact; nothing to correct */
     contact.damping = 0;
     check(fabs(bias_at(&contact, 50, COR_LEAPFROG)) < 1e-5, "elastic: %g", bias_at(&contact, 50, COR_LEAPFROG));
     assert_int_equal(cor_scene_step_corrected(&corrected, &contact, 1, COR_END_ZERO_OVERLAP, 50, COR_LEAPFROG), COR_OK);
     check(corrected.damping == 0, "elastic: %g", corrected.damping);
-    /* bodies that never part, and damping from weak to absurd: results are finite, or refused */
+    /* bodies that never part, and damping from weak to huge: results are finite, or refused */
     contact = contact_with(COR_LAW_HERTZ_DASHPOT, 0.5, COR_END_ZERO_OVERLAP);
     contact.damping *= 10;
     e = error_of(&contact, 1, COR_END_ZERO_OVERLAP, 40, COR_LEAPFROG);
@@ -319,7 +320,7 @@ TEST(special)
 
 /* ---- simulators ---- */
 
-/* The number of every model for a coarse step gives a damping whose mean is the eps that was asked for. */
+/* The number of every model for a coarse step gives a damping whose mean is the requested eps. */
 TEST(models)
 {
     static const double eps = 0.7, speed = 0.5, steps = 12;
@@ -340,7 +341,7 @@ TEST(models)
         const struct mean mean = simulated(&given, speed, (int)model->end,
                                            cor_scene_elastic_duration_s(&contact, speed) / steps, integrator, 401, 0.3);
         check(fabs(mean.eps - eps) < COR_SCENE_STEP_ERROR * mean.scatter, "%s: %g", model->model, mean.eps);
-        /* by eps alone the same, where the law has a closed form */
+        /* by eps only, the result is equal where the law has a closed form */
         const double by_eps = cor_simulator_damping(model, &target, 0);
         check(isnan(by_eps) || fabs(by_eps / damping - 1) < 1e-9, "%s: %g, %g", model->model, by_eps, damping);
         judged++;

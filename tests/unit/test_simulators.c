@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* cor/scene.h, the table of simulators: what each model makes of a restitution that a user asks for, the number
- * that cures it, and every conversion to a simulator's own number against its force law, integrated in SI units. */
+/* cor/scene.h, the table of simulators: the realised e of each model for the e that a user sets, and the number that
+ * corrects it. Also every conversion to a simulator's own number against its force law, integrated in SI units. */
 #include "../reference/ode.h"
 #include "scene.h"
 
 static const double asked[] = {0.1, 0.2, 0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 0.99};
 enum { ASKED = sizeof asked / sizeof *asked };
 
-/* ---- realised for asked: numbers found by running or reading each simulator, five digits ---- */
+/* ---- realised e for the e that was set: found by running or reading each simulator, five digits ---- */
 
 TEST(realised)
 {
@@ -30,12 +30,12 @@ TEST(realised)
             check(fabs(1e5 * cor_simulator_realised(m, asked[k]) - row[i].value[k]) <= 0.51, "%s at %g: %.6f", m->model,
                   asked[k], cor_simulator_realised(m, asked[k]));
     }
-    /* the e' for one version of LAMMPS is not the one for another */
+    /* each version of LAMMPS needs its own e' */
     enum cor_simulator_status status;
     const struct cor_simulator_model *const late = cor_simulator_model(COR_LAMMPS_HOOKE_TSUJI_2026);
     const double early = cor_simulator_e(cor_simulator_model(COR_LAMMPS_HOOKE_TSUJI), 0.5, &status);
     assert_true(fabs(early - 0.411395) < 5e-7 && fabs(cor_simulator_realised(late, early) - 0.366035) < 5e-7);
-    /* exact ones */
+    /* exact models */
     const struct cor_simulator_model *exact[] = {
         cor_simulator_model(COR_LAMMPS_COEFF_RESTITUTION), cor_simulator_model(COR_LIGGGHTS_RESTITUTION),
         cor_simulator_model(COR_MERCURYDPM_LINEAR),        cor_simulator_model(COR_MFIX_LSD),
@@ -47,7 +47,7 @@ TEST(realised)
             assert_true(fabs(cor_simulator_realised(exact[i], asked[k]) - asked[k]) < 1e-14);
         assert_true(fabs(cor_simulator_realised(esys, asked[k]) - asked[k]) < 2e-8);
     }
-    /* 0.9 and 0.99 of Kratos's bisection: gamma good to 0.0001 */
+    /* Kratos's bisection finds gamma to 0.0001 */
     check_near(cor_simulator_realised(cor_simulator_model(COR_KRATOS_LINEAR), 0.99), 0.99, 3e-4);
     assert_true(cor_simulator_realised(cor_simulator_model(COR_KRATOS_HERTZ), 0.9995) == 1);
     /* Thornton's fit at e = 1 */
@@ -61,7 +61,7 @@ TEST(realised)
     check_near(cor_law_eps(COR_LAW_LINEAR, COR_END_ZERO_FORCE, 1), exp(-2), 1e-15);
 }
 
-/* eps that formulas for d g give at e = 0.1, 0.5 and 0.9 (docs/errata.md): Hunt and Crossley (1975); Lankarani and
+/* The eps of formulas for d g at e = 0.1, 0.5 and 0.9 (docs/errata.md): Hunt and Crossley (1975); Lankarani and
  * Nikravesh (1990); Gonthier et al. (2004); Herbert and McWhannell (1977); Hu and Guo (2015); Flores et al. (2011) */
 TEST(formulas_for_hunt_and_crossley)
 {
@@ -81,12 +81,12 @@ TEST(formulas_for_hunt_and_crossley)
     }
 }
 
-/* ---- the cure ---- */
+/* ---- the correction ---- */
 
 TEST(cures)
 {
     enum cor_simulator_status status;
-    /* whatever takes an e realises what its cure says, or tells why not */
+    /* each model with an e realises the request with the corrected e, or gives the reason */
     for (int i = 0; i < COR_SIMULATOR_MODELS; i++) {
         const struct cor_simulator_model *const m = cor_simulator_model((enum cor_simulator_model_id)i);
         const double tolerance = m->id == COR_KRATOS_LINEAR ? 3e-4 : 1e-9; /* Kratos bisects */
@@ -110,7 +110,7 @@ TEST(limits)
 {
     enum cor_simulator_status status;
     double least, most;
-    /* LIGGGHTS takes nothing up to 0.05: with the force limit it cannot realise less than 0.2137 */
+    /* LIGGGHTS refuses e up to 0.05: with the force limit it cannot realise less than 0.2137 */
     const struct cor_simulator_model *m = cor_simulator_model(COR_LIGGGHTS_RESTITUTION_LIMIT);
     cor_simulator_reach(m, &least, &most);
     assert_true(fabs(least - 0.2137) < 5e-5 && most > 1 - 1e-15 && isnan(cor_simulator_realised(m, 0.04)));
@@ -119,7 +119,7 @@ TEST(limits)
     /* Chrono's clamp: 0.1360 */
     cor_simulator_reach(cor_simulator_model(COR_CHRONO_MATERIAL), &least, &most);
     assert_true(fabs(least - 0.1360) < 5e-5);
-    /* Thornton's fit reaches no more than 0.9846 */
+    /* Thornton's fit reaches at most 0.9846 */
     m = cor_simulator_model(COR_GRANULARS_EN);
     cor_simulator_reach(m, &least, &most);
     assert_true(most < 0.9847 && most > 0.9845);
@@ -138,7 +138,7 @@ struct pair {
     double mass, stiffness, radius, speed, a; /* of the contact, the impact and the spring */
 };
 
-/* en at vn = 1 m/s: YADE solves P(v) = en and sets A = (2/3) v^2 vn^(-1/5) (K/m)^(-2/5). */
+/* Returns the damping for en at vn = 1 m/s: YADE solves P(v) = en and sets A = (2/3) v^2 vn^(-1/5) (K/m)^(-2/5). */
 static double yade_damping(double en)
 {
     double low = 0, high = 8;
@@ -208,7 +208,8 @@ struct scaled_pair {
     double damping, b, time; /* of damping x^b v */
 };
 
-/* As the end of contact has it: damped while approaching only, or damping no larger than the spring's force */
+/* Returns the force for the end of contact: damped while approaching only, or damping no larger than the spring's
+ * force. */
 static long double scaled_force(long double w, long double v, const void *of)
 {
     const struct scaled_pair *const p = of;
@@ -231,8 +232,8 @@ static double integrated_eps(const struct pair *s, enum cor_end end, double damp
     return (double)motion_course(&(struct motion){4, 0, scaled_force, &p, free, 0}).eps[free];
 }
 
-/* A constant impedance d is a linear dashpot: against the closed form; and, for small d, under gravity, against the
- * surface of a pressed contact. d from 0.9 to 0.95: eps as MuJoCo's own step gives it. */
+/* A constant impedance d is a linear dashpot: compared with the closed form and, for small d, under gravity, with the
+ * surface of a pressed contact. d from 0.9 to 0.95: compared with eps of MuJoCo's own step. */
 TEST(mujoco)
 {
     const double solimp[5] = {0.9, 0.9, 0.001, 0.5, 2}, grown[5] = {0.9, 0.95, 0.001, 0.5, 2};
@@ -281,7 +282,7 @@ TEST(units)
                                        pow(s.radius, d->radius) * pow(s.speed, d->speed);
             const double si = integrated_eps(&s, m->end, coefficient, d->b);
             check(fabs(si - eps) < 2e-5, "%s: %g, not %g", m->model, si, eps);
-            /* the same number at another speed: the same eps where the law has a damping ratio, and nowhere else */
+            /* at another speed, an equal number gives an equal eps only if the law has a damping ratio */
             const double other = m->damping_of_number(number, &contact, 3 * s.speed);
             const int constant = ratio || m->id == COR_OPENSEES_HERTZ_DAMP;
             assert_true(constant ? fabs(other / damping - 1) < 1e-14 : fabs(other / damping - 1) > 0.1);
@@ -299,7 +300,7 @@ TEST(units)
     }
 }
 
-/* Every id has one row with all that a reader needs; a simulator with lines has comments. */
+/* Every id has one row, complete for a reader; a simulator with lines has comments. */
 TEST(rows_are_whole)
 {
     int rows = 0, found[COR_SIMULATOR_MODELS] = {0};
