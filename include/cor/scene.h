@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Computes the damping of a contact, the numbers of an impact, and the settings of simulators. All quantities are in SI
- * units.
+/* Computes the damping of a contact, the numbers of an impact, and the settings of simulators, all in SI units.
  *
  * At the overlap x the force K x^a + C x^b x' acts between two bodies of effective mass m. At impact speed g,
  *
@@ -11,11 +10,10 @@
  *
  * These functions form a separate library, libcor_scene (in CMake cor::scene), which needs libcor and libm. They are
  * thread-safe. The only memory they use is at most COR_SCENE_MAX_STACK bytes of stack. They assume rounding to nearest.
- * Whatever the arguments, they set no errno and raise no exceptions except underflow and inexact. A solver of the
- * caller runs in the caller's environment. Functions behind the pointers of a model do not check their arguments. Every
- * number with a unit is 0, where that is meaningful, or from COR_SI_LEAST to COR_SI_MOST (contact.h). Other numbers
- * give NaN or COR_FAULT_RANGE. Simulators need numbers from 1e-48 to 1e48. Source: docs/theory.md, 9, and
- * docs/laws.md. */
+ * They never set errno, and raise only underflow and inexact. A solver of the caller runs in the caller's environment.
+ * Functions behind the pointers of a model do not check their arguments. Every number with a unit is 0, where that is
+ * meaningful, or from COR_SI_LEAST to COR_SI_MOST (contact.h). Other numbers give NaN or COR_FAULT_RANGE. Simulators
+ * need numbers from 1e-48 to 1e48. Source: docs/theory.md, 9, and docs/laws.md. */
 #ifndef COR_SCENE_H
 #define COR_SCENE_H
 
@@ -73,8 +71,8 @@ double cor_elastic_plastic_speed_ratio(double eps);
 
 /* Returns eps of a contact in a liquid, which reduces the speed by s on the way in and again on the way out. eps: of
  * the dry contact at the speed v - s. The result is (eps (v - s) - s)/v, or 0 where that is negative.
- * Accuracy: 4 units in the last place of 1. Special values: s = 0 -> eps; eps outside [0, 1], a speed that is neither 0
- * nor in range -> NaN. */
+ * Accuracy: 4 units in the last place of 1. Special values: s = 0 -> eps; eps outside [0, 1], speeds neither 0 nor in
+ * range -> NaN. */
 double cor_wet_eps(double eps, double speed_m_s, double liquid_speed_m_s);
 
 /* ---- a contact ---- */
@@ -87,13 +85,13 @@ double cor_wet_eps(double eps, double speed_m_s, double liquid_speed_m_s);
 struct cor_scaled_impact {
     double eps[COR_SCENE_ENDS], duration[COR_SCENE_ENDS], max_overlap;
 };
-/* Solves the collision of a law that libcor has no functions for, with beta > 0. With COR_BOTH_ENDS as `end` it sets
- * everything, otherwise at least eps of that end. Returns 0, or a negative number, which the functions below then
+/* Solves the collision of a law that libcor has no functions for, with beta > 0. Sets everything if `end` is
+ * COR_BOTH_ENDS, otherwise at least eps of that end. Returns 0, or a negative number, which the functions below then
  * return. */
 typedef int cor_scene_solver(struct cor_scaled_impact *impact, const struct cor_exponents *law, double beta, int end);
 
-/* A contact, filled by cor_scene_contacts or by the caller. libcor has functions for the named laws, for all laws with
- * a = b, and for eps where q = 0. */
+/* A contact, filled by cor_scene_contacts or by the caller. libcor has functions for the named laws, for a = b, and for
+ * eps where q = 0. */
 struct cor_scene_contact {
     struct cor_exponents law;
     int plate;                /* true for Zener's plate */
@@ -106,7 +104,7 @@ struct cor_scene_contact {
     int plastic;              /* elastic-plastic spheres; `damping` is 0 */
     double yield_speed_m_s;   /* v_y; 0: not known */
     double liquid_speed_m_s;  /* s, by which a liquid reduces the speed, on each way; 0: a dry contact */
-    double adhesion_j_m2;     /* work of adhesion w of JKR; 0: none. The ends are then those of enum cor_jkr_end. */
+    double adhesion_j_m2;     /* work of adhesion w of JKR; 0: none. The ends are then enum cor_jkr_end. */
 };
 
 double cor_scene_speed_exponent(const struct cor_scene_contact *contact); /* q */
@@ -134,13 +132,12 @@ int cor_scene_impact(struct cor_scene_impact *impact, const struct cor_scene_con
 int cor_scene_eps(double *eps_at_end, const struct cor_scene_contact *contact, double speed_m_s, int end);
 double cor_scene_force_max_n(const struct cor_scene_contact *contact, double speed_m_s);
 /* In a liquid, eps is the eps of the whole impact, with the error of cor_wet_eps. The other numbers describe the dry
- * contact at the speed that remains. If no speed remains, the bodies do not touch: beta and durations are NaN, overlap
- * and force are 0. */
+ * contact at the speed that remains. If none remains, the bodies do not touch: beta and durations are NaN, overlap and
+ * force 0. */
 
 /* Computes, for spheres of known effective radius (otherwise NaN):
  * - v_y of a yield stress, and back;
- * - radius of the contact and pressure in its middle at an overlap, by Hertz (beyond v_y elastic-plastic spheres have
- *   p_y);
+ * - contact radius and central pressure at an overlap, by Hertz (p_y for elastic-plastic spheres beyond v_y);
  * - the largest overlap of a contact without damping;
  * - s of a liquid of a viscosity in Pa s between two distances of the surfaces, 6 pi eta R^2 ln(outer/inner)/m.
  * Accuracy: 1e-14, relative. */
@@ -181,8 +178,7 @@ int cor_scene_tangential(double *stiffness_n_m, double *damping_n_s_m, const str
  * Accuracy: COR_SCENE_PRESSED_ERROR: absolute for eps^2; relative for durations while eps > 0.01, for overlap and for
  * force. Sampled against proved enclosures in tests/gen/test_contact.c, with force_n up to 1e12 in units of m g/T. The
  * function returns the sticking speed in m/s. It is 0 without force or damping, and infinite where the bodies stick at
- * every speed up to 1e9 times sqrt(m) (force_n^(a+1)/K)^(1/(2 a))/m. In a liquid it is the speed below which eps is
- * 0. */
+ * every speed up to 1e9 times sqrt(m) (force_n^(a+1)/K)^(1/(2 a))/m. In a liquid, eps is 0 below this speed. */
 #define COR_SCENE_PRESSED_ERROR 1e-12
 double cor_scene_sticking_speed(const struct cor_scene_contact *contact, int end);
 
@@ -208,8 +204,7 @@ enum cor_integrator {
 };
 extern const char *const cor_integrator_names[COR_INTEGRATORS + 1]; /* "verlet-half-step"; ends with NULL */
 
-/* Returns the duration of a contact without damping, at the same speed, s. Time steps are counted per this elastic
- * duration. */
+/* Returns the elastic duration, without damping at the same speed, s. Time steps are counted per elastic duration. */
 double cor_scene_elastic_duration_s(const struct cor_scene_contact *contact, double speed_m_s);
 #define COR_SCENE_STEPS_MIN 2.0
 #define COR_SCENE_STEPS_MIN_IMPLICIT 1e-6 /* of COR_IMPLICIT_EULER, whose contacts may last for one step */
@@ -231,8 +226,7 @@ struct cor_step_error {
  * some phases. The function finds these phases and integrates between them. It takes 9 to 22 microseconds at 12 steps
  * without a force. eps = 0 for bodies that would part with less than 1e-8 of the impact speed, and for bodies that
  * stick under the force. Accuracy: bias and scatter are off by at most COR_SCENE_STEP_ERROR of the scatter where eps is
- * above 1e-6; sampled in tests/unit/test_scene_step.c. Below 5 steps, bodies that part at a few phases only can be
- * missed.
+ * above 1e-6; sampled in tests/unit/test_scene_step.c. Below 5 steps, bodies that part at few phases can be missed.
  * Returns COR_OK, the result of cor_scene_eps, or COR_FAULT_STEP if
  *   - steps, end or integrator are outside their range,
  *   - the constant force changes the speed in a step by more than twice the impact speed,
@@ -282,7 +276,7 @@ struct cor_tangential {
 };
 
 /* The tangential models of simulators, and cor's own ones that represent them. name: as in the simulator. from: the
- * simulators. The other members are those of struct cor_tangential. */
+ * simulators. The other members are as in struct cor_tangential. */
 enum cor_tangential_id {
     COR_TANGENTIAL_DISPLACEMENT,
     COR_TANGENTIAL_FORCE,
@@ -339,7 +333,7 @@ int cor_scene_oblique(struct cor_oblique_impact *oblique, const struct cor_scene
 
 /* ---- the known numbers of a contact ---- */
 
-/* The index of a number of body 2 is that of body 1 plus COR_SCENE_BODY. */
+/* The index of a number of body 2 is the index for body 1 plus COR_SCENE_BODY. */
 enum cor_scene_number {
     COR_SCENE_G_STAR, /* g*, m/s, with eps = 1 - (g/g*)^q + ... */
     COR_SCENE_YOUNG,  /* Young's modulus, Pa */
@@ -396,8 +390,8 @@ enum cor_adhesion { COR_ADHESION_NONE, COR_ADHESION_DMT, COR_ADHESION_JKR };
  * the damping force of the law.
  * Accuracy: eps^2 within COR_JKR_EPS2_MAX_ERROR, absolute. Durations have that relative error while eps > 0.01, and
  * 0.01/eps times it down to eps = 1e-3, where the rounding error of eps^2 moves the end. Sampled in
- * tests/unit/test_scene_jkr.c. Without damping eps is a closed form. The sticking speed is infinite if the bodies stick
- * at every speed. */
+ * tests/unit/test_scene_jkr.c. Without damping eps is a closed form. The sticking speed is infinite if bodies always
+ * stick. */
 enum cor_jkr_end { COR_JKR_TAIL = COR_END_ZERO_OVERLAP, COR_JKR_LARGEST_PULL = COR_END_ZERO_FORCE };
 #define COR_JKR_EPS2_MAX_ERROR 1e-12
 
@@ -477,20 +471,20 @@ int cor_scene_given(const struct cor_scene *scene, int number);
 double cor_scene_of_body(const struct cor_scene *scene, int number, int body);
 int cor_scene_mass_is_given(const struct cor_scene *scene, int body); /* otherwise the density counts */
 
-/* Checks that the numbers of two bodies are complete and do not contradict one another. `options` is a sum of
- * COR_SCENE_DISSIPATES (the dissipation time is needed, too) and COR_SCENE_DENSE_WALL (a wall may have a density).
- * Returns COR_OK, or the fault. */
+/* Checks that the numbers of two bodies are complete and do not contradict one another. options: a sum of
+ * COR_SCENE_DISSIPATES (a dissipation time is needed) and COR_SCENE_DENSE_WALL (a wall may have a density). Returns
+ * COR_OK, or the fault. */
 enum { COR_SCENE_DISSIPATES = 1, COR_SCENE_DENSE_WALL = 2 };
 int cor_scene_check_bodies(struct cor_scene_fault *fault, const struct cor_scene *scene, int options);
-/* Returns body 1 or 2 of a scene that has no such fault. A wall has infinite radius and mass. An unknown dissipation
- * time is 0. */
+/* Returns body 1 or 2 of a scene without such a fault. Walls have infinite radius and mass. Unknown dissipation times
+ * are 0. */
 struct cor_body cor_scene_body(const struct cor_scene *scene, int body);
 
 /* Replaces the bodies of a scene with the law linear by the linear spring that at the speed COR_SCENE_AT, V, has the
  * energy or the duration of Hertz's elastic contact: K = ((4/5) K_H)^(4/5) (m V^2)^(1/5), where K_H is Hertz's
- * stiffness, or K = m pi^2/T^2. Restitution, beta, zeta or damping coefficient stay; a damping of viscoelastic spheres
- * becomes the restitution of Hertz's contact at V and at the end of the scene. At other speeds the spring differs:
- * `hertz`, without damping, is the contact to compare. Accuracy: COR_SCENE_MAX_ERROR. Returns COR_OK, or the fault. */
+ * stiffness, or K = m pi^2/T^2. Restitution, beta, zeta or damping coefficient are unchanged. A damping of viscoelastic
+ * spheres becomes the restitution of Hertz's contact at V and at the end of the scene. At other speeds the spring
+ * differs; compare with `hertz`, without damping. Accuracy: COR_SCENE_MAX_ERROR. Returns COR_OK, or the fault. */
 enum cor_equivalence { COR_EQUIVALENT_NONE, COR_EQUIVALENT_ENERGY, COR_EQUIVALENT_DURATION };
 int cor_scene_equivalent(struct cor_scene *spring, struct cor_scene_contact *hertz, struct cor_scene_fault *fault,
                          const struct cor_scene *scene, int equivalence);
@@ -500,11 +494,10 @@ int cor_scene_equivalent(struct cor_scene *spring, struct cor_scene_contact *her
  * NaN: a scene without bodies. Accuracy: 1e-14, relative. Source: [LIGGGHTS], fix check/timestep/gran. */
 double cor_scene_rayleigh_step_s(const struct cor_scene *scene);
 
-/* Fills *contacts, and sets *count to 1; or to 2 where a restitution or a duration is given whose end is not and
- * matters: one contact for each end at which it may have been measured. Returns COR_OK, the fault, or what the solver
- * returned; then *fault says more, and *count is 0.
- * Accuracy of `damping`: 1e-14 relative, and of a stiffness from a duration 1e-11; sampled in
- * tests/gen/test_contact.c. */
+/* Fills *contacts, and sets *count to 1. Sets it to 2 if a restitution or a duration is given without its end, and the
+ * end matters: one contact for each possible end. Returns COR_OK, the fault, or the result of the solver; then *fault
+ * has the details, and *count is 0.
+ * Accuracy of `damping`: 1e-14 relative; of a stiffness from a duration: 1e-11. Sampled in tests/gen/test_contact.c. */
 int cor_scene_contacts(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *count, struct cor_scene_fault *fault,
                        const struct cor_scene *scene);
 
@@ -541,8 +534,7 @@ double cor_scene_quantity(const struct cor_scene_contact *contact, int number);
 /* How the lines of a model define the contacts of two types of bodies: not at all; by a line for each pair; by
  * matrices; by one law for all contacts, including walls */
 enum cor_simulator_pairs { COR_PAIRS_NONE, COR_PAIRS_LINES, COR_PAIRS_MATRIX, COR_PAIRS_ONE_LAW };
-/* How the lines depend on the mass: as the number does; by twice the effective mass; not at all, because stiffness and
- * damping are per unit of mass */
+/* How the lines depend on the mass: as the number does; by twice the effective mass; not at all (per unit of mass) */
 enum cor_simulator_mass { COR_MASS_OF_NUMBER, COR_MASS_IN_LINES, COR_MASS_PER_UNIT };
 
 /* The contact models, each with a row in cor_simulators */
@@ -600,8 +592,8 @@ struct cor_simulator_model {
     /* Templates of lines for the input, of lines for a sphere and a wall, and of lines for several materials; NULL:
      * none. Words in braces are replaced by numbers and texts of the contact (runtime/scene/lines.c). A line that
      * starts with a question mark is left out if its numbers are not known. {pair} repeats a line for the pairs of two
-     * types; pairs of one type become comments. In `many` the first letter of a line controls how it is repeated
-     * (repeats_line in lines.c). */
+     * types; pairs of one type become comments. In `many` the first letter of a line is its repetition (see
+     * repeats_line). */
     const char *lines, *wall_lines, *many;
     enum cor_simulator_pairs pairs;
     enum cor_simulator_mass mass;
@@ -641,8 +633,7 @@ extern const size_t cor_simulator_count;
 const struct cor_simulator_model *cor_simulator_model(enum cor_simulator_model_id id);
 const struct cor_simulator *cor_simulator_of(enum cor_simulator_model_id id);
 
-/* Returns the simulator with lines that has this name, or this part of its name before a hyphen, in upper or lower
- * case; NULL: absent. */
+/* Returns the simulator with lines and this name, or this name before a hyphen, ignoring case; NULL: absent. */
 const struct cor_simulator *cor_simulator_named(const char *name);
 
 /* Returns the realised e of the model for the e that a user sets; NaN if the model has no e or refuses this one. */
@@ -667,12 +658,11 @@ void cor_simulator_reach(const struct cor_simulator_model *model, double *least,
  * 1/s and the damping ratio zeta, x'' = -c (2 zeta w x' + c w^2 x) + (1 - d) gravity until the force of the contact
  * vanishes. Only gravity acts on the way back to x = 0. 0: the ball does not leave. Uses the Runge-Kutta method.
  * Accuracy: 1e-6; sampled in tests/unit/test_simulators.c. NaN: gravity and zeta are not in [0, 1e48], frequency, speed
- * and width are not in [1e-48, 1e48], d is not in [0, 1], the midpoint not in (0, 1), the power not in [1, 100], or the
- * integration needs more than 200000 steps. */
+ * and width are not in [1e-48, 1e48], d is not in [0, 1], the midpoint not in (0, 1), the power not in [1, 100], or it
+ * needs over 200000 steps. */
 double cor_mujoco_eps(const double solimp[5], double frequency, double zeta, double speed_m_s, double gravity_m_s2);
 
-/* Returns a version as a number that grows from release to release: "29 Sep 2021" is 20210929, "3.8.1" is 30801. 0: the
- * text has neither form. */
+/* Returns a version as an increasing number: "29 Sep 2021" is 20210929, "3.8.1" is 30801. 0: neither form. */
 long cor_simulator_version(const char *text);
 
 /* One of several materials, of balls or of a wall. name: letters, digits, blanks, and _ - . */
@@ -734,14 +724,14 @@ struct cor_simulator_request {
 /* Writes the input lines for a contact in a simulator, as a text that can be included whole. One block is active: among
  * the models with the law of the contact, the first with the requested end that the version has. Other models follow as
  * comments. If the simulator does not have the law, the lines hold at one speed: the speed of the restitution, or the
- * only one of the request. Under gravity the numbers describe the contact, and eps is the eps under gravity. Contacts
- * that adhere have no lines.
+ * only one of the request. Under gravity the numbers describe the contact, and eps includes gravity. Adhering contacts
+ * have no lines.
  * With materials the block has the lines of all their contacts, and one time step. A contact that was not measured has
- * the dissipation times of both materials. If one is not known, the measured contact of two balls of this material
- * gives it.
+ * the dissipation times of both materials. If one is unknown, the measured contact of two balls of this material gives
+ * it.
  * As snprintf: writes at most `size` characters, the last of which is 0, and returns the length of the whole text.
- * Negative: the simulator cannot realise the contact, or the request is incomplete; the text states why, in less than
- * COR_SIMULATOR_REASON characters. */
+ * Negative: the simulator cannot realise the contact, or the request is incomplete; the text gives the reason, in less
+ * than COR_SIMULATOR_REASON characters. */
 enum { COR_SIMULATOR_REASON = 1200 };
 long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_request *request);
 

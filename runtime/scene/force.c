@@ -52,7 +52,7 @@ static double log_rest(double z)
     return z * z * sum;
 }
 
-/* Solves for the largest force, where a v = beta x^(a+1). With z = beta v and f = log_rest, a z + (a+1) f(z) = (a+1)
+/* Solves for the largest force, where a v = beta x^(a+1). With z = beta v, f = log_rest: a z + (a+1) f(z) = (a+1)
  * f(beta). */
 static double force_hunt_crossley(const struct cor_exponents *law, double beta)
 {

@@ -9,8 +9,7 @@
 #include "runtime/scene/exponents.h"
 
 /* broken_at: u where the contact breaks: the end of the tail, 4^(-1/3), and the largest pull, (3/4)^(1/3). lost: twice
- * the energy lost on the way from u = 1 to there, 2 (3/5 + u^4 - (8/3) u^7 + (16/15) u^10); the loss at the largest
- * pull is about half of it. */
+ * the energy lost from u = 1 to there, 2 (3/5 + u^4 - (8/3) u^7 + (16/15) u^10). */
 static const double broken_at[COR_SCENE_ENDS] = {0.62996052494743658238, 0.90856029641606982944};
 static const double lost[COR_SCENE_ENDS] = {1.3259921049894873165, 0.65486382215035810233};
 
@@ -37,8 +36,8 @@ static int is_slow(const struct motion *m)
     return c * c * (cube - 1) > 4 * stiffness && towards >= 0 && towards < c / 2 * (overlap_of(high) - overlap_of(low));
 }
 
-/* True if twice the energy (0 at the touch) is below its value at the next end. The bodies then stay together, because
- * the energy never grows. */
+/* True if twice the energy (0 at the touch) is below its value at the next end: it never grows, so the bodies stay
+ * together. */
 static int does_stay(const struct motion *m)
 {
     const double u = cor_motion_start(m), cube = u * u * u;

@@ -184,8 +184,7 @@ static int refuse_task(struct task *task, const char *format, ...)
     return 0;
 }
 
-/* True for a wall. With several materials the types are first the balls, in the order of the request, then the
- * walls. */
+/* True for a wall. Types of several materials are first the balls, in the order of the request, then the walls. */
 static int is_wall(const struct cor_material *material)
 {
     return cor_is_infinity(material->body.mass_kg);
@@ -978,8 +977,7 @@ static int put_block(struct text *t, const struct block *block, const struct tas
 /* ---- spheres that yield ---- */
 
 /* Writes Luding's contact. It loads with k_1 and unloads with k_2(x) = k_1 + (k_p - k_1) x/x_p, x being the largest
- * overlap, so that eps = sqrt(k_1/k_2). k_1 gives the largest overlap of the contact at its speed; x_p is twice that
- * overlap. */
+ * overlap, so that eps = sqrt(k_1/k_2). k_1 gives the contact's largest overlap at its speed; x_p is twice as large. */
 static void put_luding(struct text *t, struct task *task, double speed_m_s, double eps)
 {
     const struct cor_scene_contact *const contact = task->request->contacts;
@@ -1262,8 +1260,8 @@ static int check_task(struct task *task)
 }
 
 /* Replaces a law that no model has. If a model is linear, the contact in *request becomes a spring of the same duration
- * at the speed, K = m (pi/T)^2, with T of the contact without damping. False: no model is linear, or the contact has a
- * force or no mass */
+ * at the speed, K = m (pi/T)^2, with T of the contact without damping. False: no linear model, a constant force, or no
+ * mass */
 static int replace_law(struct cor_simulator_request *request, struct cor_scene *scene,
                        struct cor_scene_contact contacts[COR_SCENE_ENDS], const struct task *task)
 {

@@ -102,8 +102,7 @@ int cor_scene_check_bodies(struct cor_scene_fault *fault, const struct cor_scene
     "The dissipation is one of --dissipation-time A (s), --viscosity ETA1,ETA2 (Pa s), --g-star G (m/s), "             \
     "--restitution E --at SPEED (as --restitution 0.9 --at 1), --damping-coefficient C, --beta B --at SPEED, --zeta Z"
 
-/* In braces: the names of the fault's numbers, the law, the rule of bodies (the default or the caller's), the status of
- * libcor, and the text of more_of */
+/* In braces: names of the fault's numbers, the law, the rule of bodies, the status of libcor, the text of more_of */
 static const char *const sentences[] = {
     [COR_FAULT_SOLVER] = "the law {law} has no functions in cor; corgen contact solves it",
     [COR_FAULT_NO_DAMPING] = "no damping found for which eps is the --restitution",

@@ -401,8 +401,7 @@ static int follow(struct slide *s, int end)
 #define NOT_INLINE static
 #endif
 
-/* Computes an impact with arguments in range. Not inline, so that its stack is not added to the stack of
- * cor_scene_eps */
+/* Computes an impact with arguments in range. Not inline, to keep its stack separate from cor_scene_eps */
 NOT_INLINE int follow_impact(struct cor_oblique_impact *oblique, const struct cor_scene_contact *contact,
                              const struct cor_tangential *tangential, double friction, double speed_m_s, double tangent,
                              int end)

@@ -65,8 +65,7 @@ static double energy_of(const struct motion *m)
                              : m->v[0] * m->v[0] / 2 + spring_energy(m, w) - m->press * whole_power(w, order_of(m));
 }
 
-/* Returns the least overlap, as w, at which the force can vanish if 2 (a - b) > 1; negative: it can vanish at any
- * overlap. */
+/* Returns the least overlap, as w, at which the force can vanish, if 2 (a - b) > 1; negative: at any overlap. */
 static double release_height(const struct motion *m)
 {
     const int d = order_of(m), difference = m->spring[0].exponent - m->damper.exponent, power = 2 * difference - d;
@@ -82,8 +81,7 @@ static double overlap_of_rest(const struct motion *m)
                            (double)order_of(m) / m->spring[0].exponent);
 }
 
-/* True if the overlap rises to its value at rest and never beyond. This holds once x'/(x_e - x) is below half of the
- * damping coefficient. */
+/* True if the overlap never exceeds its value at rest: once x'/(x_e - x) is below half of the damping coefficient. */
 static int creeps_up(const struct motion *m)
 {
     const double a = (double)m->spring[0].exponent / order_of(m), rest = overlap_of_rest(m), x = overlap_of(m);
@@ -206,8 +204,7 @@ static void solve_slow(struct cor_full_impact *impact, const struct cor_exponent
 #define MOST_SPEED 1e140 /* higher speeds overflow */
 #define SLOWEST 1e-12    /* below it, unless the damping is WEAK, the bodies stick as they do at this speed */
 
-/* Returns the units of a motion. The speed sets them, or the constant force and strong damping if this force is
- * larger. */
+/* Returns the units of a motion. The speed sets them, or a larger constant force and strong damping. */
 static struct scales motion_scales(const struct cor_exponents *law, double damping, double speed, int *is_forced)
 {
     const double a = cor_elastic(law), b = cor_damping(law), length = cor_quiet_power(speed, 2 / (a + 1));

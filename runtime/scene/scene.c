@@ -262,8 +262,8 @@ static double rate_of_damping(const struct cor_scene_contact *contact, int sourc
                : cor_quiet_power(cor_quiet_quotient(value, cor_quiet_product(beta, contact->mass_kg)), 1 / (b + 1));
 }
 
-/* Sets *rate to (K/m)^(1/(a+1)) of a contact with this damping that lasts for duration_s: its times are 1/rate times
- * those of a contact with m = K = 1. */
+/* Sets *rate to (K/m)^(1/(a+1)) of a contact with this damping that lasts for duration_s: for m = K = 1 the times are
+ * `rate` times as long. */
 static int rate_of_duration(double *rate, const struct cor_scene_contact *contact, double duration_s, double speed_m_s,
                             int end)
 {

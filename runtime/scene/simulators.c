@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* One table of the contact models of simulators; docs/simulators.md explains it. For each model it holds the damping
- * law, the end of contact, the damping that the model computes from the e that a user sets, and the number to set for a
- * damping. */
+ * law, the end of contact, the damping that the model computes from a user's e, and the number to set for a damping. */
 #include "cor/scene.h"
 
 #include "runtime/scene/simulators.h"
@@ -449,8 +448,7 @@ static const struct cor_simulator_model mercurydpm[] = {
         MERCURYDPM_MANY("HertzianBSHPViscoelastic", MERCURYDPM_DISSIPATION)),
 };
 
-/* Chrono combines the numbers of two materials. Here these numbers are the types, and the strategy looks up the
- * pair. */
+/* Chrono combines the numbers of two materials. Here these are the types; the strategy looks up the pair. */
 #define CHRONO_PAIRS(what, number, numbers)                                                                            \
     "-    float Combine" what "(float i, float j) const override\n-    {\n"                                            \
     "-        static const float pair[] = {\n-            " numbers "\n-        };\n"                                  \
@@ -920,8 +918,8 @@ double cor_mujoco_eps(const double solimp[5], double frequency, double zeta, dou
     return NAN;
 }
 
-/* Returns the smallest positive damping, and sets its e. Near e = 1 the fits are not monotonic, and some simulators
- * have no damping above some e. */
+/* Returns the smallest positive damping, and sets its e. Near e = 1 fits are not monotonic, or models have no
+ * damping. */
 static double weakest_damping(const struct cor_simulator_model *model, double *at)
 {
     const double most = nextafter(model->most, 0);

@@ -8,8 +8,8 @@
 #include "cor/scene.h"
 #include "runtime/scene/exponents.h"
 
-/* Returns gamma of Thornton, Cummins and Cleary, Powder Technol. 233, 30 (2013): damping 2 gamma sqrt(m k_tangent),
- * fitted to zero force. */
+/* Thornton, Cummins and Cleary, Powder Technol. 233, 30 (2013): gamma of damping 2 gamma sqrt(m k_tangent), zero
+ * force */
 double cor_thornton_gamma(double e);
 /* Returns the polynomial of Tsuji, Tanaka and Ishida, Powder Technol. 71, 239 (1992), in the form of LAMMPS. */
 double cor_tsuji_alpha(double e);
@@ -46,8 +46,8 @@ COR_INLINE int cor_scene_materials_differ(const struct cor_scene *scene)
                      1e-14);
 }
 
-/* True if no formula of a simulator overflows with the numbers of a contact and a speed: 0, unknown, or from 2^-160 to
- * 2^160, about 1e48 */
+/* True if no simulator's formula overflows with these numbers: each is 0, unknown, or from 2^-160 to 2^160, about
+ * 1e48 */
 COR_INLINE int cor_is_moderate(const struct cor_scene_contact *contact, double speed_m_s)
 {
     const double numbers[] = {contact->mass_kg, contact->stiffness, contact->radius_m, speed_m_s};
@@ -83,8 +83,7 @@ double cor_simulator_damping(const struct cor_simulator_model *model, const stru
                              int same_law);
 double cor_simulator_number(const struct cor_simulator_model *model, const struct cor_simulator_target *target,
                             int same_law, enum cor_simulator_status *status);
-/* Returns the damping corrected for target->steps; NaN if the simulator has none of these integrators. An impulse needs
- * no correction. */
+/* Returns the damping corrected for target->steps; NaN without a known integrator. An impulse needs no correction. */
 double cor_simulator_step_damping(const struct cor_simulator_model *model, const struct cor_simulator_target *target,
                                   int same_law, double damping);
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The effect of a simulator's time step on eps: the dimensionless collision is integrated as in the simulator, from all
- * phases of the first step */
+/* The effect of a time step on eps: integrates the dimensionless collision as a simulator does, from all first
+ * phases */
 #include "cor/scene.h"
 
 #include <math.h>
@@ -36,8 +36,8 @@ enum {
     WHOLE_POWER = 32      /* the largest power computed by multiplication */
 };
 #define FIRST_PHASE 1e-14
-/* Bodies in contact that have less energy than m (STUCK g)^2/2 do not part with more than STUCK times the impact speed
- * g. */
+/* Bodies in contact with less energy than m (STUCK g)^2/2 part with at most STUCK times the impact speed g, or
+ * never. */
 #define STUCK 1e-8
 #define HARDLY 1e-6 /* a smaller eps can follow any number of steps; jumps among them do not count */
 /* The largest change of the speed in a step by the constant force, in impact speeds. With more, bodies that part with

@@ -4,8 +4,7 @@
 #include "../reference/ode.h"
 #include "scene.h"
 
-/* Returns Hunt and Crossley's force by its first integral, x^(a+1) = (a+1) (f(beta) - f(beta v))/beta^2, at many speeds
- * v. */
+/* Returns Hunt and Crossley's force by the integral, x^(a+1) = (a+1) (f(beta) - f(beta v))/beta^2, at many speeds v. */
 static double crossley_force(double a, double beta)
 {
     const double all = beta - log1p(beta);

@@ -274,8 +274,8 @@ static const int of_body[] = {COR_SCENE_YOUNG, COR_SCENE_POISSON, COR_SCENE_RADI
                               COR_SCENE_DISSIPATION_TIME};
 enum { OF_BODY = COUNT_OF(of_body) };
 
-/* Returns two bodies that differ in one number, or in all (`effect` OF_BODY); without dissipation times unless
- * `damped`. */
+/* Returns two bodies that differ in one number, or in all (`effect` OF_BODY). Only `damped` ones have dissipation
+ * times. */
 static struct cor_scene unlike(double number[2][OF_BODY], size_t effect, int damped)
 {
     struct cor_scene scene = scene_without_numbers(damped ? COR_LAW_VISCOELASTIC : COR_LAW_TSUJI);
@@ -387,8 +387,8 @@ TEST(unlike_bodies_of_a_constant_law)
 
 /* A wall, two balls and a wall: types 3, 1, 2 and 4. The first ball has a dissipation time. The second has the time of
  * a measured contact of two such balls; the contact of the first ball and the first wall was measured. In LAMMPS and
- * LIGGGHTS F = kn sqrt(R x) (x + (3/2) A x'), eta_n = gamman = (3/2) A kn/m; Chrono with
- * R = 1 m: kn = K, gn = (3/2) A K/m. */
+ * LIGGGHTS F = kn sqrt(R x) (x + (3/2) A x'), eta_n = gamman = (3/2) A kn/m; Chrono with R = 1 m: kn = K, gn = (3/2) A
+ * K/m. */
 TEST(several_materials)
 {
     enum { TYPES = 4 };

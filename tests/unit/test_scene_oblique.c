@@ -27,7 +27,7 @@ static int remembers_force(const struct reference *r)
     return r->memory == COR_REMEMBERS_FORCE || r->memory == COR_REMEMBERS_FORCE_RESCALED;
 }
 
-/* Half of d on the way back of a rescaled memory */
+/* Returns half of d on the way back of a rescaled memory. */
 static int shrinks(const struct reference *r)
 {
     const int rescaled = r->memory == COR_REMEMBERS_DISPLACEMENT_RESCALED || r->memory == COR_REMEMBERS_FORCE_RESCALED;
@@ -49,13 +49,13 @@ static long double capped(const long double *y, const struct reference *r)
     return spring_per_z(y, r) * y[3] + (r->in_cap ? damper(y, r) : 0);
 }
 
-/* The spring force of the slip, in its direction */
+/* Returns the spring force of the slip, in its direction. */
 static long double held(const long double *y, const struct reference *r)
 {
     return r->cap * r->sign * normal_force(y, r) - (r->in_cap ? r->side * damper(y, r) : 0);
 }
 
-/* The growth of the spring force less that of `held`, over x^(least - 1) */
+/* Returns the growth of the spring force minus the growth of `held`, over x^(least - 1). */
 static long double excess(const long double *y, const struct reference *r)
 {
     const int d = r->law.denominator, a = r->law.elastic, b = r->law.damping, m = r->least;
@@ -76,7 +76,7 @@ static long double excess(const long double *y, const struct reference *r)
                 (r->in_cap && r->gamma > 0 ? r->side * r->gamma * power(y[0], b - m) * y[2] : 0));
 }
 
-/* w at which `excess` is 0, without a damper in the cap */
+/* Returns w at which `excess` is 0, without a damper in the cap. */
 static long double threshold(const long double *y, const struct reference *r)
 {
     const long double still[] = {y[0], y[1], 0, 0};
@@ -124,7 +124,7 @@ static long double speed_left(const long double *y, const void *of)
     return ((const struct reference *)of)->returns ? 1 : y[1];
 }
 
-/* The acceleration of the slip, or of the damped slip with `damped`, less that of the threshold, in its direction */
+/* Returns the acceleration of the slip (`damped`: damped slip) minus the threshold's, in the slip's direction. */
 static long double over_threshold(const long double *y, const struct reference *r, int damped)
 {
     const long double f = normal_force(y, r), step = 1e-6L;
@@ -160,7 +160,7 @@ static void stick(long double *y, struct reference *r)
     r->mode = STICKS;
 }
 
-/* The mode after a slip that no longer grows */
+/* Sets the mode after a slip that no longer grows. */
 static void end_slip(long double *y, struct reference *r)
 {
     r->mode = CREEPS;
@@ -168,7 +168,7 @@ static void end_slip(long double *y, struct reference *r)
         stick(y, r);
 }
 
-/* u'/u. restart: the first step after a change of the mode */
+/* Returns u'/u. restart: the first step after a change of the mode */
 static long double reference_restitution(struct reference *r, long double tangent, int end, long double restart)
 {
     enum { OVERLAP, ABOVE, BELOW, SLIP, FORCE, SPEED, CREEP_BELOW, CREEP_ABOVE, VALUES, STEPS = 20000 };
@@ -195,7 +195,7 @@ static long double reference_restitution(struct reference *r, long double tangen
     for (int k = 0; k < STEPS; k++) {
         o.longest = y[1] < 0 ? fminl(0.02L, 0.1L * y[0] + 1e-4L) : 0.02L; /* the last slip may be short */
         int found = ode_until(&o, y, value, VALUES);
-        for (int i = ABOVE; i <= SLIP && found < 0; i++) /* one that was 0 at the start of the step */
+        for (int i = ABOVE; i <= SLIP && found < 0; i++) /* a test that was 0 at the start of the step */
             found = value[i](y, r) < 0 ? i : found;
         o.h = found < 0 ? o.h : restart;
         if (r->mode == CREEPS)
@@ -282,7 +282,7 @@ TEST(against_another_method)
 {
     static const int laws[] = {COR_LAW_VISCOELASTIC, COR_LAW_LINEAR, COR_LAW_TSUJI, COR_LAW_HUNT_CROSSLEY,
                                COR_LAW_HERTZ_DASHPOT};
-    /* a damper outside the cap holds w where slip and stick meet; a damper that fills the cap at the first touch */
+    /* a damper outside the cap holds w between slip and stick; a damper fills the cap at the first touch */
     static const struct impact rare[] = {
         {COR_LAW_HERTZ_DASHPOT, 1, COR_REMEMBERS_FORCE, 0, 0, 0.05, 0, 4, 0.7, 0.32, 1.8},
         {COR_LAW_TSUJI, 0, COR_REMEMBERS_DISPLACEMENT, 0, 1, 0.1, 0, 4, 0.9, 0.1, 0.5},
@@ -327,7 +327,7 @@ TEST(table_of_the_theory)
         }
 }
 
-/* No slip, gross slip, no friction, friction that holds at once, no speed along the surface */
+/* No slip, gross slip, no friction, friction that sticks at once, no tangential speed */
 TEST(limits)
 {
     for (int memory = 0; memory < COR_TANGENTIAL_MEMORIES; memory++)
@@ -348,11 +348,11 @@ TEST(limits)
                 continue;
             assert_int_equal(cor_scene_oblique(&o, &c, &t, 0.1, 1, 30, 1), COR_OK);
             assert_true(o.regime == COR_OBLIQUE_SLIPS && fabs(o.rebound_tangent - 30 + 0.7) < 1e-11);
-            /* a damped contact sticks at first, for less and less time, and loses little by it */
+            /* a damped contact sticks at first, for a time that becomes shorter, with little loss */
             const double damped = restitution(&l, &t, 0.01, 1e4, 1), eps = scene_eps(&l, 1, 1);
             check(fabs(1e4 * (1 - damped) - 0.035 * (1 + eps)) < 1e-6, "%.12g", damped);
         }
-    /* stuck: the spring holds, and the damper takes all */
+    /* stuck: the spring holds, and the damper absorbs all energy */
     const struct cor_scene_contact d = contact_of(COR_LAW_LINEAR, 0.5, 0);
     const struct cor_tangential stiff = {.kappa = 1e-3, .damping = 60, .damper_in_cap = 1};
     assert_true(fabs(restitution(&d, &stiff, 1e6, 1, 0)) < 1e-3);

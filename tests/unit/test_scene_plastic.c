@@ -191,7 +191,7 @@ TEST(yield_speed_of_a_restitution)
 
 /* ---- Luding's contact ---- */
 
-/* Returns the force in LIGGGHTS without adhesion: stiffness k, unloading up to k ratio, plasticity depth; R effective
+/* Returns LIGGGHTS's force without adhesion: stiffness k, unloading up to k ratio, plasticity depth; R effective
  * radius. */
 static double luding_force(const double number[3], double radius, double x, double largest)
 {

@@ -211,8 +211,7 @@ static void refused(const struct cor_scene_contact *contact, double speed, int e
           "end %d, %g steps, integrator %d", end, steps, integrator);
 }
 
-/* Under a constant force, small steps have no error, and bodies below the sticking speed stay in contact at any
- * step. */
+/* Under a constant force, small steps have no error, and bodies below the sticking speed stick at any step. */
 TEST(pressed)
 {
     /* LAMMPS, wall/gran hooke with limit_damping and fix gravity: mean and standard deviation of 40 phases */
