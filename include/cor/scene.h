@@ -317,12 +317,12 @@ struct cor_oblique_impact {
     int regime;
 };
 
-/* Computes the impact of two solid spheres, or of a sphere on a wall, with the friction coefficient `friction`, at the
- * normal speed g and the tangential speed g times `tangent`. Friction limits the force to `friction` times the absolute
- * normal force of spring and damper, which can be negative before the end of zero overlap. For tangent = 0 the result
- * is the limit of small angles. The contact may have any power law and a constant force; the result is NaN if this
- * force holds the bodies. Taylor series follow the motion between slip and stick, in 30 to 110 microseconds.
- * Accuracy: COR_OBLIQUE_ERROR, absolute, of u'/u while 1e-6 <= tangent/friction and eps >= 1e-3; sampled in
+/* Computes the impact of two solid spheres, or of a sphere on a wall. friction: the coefficient. The normal speed is g,
+ * the tangential speed g times `tangent`. Friction limits the force to `friction` times the absolute normal force of
+ * spring and damper, which can be negative before the end of zero overlap. For tangent = 0 the result is the limit of
+ * small angles. The contact may have any power law and a constant force; the result is NaN if this force holds the
+ * bodies. Taylor series follow the motion between slip and stick, in 30 to 110 microseconds. Accuracy:
+ * COR_OBLIQUE_ERROR, absolute, of u'/u while 1e-6 <= tangent/friction and eps >= 1e-3; sampled in
  * tests/unit/test_scene_oblique.c. Returns COR_OK; COR_FAULT_RANGE for numbers that are out of range and for plates,
  * yield, liquids and JKR; COR_FAULT_PRESSED if the motion takes too many steps. */
 #define COR_OBLIQUE_ERROR 1e-9
@@ -480,8 +480,8 @@ int cor_scene_check_bodies(struct cor_scene_fault *fault, const struct cor_scene
  * are 0. */
 struct cor_body cor_scene_body(const struct cor_scene *scene, int body);
 
-/* Replaces the bodies of a scene with the law linear by the linear spring that at the speed COR_SCENE_AT, V, has the
- * energy or the duration of Hertz's elastic contact: K = ((4/5) K_H)^(4/5) (m V^2)^(1/5), where K_H is Hertz's
+/* Replaces the bodies of a scene with the linear law by a linear spring. At the speed V, COR_SCENE_AT, the spring has
+ * the energy or the duration of Hertz's elastic contact: K = ((4/5) K_H)^(4/5) (m V^2)^(1/5), where K_H is Hertz's
  * stiffness, or K = m pi^2/T^2. Restitution, beta, zeta or damping coefficient are unchanged. A damping of viscoelastic
  * spheres becomes the restitution of Hertz's contact at V and at the end of the scene. At other speeds the spring
  * differs; compare with `hertz`, without damping. Accuracy: COR_SCENE_MAX_ERROR. Returns COR_OK, or the fault. */
@@ -592,8 +592,8 @@ struct cor_simulator_model {
     /* Templates of lines for the input, of lines for a sphere and a wall, and of lines for several materials; NULL:
      * none. Words in braces are replaced by numbers and texts of the contact (runtime/scene/lines.c). A line that
      * starts with a question mark is left out if its numbers are not known. {pair} repeats a line for the pairs of two
-     * types; pairs of one type become comments. In `many` the first letter of a line is its repetition (see
-     * repeats_line). */
+     * types; pairs of one type become comments. In `many` the first letter of a line controls its repetition
+     * (repeats_line). */
     const char *lines, *wall_lines, *many;
     enum cor_simulator_pairs pairs;
     enum cor_simulator_mass mass;

@@ -28,20 +28,20 @@ static double force_ratio(double x)
     return r * sqrt(5 / (6 - r * r));
 }
 
-/* (t + 2) (t^2 + 5)^2 */
+/* Returns (t + 2) (t^2 + 5)^2. */
 static double eps_denominator(double t)
 {
     const double square = t * t + 5;
     return (t + 2) * (square * square);
 }
 
-/* (t^3 + 4 t^2 + 17 t + 50)/((t + 2) (t^2 + 5)^2) */
+/* Returns (t^3 + 4 t^2 + 17 t + 50)/((t + 2) (t^2 + 5)^2). */
 static double loss_factor(double t)
 {
     return (((t + 4) * t + 17) * t + 50) / eps_denominator(t);
 }
 
-/* 1 - eps^4 */
+/* Returns 1 - eps^4. */
 static double loss_of_fourth(double t, double gap)
 {
     return gap * gap * loss_factor(t);
@@ -102,7 +102,7 @@ double cor_elastic_plastic_speed_ratio(double eps)
 
 /* ---- v_y and the yield stress ---- */
 
-/* sqrt(pi^5/30) (p_y/E*)^2 sqrt(R^3 p_y/m), from K = (4/3) E* sqrt(R) */
+/* Returns sqrt(pi^5/30) (p_y/E*)^2 sqrt(R^3 p_y/m), from K = (4/3) E* sqrt(R). */
 double cor_scene_yield_speed(const struct cor_scene_contact *contact, double yield_stress_pa)
 {
     if (!cor_contact_is_sound(contact) || !cor_si_in_range(yield_stress_pa))
@@ -136,7 +136,7 @@ double cor_scene_contact_radius(const struct cor_scene_contact *contact, double 
     return in_range_or_zero(contact, overlap_m) ? sqrt(cor_quiet_product(contact->radius_m, overlap_m)) : (double)NAN;
 }
 
-/* (3/2) K x^(3/2)/(pi R x), by Hertz */
+/* Returns (3/2) K x^(3/2)/(pi R x), by Hertz. */
 static double yield_pressure(const struct cor_scene_contact *contact, double overlap_m)
 {
     if (!in_range_or_zero(contact, overlap_m))

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The effect of a time step on eps: integrates the dimensionless collision as a simulator does, from all first
- * phases */
+/* The effect of a time step on eps: the dimensionless collision, integrated as in a simulator, from every phase of the
+ * first step */
 #include "cor/scene.h"
 
 #include <math.h>
@@ -173,7 +173,7 @@ static int stepped_init(struct stepped *m, const struct cor_scene_contact *conta
 
 /* ---- all phases ---- */
 
-/* Moves `low` to the last phase of its pattern, and `high`, which has another pattern, to just above it */
+/* Moves `low` to the last phase of its pattern, and `high`, which has another pattern, to just above it. */
 static void halve_phases(struct bounce *low, struct bounce *high, const struct stepped *m)
 {
     double width;
