@@ -1,22 +1,22 @@
 # SPDX-License-Identifier: MIT
-"""A collision that a simulator computes step by step. The programs that run inside of a simulator read this file, too:
-it needs Python only."""
+"""A collision that a simulator computes step by step. Programs that run inside a simulator also import this file, so
+it needs only Python."""
 
 import math
 from typing import Callable, Tuple
 
-SMALL = 100  # a time step of the deck in small steps
-PHASES = 4  # starts within a time step, over which a measured eps is the mean
-FEW, MOST = 2000, 2_000_000  # steps of a collision
+SMALL = 100  # small steps in one time step of the deck
+PHASES = 4  # start phases within a time step; a measured eps is the mean over them
+FEW, MOST = 2000, 2_000_000  # limits of the number of steps of a collision
 
 
 class Failed(Exception):
-    """A collision, or a program, that came to no end."""
+    """A collision or a program that did not end."""
 
 
 def eps_of(advance: Callable[[int], Tuple[float, float]], speed: float, touch: float) -> Tuple[float, int]:
-    """The restitution, and the number of steps until the bodies have parted. advance: makes steps, and returns the
-    velocity at which the bodies part and the distance between their centres. touch: this distance at contact."""
+    """Returns eps and the number of steps until the bodies have parted. advance: makes steps and returns the velocity
+    at which the bodies part and the distance between their centres. touch: this distance at contact."""
     steps, chunk, begun, turned, before = 0, 4, 0, 0, -speed
     while steps < MOST:
         velocity, distance = advance(chunk)
@@ -31,15 +31,15 @@ def eps_of(advance: Callable[[int], Tuple[float, float]], speed: float, touch: f
             return max(velocity / speed, 0.0), steps
         still = distance < touch and abs(velocity) < 1e-6 * speed and steps > 50 * begun
         if begun and (still or steps > 100 * turned > 0):
-            return 0.0, steps  # they stick, or part more slowly than can be seen
+            return 0.0, steps  # they stick, or part too slowly to be detected
         chunk, before = max(4, steps // 4), velocity
     raise Failed(f"the bodies have not parted after {steps} steps")
 
 
 def measured(collide: Callable[[float, float], Tuple[float, int]], dt: float, least: float) -> Tuple[float, float]:
-    """eps with the time step dt, as the mean over the phases of a step, and with a small step. collide: eps and number
-    of steps of one collision with a time step and a phase between 0 and 1. least: a time in which the bodies cannot
-    pass through each other; no larger time step is tried."""
+    """Returns eps with the time step dt, as the mean over the phases of a step, and eps with a small step. collide:
+    returns eps and the number of steps for a time step and a phase between 0 and 1. least: a time in which the bodies
+    cannot pass through each other; no larger time step is tried."""
     eps, small = math.nan, least
     if dt < least:
         eps, steps = collide(dt, 0.5)

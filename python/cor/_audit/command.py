@@ -72,7 +72,7 @@ def add_arguments(parser: Parser) -> None:
 
 
 def _includes(first: str, name: str, of: str) -> Optional[Tuple[str, str]]:
-    """The text of an included file: in the folder of the file that includes it, otherwise of the first one."""
+    """Returns text and path of an included file. Searches the folder of the including file, then of the first."""
     for folder in (os.path.dirname(of), os.path.dirname(first)):
         path = os.path.join(folder, name)
         try:
@@ -133,7 +133,7 @@ def _columns(row: Row) -> List[object]:
 
 
 def status_of(rows: List[Row]) -> int:
-    """The exit status of one file by its rows."""
+    """Returns the exit status of one file from its rows."""
     contacts = [row for row in rows if row.model]
     if not any(row.judged or row.end for row in contacts):  # with an end, the version lacks the model
         return STATUS_USAGE
@@ -143,7 +143,7 @@ def status_of(rows: List[Row]) -> int:
 
 
 def run(given: argparse.Namespace) -> int:
-    """Audits all files; prints all rows whatever happens to one of them."""
+    """Audits all files. An error in one file does not stop the others."""
     rows: List[Row] = []
     statuses = []
     for path in given.files:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""The data between the parts of the audit: a deck as a reader returns it, and a row as it is reported.
+"""The data shared by the parts of the audit: a deck as a reader returns it, and a row of the report.
 
-Numbers of a deck have the deck's own units, which must be consistent; Units converts them. Unknown numbers are NaN.
+Numbers of a deck are in the deck's own units, which must be consistent. Units converts them. Unknown numbers are NaN.
 """
 
 import math
@@ -15,12 +15,12 @@ MAX_CONTACTS = 20000
 
 
 class DeckError(ValueError):
-    """An input that cannot be read at all. The text names the file, what is wrong and what is allowed."""
+    """An input that cannot be read at all. The text names the file, the error and the allowed input."""
 
 
 @dataclass(frozen=True)
 class Units:
-    """The units of a deck in SI. With the name "lj" they are unknown: rows then have the deck's own units."""
+    """The units of a deck in SI. With the name "lj" they are unknown, and rows are in the deck's own units."""
 
     name: str = "si"
     length_m: float = 1.0
@@ -29,24 +29,24 @@ class Units:
 
 
 class Spring(Enum):
-    """How the stiffness of a contact is given."""
+    """The kinds of stiffness of a contact."""
 
     NONE = auto()
     HOOKE = auto()  # stiffness: K, N/m
     HERTZ = auto()  # stiffness: K/sqrt(R), Pa
-    MATERIAL = auto()  # Hertz, by Young's modulus and Poisson's ratio of both bodies
-    CHARACTERISTIC = auto()  # linear, by the materials and spring_speed
+    MATERIAL = auto()  # Hertz, from Young's modulus and Poisson's ratio of both bodies
+    CHARACTERISTIC = auto()  # linear, from the materials and spring_speed
     CONTACT_TIME = auto()  # linear; stiffness: duration of a contact that ends at zero overlap
     PER_MASS = auto()  # linear; stiffness: K/m
 
 
 @dataclass(frozen=True)
 class Body:
-    """A body of a contact: a sphere of a type or material, or a wall.
+    """A body of a contact: a sphere of one type or material, or a wall.
 
-    name: the type, label or geometry, as the column pair shows it. radius: least and largest. mass: least and largest,
-    where density and radius do not give it (set mass, rigid bodies). wall: infinite radius and mass. held: a sphere of
-    infinite mass (frozen, fixed). type: the number of the type for the simulator; 0: none."""
+    name: the type, label or geometry, as in the column pair. radius: least and largest. mass: least and largest, if
+    density and radius do not give it (set mass, rigid bodies). wall: infinite radius and mass. held: a sphere of
+    infinite mass (frozen, fixed). type: the simulator's number of the type; 0: no type."""
 
     name: str
     radius: Tuple[float, float] = (NAN, NAN)
@@ -61,8 +61,8 @@ class Body:
 
 @dataclass(eq=False)
 class Repair:
-    """Lines `line` to `last_line` of a file, which one text replaces. Contacts whose numbers are in the same lines
-    share one object, and one new text repairs all of them."""
+    """Lines `line` to `last_line` of a file, to be replaced by one text. Contacts whose numbers are in the same lines
+    share one object, so that one new text repairs all of them."""
 
     file: str
     line: int
@@ -74,14 +74,14 @@ class Repair:
 class Contact:
     """One contact of two bodies as a reader found it.
 
-    model: a model of cor_simulators by its id without COR_, such as "LAMMPS_HOOKE_VELOCITY"; "": cor does not know it,
-    and `unknown` is the reason. style: the deck's own name of the model, in place of the table's. number: e, or the
-    number that the user of the model sets. limited: the same model, but it ends at zero force. zeta_factor: damping
-    of this contact over the damping that the model computes from e. slots: the parts [start, end) of repair.text that
-    contain e. gravity: acceleration that presses the bodies together, for walls. global_damping:
-    part of every force that YADE adds against the motion and takes along it. losses: sentences about losses outside
-    contacts. notes: sentences for the advice. unknown: a sentence; eps is not computed. tangential: a model of
-    cor_tangential_models, or ""; its stiffness, as `stiffness`; its damper over the normal one; friction."""
+    model: the id of a model of cor_simulators without COR_, such as "LAMMPS_HOOKE_VELOCITY". If it is "", cor does not
+    support the model, and `unknown` is the reason. style: the deck's own name of the model; it replaces the table's.
+    number: e, or the number that the user of the model sets. limited: the model, ended at zero force. zeta_factor:
+    damping of this contact over the damping that the model computes from e. slots: parts [start, end) of repair.text
+    that contain e. gravity: acceleration that presses the bodies together, for walls. global_damping: the fraction by
+    which YADE increases each force against the motion and decreases it along the motion. losses: sentences about losses
+    outside contacts. notes: sentences for the advice. unknown: reason why eps is not computed. tangential: a model of
+    cor_tangential_models, or ""; its stiffness, as `stiffness`; the ratio of its damper to the normal one; friction."""
 
     file: str
     line: int
@@ -89,7 +89,7 @@ class Contact:
     bodies: Tuple[Body, Body]
     model: str = ""
     style: str = ""
-    pair: str = ""  # "": made from the names of the bodies
+    pair: str = ""  # "": the pair is named after the bodies
     number: float = NAN
     spring: Spring = Spring.NONE
     stiffness: float = NAN
@@ -109,13 +109,13 @@ class Contact:
     time_step: float = NAN
     integrator: Optional[int] = None  # enum cor_integrator; None: the simulator's own
     units: Units = Units()
-    runs: Tuple[int, ...] = ()  # of a script, from 1: the runs that have this contact; empty: a deck without runs
+    runs: Tuple[int, ...] = ()  # of a script, from 1: the runs with this contact; empty: a deck without runs
     tangential: Tuple[str, float, float, float] = "", NAN, NAN, NAN
 
 
 @dataclass(frozen=True)
 class Remark:
-    """A sentence about a line without a contact. matters: contacts that it hides could not be judged."""
+    """A sentence about a line without a contact. matters: True if it hides contacts that could not be judged."""
 
     file: str
     line: int
@@ -125,7 +125,7 @@ class Remark:
 
 @dataclass
 class Deck:
-    """Everything that a reader found in one input. A reader is a function of the text, its name and the options."""
+    """The result of a reader for one input. A reader is a function of the text, its name and the options."""
 
     file: str
     simulator: str
@@ -135,8 +135,8 @@ class Deck:
 
 @dataclass(frozen=True)
 class Options:
-    """The options of cor audit, SI. radii and densities: by the name of a type or material; "" is for all others.
-    include(name, of): text of a file that the file `of` includes and its name for messages; None if it does not exist.
+    """The options of cor audit, SI. radii and densities: keyed by the name of a type or material; "" is for all others.
+    include(name, of): text and name (for messages) of a file that the file `of` includes; None if it does not exist.
     variables: -var NAME VALUE..., as the simulator accepts them."""
 
     simulator: str = ""
@@ -160,9 +160,9 @@ COLUMNS = (
 
 @dataclass
 class Row:
-    """One contact at one speed, or, with an empty model, a remark on a line. COLUMNS are reported; the rest is for the
-    text, for cor.simulators.audit and for measure. as_asked: None where no e was requested or eps is unknown. judged:
-    False makes the exit status 4. A row keeps its contact and the bodies' size: 0 least, 1 largest."""
+    """One contact at one speed, or, with an empty model, a remark on a line. COLUMNS are reported. The rest is for
+    the text, cor.simulators.audit and measure. as_asked: None if no e was requested or eps is unknown. judged:
+    False makes the exit status 4. A row refers to its contact and to the bodies' size: 0 least, 1 largest."""
 
     file: str
     line: int
@@ -182,12 +182,12 @@ class Row:
     tangential_restitution: float = NAN
     units: str = "si"
     law: str = ""
-    damping: float = NAN  # zeta where eps does not depend on the speed, otherwise beta
+    damping: float = NAN  # zeta if eps does not depend on the speed, otherwise beta
     duration_s: float = NAN
     time_step_s: float = NAN
     as_asked: Optional[bool] = None
     judged: bool = True
-    instead: str = ""  # lines that realise e, to be put in place of lines instead_line to instead_last of instead_file
+    instead: str = ""  # lines that realise e and replace lines instead_line to instead_last of instead_file
     instead_file: str = ""
     instead_line: int = 0
     instead_last: int = 0

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Collisions in the user's own MuJoCo, by its Python module: the file's options and the compiled numbers of two geoms.
+"""Runs collisions in the user's own MuJoCo, with the file's options and the compiled numbers of two geoms.
 
-    python3 inside_mujoco.py FILE    FILE has the collisions as json
+    python3 inside_mujoco.py FILE    FILE contains the collisions as json
 """
 
 import importlib
@@ -29,7 +29,7 @@ def words(values: Any) -> str:
 
 
 def model_of(pair: List[int], dt: float) -> Any:
-    """Two spheres, or one above a plane, with the numbers of two geoms or of an explicit pair"""
+    """Returns a model of two spheres, or of one above a plane, with the numbers of two geoms or an explicit pair."""
     bodies = ""
     for k, geom in enumerate(pair):
         body = model.body_weldid[model.geom_bodyid[geom]]
@@ -58,7 +58,7 @@ def model_of(pair: List[int], dt: float) -> Any:
 
 
 def collide(c: Dict[str, Any], pair: List[int], dt: float, phase: float) -> Tuple[float, int]:
-    """One collision: eps, and the number of steps until the bodies have parted"""
+    """Computes one collision. Returns eps and the number of steps until the bodies have parted."""
     made = model_of(pair, dt)
     data, two = mujoco.MjData(made), made.nq > 7
     touch = RADIUS * (2 if two else 1)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Collisions in the user's own YADE, which runs this file: it executes the user's script, and at each O.run takes
-materials, Ip2, Law2, time step and damping for a scene of two bodies without gravity.
+"""Runs collisions in the user's own YADE, which executes this file. The file executes the user's script. At each O.run
+it uses materials, Ip2, Law2, time step and damping of the script for a scene of two bodies without gravity.
 
-    yade -x -n -j1 inside_yade.py FILE    FILE has the collisions as json
+    yade -x -n -j1 inside_yade.py FILE    FILE contains the collisions as json
 """
 
 import builtins
@@ -20,7 +20,7 @@ sys.path.insert(0, head["here"])
 collision: Any = importlib.import_module("collision")
 
 MOST_RUNS = 20
-main: Dict[str, Any] = dict(vars(sys.modules["__main__"]))  # the names that YADE gives to a script
+main: Dict[str, Any] = dict(vars(sys.modules["__main__"]))  # the names that YADE defines for a script
 omega: Any = main["O"]
 
 
@@ -29,7 +29,7 @@ def say(**found: object) -> None:
 
 
 class Stand:
-    """Omega for the user's script: it neither steps nor writes."""
+    """Replaces Omega for the user's script. It neither steps nor writes."""
 
     runs = 0
 
@@ -74,7 +74,7 @@ def body_of(c: Dict[str, Any], i: int) -> Any:
 
 
 def collide_all() -> None:
-    """Measures each collision for whose materials this run has an interaction."""
+    """Measures each collision whose materials interact in this run."""
     loops = [e for e in omega.engines if type(e).__name__ == "InteractionLoop"]
     newtons = [e for e in omega.engines if type(e).__name__ == "NewtonIntegrator"]
     materials, dt = list(omega.materials), omega.dt
@@ -117,7 +117,7 @@ def material_of(materials: List[Any], name: str, number: int) -> int:
 def collide_two(
     c: Dict[str, Any], materials: List[Any], radii: List[float], loop: Any, damping: float, dt: float, phase: float
 ) -> Tuple[float, int]:
-    """One collision: eps, and the number of steps until the bodies have parted"""
+    """Computes one collision. Returns eps and the number of steps until the bodies have parted."""
     omega.resetThisScene()
     for m in materials:
         omega.materials.append(m)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Contacts of LAMMPS and LIGGGHTS: the state of a script's system, and its contacts at each run.
+"""Reads contacts of LAMMPS and LIGGGHTS: the state of a script's system, and its contacts at each run.
 
-Atoms are kept as cohorts: all atoms that one command made, divided where a later command changes a part of them.
+Atoms are stored as cohorts. A cohort is all atoms that one command created; it is divided if a command changes a part.
 A script without atoms has one cohort of unknown size for each type."""
 
 import copy
@@ -16,7 +16,7 @@ from .deck import MAX_CONTACTS, NAN, Body, Contact, Deck, Options, Remark, Repai
 from .script import SIGNS, OutOfBounds, Script, System, Unknown, Words, is_known, number
 
 MAX_COHORTS, MAX_TYPES, MAX_LINES, MANY = 1000, 200, 20000, 1 << 30
-# Units of length, mass and time in SI, and the time step that a script does not set, in these units
+# Units of length, mass and time in SI, and the default time step in these units
 UNITS = {
     "si": (1.0, 1.0, 1.0, 1e-8),
     "cgs": (1e-2, 1e-3, 1.0, 1e-8),
@@ -29,25 +29,25 @@ _INTEGRATES = re.compile(r"(nve|nvt|npt|nph|rigid|multisphere|poems|brownian|nvk
 _LOSSES = re.compile(
     r"(viscous|langevin|temp|press|drag|nvt|npt|nph|gld|ttm|lb|srd|couple/cfd|deform)(/.*)?$|nve/limit$|addforce$"
 )
-_NORMAL = {"hooke": 2, "hertz": 2, "hertz/material": 3, "dmt": 4, "jkr": 4}  # and the count of their numbers
+_NORMAL = {"hooke": 2, "hertz": 2, "hertz/material": 3, "dmt": 4, "jkr": 4}  # number of coefficients
 _FAULTS = {
     "dmt": "The pull of DMT adhesion makes eps depend on the speed; without it only the damping would count.",
     "jkr": "LAMMPS parts bodies at the largest pull of JKR's force: they stick below 0.703 of the speed of JKR's "
     "theory, and lose half its energy. The damping takes more.",
 }
 _BY_MASS = ("HOOKE_MASS_VELOCITY", "HOOKE_VISCOELASTIC", "HERTZ_VISCOELASTIC", "HERTZ_MASS_VELOCITY")
-_BY_ROOT = ("HOOKE_TSUJI", "HERTZ_TSUJI", "COEFF_RESTITUTION")  # damping grows with the root of the mass
+_BY_ROOT = ("HOOKE_TSUJI", "HERTZ_TSUJI", "COEFF_RESTITUTION")  # damping is proportional to the root of the mass
 _KNOWN = _BY_MASS + _BY_ROOT + ("HOOKE_VELOCITY", "HERTZ_VELOCITY")
-_MIXES_SINCE = 20221103  # before, LAMMPS uses damping velocity for every pair that it mixes
+_MIXES_SINCE = 20221103  # earlier, LAMMPS uses damping velocity for every mixed pair
 _MODELS = ("hertz", "hooke", "hertz/stiffness", "hooke/stiffness")  # of LIGGGHTS
 _TANGENTIAL = ("mindlin", "mindlin/force", "mindlin_rescale", "mindlin_rescale/force")  # with the contact radius
-_RIGID = "\0rigid"  # a group of atoms that are inserted as parts of bodies
+_RIGID = "\0rigid"  # the group of atoms inserted as parts of bodies
 
 
 @dataclass
 class Cohort:
-    """Atoms of one type. radius and mass: least and largest. kind: made by a command, read from a file, or assumed.
-    count and id: 0 if unknown. at: the place of a single atom."""
+    """Atoms of one type. radius and mass: least and largest. kind: created by a command, read from a file, or assumed.
+    count and id: 0 if unknown. at: the position of a single atom."""
 
     type: int
     radius: Tuple[float, float] = (NAN, NAN)
@@ -67,10 +67,10 @@ class Cohort:
 
 @dataclass
 class Coefficient:
-    """The normal force of a pair style, of a line pair_coeff, or of a wall.
+    """The normal force of a pair style, a pair_coeff line, or a wall.
 
-    at: the index of the model (granular) or of K_n (gran) in words. style: as "hooke/history" or "granular". first and
-    last: the range of both types. part: of a hybrid style."""
+    at: the index in words of the model (granular) or K_n (gran). style: such as "hooke/history" or "granular". first
+    and last: the range of both types. part: the part of a hybrid style."""
 
     words: Words
     at: int
@@ -102,7 +102,7 @@ class Moving:
 
 
 def _span(word: str) -> Tuple[int, int]:
-    """The types of "3", "*", "2*", "*4", "2*4" and "2:4"."""
+    """Returns the range of types of "3", "*", "2*", "*4", "2*4" or "2:4"."""
     found = re.fullmatch(r"(\d*)([*:]?)(\d*)", word)
     if not found or not word:
         number(word)
@@ -120,7 +120,7 @@ def _same(x: Any, y: Any) -> bool:
 
 
 class Granular(System):
-    """The system of a script of LAMMPS, or of LIGGGHTS."""
+    """The system of a LAMMPS or LIGGGHTS script."""
 
     def __init__(self, deck: Deck, script: Script, options: Options):
         self.deck, self.script, self.options = deck, script, options
@@ -267,8 +267,8 @@ class Granular(System):
             raise OutOfBounds(f"The script makes more than {MAX_COHORTS} kinds of atoms; the rest is not read.")
 
     def divide(self, inside: Any) -> List[Cohort]:
-        """Divides the cohorts of which only a part is inside; returns those inside. inside: a function of a cohort that
-        returns True, False or None (a part)."""
+        """Divides the cohorts that are partly inside. Returns the cohorts inside. inside: a function of a cohort that
+        returns True, False or None (partly)."""
         chosen = []
         for cohort in list(self.cohorts):
             here = inside(cohort)
@@ -290,7 +290,7 @@ class Granular(System):
         return is_inside == ("out" not in region)
 
     def selected(self, how: str, what: Sequence[str]) -> Any:
-        """A function of a cohort: True, False or None (a part) if it is in the types, ids, group or region."""
+        """Returns a function: True, False or None (partly) if a cohort is in the types, ids, group or region."""
         if how in ("type", "id") and len(what) > 1 and re.match("[<>=!]", what[0]):
             x, y = number(what[1]), number(what[-1])
             sign: Any = SIGNS.get(what[0], lambda of, low: bool(low <= of <= y))
@@ -307,7 +307,7 @@ class Granular(System):
     def on_group(self, words: Words) -> None:
         name, how, what = words[1], words[2], words[3:]
         if how == "dynamic":
-            self.group_names.pop(name, None)  # its atoms are not known
+            self.group_names.pop(name, None)  # its atoms are unknown
         else:
             self.hold_line(self.group_names, name, True)
         if how in ("delete", "clear"):
@@ -366,7 +366,7 @@ class Granular(System):
             self.velocities[words[1]] = tuple(0.0 if math.isnan(x) else x for x in values)
 
     def speeds_of(self, is_wall: bool) -> Tuple[float, ...]:
-        """Impact speeds by the script: of insertions, and of groups relative to each other or to a wall at rest."""
+        """Returns the script's impact speeds: of insertions, and of groups relative to each other or a wall at rest."""
         moving = list(self.velocities.values())
         relative = [math.dist(a, b) for i, a in enumerate(moving) for b in moving[:i]]
         speeds = relative if relative and not is_wall else [math.hypot(*v) for v in moving]
@@ -416,7 +416,7 @@ class Granular(System):
         return [f for f in self.fixes.values() if f[3].startswith("particletemplate/")]
 
     def of_template(self, words: Words, groups: FrozenSet[str]) -> List[Cohort]:
-        """The cohort of a particletemplate/sphere SEED atom_type 1 density constant 2500 radius constant 0.005."""
+        """Reads a template: particletemplate/sphere SEED atom_type 1 density constant 2500 radius constant 0.005."""
         type = words.value(words.find("atom_type", 4) + 1) if words.find("atom_type", 4) > 0 else 1.0
         limits = []
         for i in (words.find("radius", 4), words.find("density", 4)):
@@ -502,11 +502,11 @@ class Granular(System):
         return [f for f in self.fixes.values() if re.fullmatch(style, _ACCELERATED.sub("", f[3]))]
 
     def hold(self, c: Cohort) -> str:
-        """Returns why no force moves a cohort: "freeze", "fixed", or ""."""
+        """Returns the reason why no force moves a cohort: "freeze", "fixed", or "" if forces move it."""
         if any(f[2] in c.groups for f in self.has("freeze")):
             return "freeze"
         moved = [f for f in self.fixes.values() if _INTEGRATES.match(f[3]) and f[3] != "nve/noforce"]
-        is_from_restart = c.kind == "file" and self.has_unread_atoms  # whose groups are not known
+        is_from_restart = c.kind == "file" and self.has_unread_atoms  # its groups are unknown
         is_moved = not moved or is_from_restart or any(f[2] in c.groups or f[2] not in self.group_names for f in moved)
         return "" if is_moved and not any(f[2] in c.groups for f in self.has("nve/noforce|move")) else "fixed"
 
@@ -522,7 +522,7 @@ class Granular(System):
         return "", NAN
 
     def count_types(self) -> int:
-        """The number of types; as many as the contacts have if no command gives it."""
+        """Returns the number of types, counted from the contacts if no command gives it."""
         properties = [
             f for f in self.fixes.values() if f[3].startswith("property/global") and f[5] == "peratomtypepair"
         ]
@@ -531,7 +531,7 @@ class Granular(System):
         return self.types or max([1, *ends, *(int(x) for x in sizes if 1 <= x <= MAX_TYPES)])
 
     def moving(self) -> Dict[int, List[Moving]]:
-        """The bodies of each type, which differ in how they move."""
+        """Returns the bodies of each type, one for each way of moving."""
         made = [c for c in self.cohorts if c.kind != "assumed"]
         if self.is_liggghts and not any(c.kind == "made" for c in made):
             made += [c for t in self.templates() for c in self.of_template(t, frozenset(("all",)))]
@@ -616,7 +616,7 @@ class Granular(System):
         return bool(self.excluded) and all(apart(a, b) for a in one.cohorts for b in two.cohorts)
 
     def are_alike(self, bodies: Sequence[Moving]) -> bool:
-        """True if one row serves all types: bodies that differ in their names only, and no option for one type."""
+        """True if one row suffices for all types: the bodies differ only in name, and no option is for one type."""
         plain = [replace(m.body, name="", type=0) for m in bodies]
         types = self.count_types()
         is_whole = types == len(bodies) and (types > 1 or self.types == 0)
@@ -625,7 +625,7 @@ class Granular(System):
         return is_whole and is_plain and all(_same(plain[0], b) for b in plain)
 
     def pair_contacts(self, moving: Dict[int, List[Moving]]) -> Iterator[Contact]:
-        """The contacts of pairs. If all types are alike, a line for all of them is one contact, *-*."""
+        """Yields the contacts of pairs. If all types are alike, a line for all of them is one contact, *-*."""
         everyone = [m for bodies in moving.values() for m in bodies]
         pairs = [(i, j, *self.resolve(i, j)) for i in sorted(moving) for j in sorted(moving) if i <= j]
         first = pairs[0][2]
@@ -653,7 +653,7 @@ class Granular(System):
         return "hybrid/overlay adds up several forces, which cor does not judge." if several else ""
 
     def resolve(self, i: int, j: int) -> Tuple[Optional[Coefficient], Optional[Coefficient]]:
-        """The coefficients of a pair; or, where no line has this pair, the two that LAMMPS mixes."""
+        """Returns the coefficients of a pair, or the two that LAMMPS mixes if no line has this pair."""
         if self.is_liggghts or (not self.coefficients and self.style[0].style != "granular"):
             return (self.style[0] if not self.hybrid else None), None
         used = [c for c in self.coefficients.values() if c.part >= 0 or self.hybrid != "hybrid/overlay"]
@@ -670,7 +670,7 @@ class Granular(System):
         return (own if own and own.part >= 0 else None), None
 
     def between(self, own: Coefficient, other: Optional[Coefficient], one: Body, two: Body) -> Contact:
-        """The contact of two bodies by their coefficients, or by two coefficients that LAMMPS mixes."""
+        """Returns the contact of two bodies from their coefficients, or from two coefficients that LAMMPS mixes."""
         if self.is_liggghts:
             return self.matrix(own.words, own.at, one, two)
         contact = self.granular(own, one, two)
@@ -690,7 +690,7 @@ class Granular(System):
         return contact
 
     def fix_one(self, contact: Contact) -> None:
-        """One body is not integrated but not frozen either: it damps with the mass of both, and moves as if held."""
+        """Corrects the damping if one body is neither integrated nor frozen: it is held, but its mass counts."""
         masses = [b.mass[0] if b.mass else _sphere(b.radius[0], b.density) for b in contact.bodies]
         share = masses[contact.bodies[0].held is False] / sum(masses)
         name = contact.model.split("_", 1)[1].replace("_LIMIT", "")
@@ -714,7 +714,7 @@ class Granular(System):
             contact.repair = self.repairs.setdefault((line.file, line.line, text), repair)
 
     def granular(self, of: Coefficient, one: Body, two: Body) -> Contact:
-        """The contact by the words of a pair style, a pair_coeff or a wall of LAMMPS."""
+        """Returns the contact that the words of a LAMMPS pair style, pair_coeff or wall define."""
         contact = self.new(of.words, one, two, f"{of.words[3 if of.words[0] == 'fix' else 0]} {of.style}")
         try:
             self.read_granular(contact, of, of.words, of.at)
@@ -754,7 +754,7 @@ class Granular(System):
             self.read_tangential(contact, words, at)
 
     def read_tangential(self, contact: Contact, words: Words, at: int) -> None:
-        """Sets the tangential force. The stiffness NULL of mindlin is 8 G*, by the numbers of hertz/material."""
+        """Sets the tangential force. The stiffness NULL of mindlin is 8 G* from the numbers of hertz/material."""
         name, k = words.after("tangential", at), words.find("tangential", at) + 2
         if name == "linear_nohistory":
             contact.tangential = name, 0.0, words.value(k), words.value(k + 1)
@@ -765,7 +765,7 @@ class Granular(System):
             contact.tangential = name, stiffness, words.value(k + 1), words.value(k + 2)
 
     def matrix(self, words: Words, at: int, one: Body, two: Body) -> Contact:
-        """The contact of two types of LIGGGHTS by the properties; words[at] is the name of the model."""
+        """Returns the contact of two LIGGGHTS types from the properties. words[at]: the name of the model."""
         model = words[at]
         contact = self.new(words, one, two, f"gran model {model}")
         if model not in _MODELS:
@@ -809,7 +809,7 @@ class Granular(System):
     # ---- walls ----
 
     def wall_contacts(self, moving: Dict[int, List[Moving]]) -> Iterator[Contact]:
-        """The contacts with walls, for the types of each wall's group. Several walls have names."""
+        """Yields the contacts of each wall with the types of its group. If there are several walls, they have names."""
         read = self.walls_of_liggghts if self.is_liggghts else self.walls_of_lammps
         walls = [wall for fix in self.has("wall/gran.*") for wall in read(fix)]
         for of, type, name, unknown in walls:
@@ -832,7 +832,7 @@ class Granular(System):
 
     def walls_of_lammps(self, words: Words) -> List[Tuple[Coefficient, int, str, str]]:
         style, unknown, at = _ACCELERATED.sub("", words[4]), "", 5
-        if re.match(r"[\d.]", style):  # before 2017: the pair style gives the force
+        if re.match(r"[\d.]", style):  # before 2017 the pair style gives the force
             style, at = self.style[0].style if self.style else "", 4
             if style in ("", "granular"):
                 unknown = "This form of before 2017 has the force of a pair style gran/..., which is absent."
@@ -861,7 +861,7 @@ class Granular(System):
         return walls
 
     def pressing(self, words: Words) -> float:
-        """Returns the acceleration that gravity has toward a wall; NaN without."""
+        """Returns the acceleration of gravity toward a wall; NaN without gravity."""
         total = [0.0, 0.0, 0.0]
         for f in self.has("gravity"):
             x, y, z = (f.value(6 + k) for k in range(3))
@@ -897,10 +897,10 @@ def _read(simulator: str, text: str, name: str, options: Options) -> Deck:
 
 
 def read_lammps(text: str, name: str, options: Options) -> Deck:
-    """Reads a script of LAMMPS."""
+    """Reads a LAMMPS script."""
     return _read("lammps", text, name, options)
 
 
 def read_liggghts(text: str, name: str, options: Options) -> Deck:
-    """Reads a script of LIGGGHTS."""
+    """Reads a LIGGGHTS script."""
     return _read("liggghts", text, name, options)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""cor audit --run: the restitution that the user's own program gives, for each contact that the audit found."""
+"""cor audit --run: measures the restitution of each contact of the audit with the user's own program."""
 
 import importlib.util
 import json
@@ -20,12 +20,12 @@ from .collision import Failed
 from .deck import Contact, Options, Row
 from .process import ALL_S, Process, copy_folder_of
 
-SLOW = 0.01  # overlap over radius, if the speed is free
+SLOW = 0.01  # overlap over radius, if any speed may be used
 TOLERANCE = 2e-3  # between measured and computed eps, besides the error of the step
 
 
 def measure(path: str, options: Options, rows: List[Row], program: str, keep: bool) -> None:
-    """Executes the deck with the program, and fills the columns measured and measured_small_step of the rows."""
+    """Executes the deck with the program. Fills the columns measured and measured_small_step of the rows."""
     todo = [row for row in rows if row.contact is not None and "clump" not in row.contact.unknown]
     if not todo:
         message(f"{path}: --run has no contact to measure")
@@ -58,7 +58,7 @@ def measure(path: str, options: Options, rows: List[Row], program: str, keep: bo
 
 
 def speed_of(row: Row, contact: Contact) -> float:
-    """The impact speed in the units of the deck. Where eps does not depend on it, the overlap is small."""
+    """Returns the impact speed in the deck's units. If eps does not depend on it, a speed of small overlap."""
     units, free = contact.units, 0.1
     if math.isnan(row.speed_m_s) and row.duration_s > 0 and contact.bodies[0].radius[row.size] > 0:
         free = SLOW * contact.bodies[0].radius[row.size] * units.length_m / row.duration_s
@@ -67,8 +67,8 @@ def speed_of(row: Row, contact: Contact) -> float:
 
 
 def sizes_of(row: Row, contact: Contact) -> Tuple[List[float], List[float]]:
-    """Radii and masses of the two bodies; NaN where they are unknown, and 1 cm and 2500 kg/m^3 where eps is known
-    without them"""
+    """Returns radii and masses of the two bodies. Unknown values are NaN, or follow from 1 cm and 2500 kg/m^3 if eps is
+    known without them."""
     lj, units, known = contact.units.name == "lj", contact.units, not math.isnan(row.realised)
     radii, masses = [], []
     for body in contact.bodies:
@@ -83,7 +83,7 @@ def sizes_of(row: Row, contact: Contact) -> Tuple[List[float], List[float]]:
 
 
 def enter(row: Row, eps: float, eps_small_step: float, version: str) -> None:
-    """Fills the row, and names a difference between the measured and the computed eps."""
+    """Fills the row, and reports a difference between the measured and the computed eps."""
     bodies = row.contact.bodies if row.contact else ()
     assumed = any(math.isnan(b.radius[0]) and not b.wall for b in bodies) and not math.isnan(row.realised)
     row.measured, row.measured_small_step = math.nan if assumed else eps, eps_small_step
@@ -140,11 +140,11 @@ def by_script(words: List[str], folder: str, path: str, options: Options, rows: 
             enter(row, c.eps, c.eps_small_step, version)
 
 
-# ---- YADE and MuJoCo: a file that runs inside of them ----
+# ---- YADE and MuJoCo: a file that runs inside them ----
 
 
 def name_of(text: str) -> Tuple[str, str, int]:
-    """A body of YADE: "facet", "wall", "box" or "", the label of its material and the index in O.materials, or -1"""
+    """Returns "facet", "wall", "box" or "", the label of its material, and the index in O.materials or -1."""
     found = re.fullmatch(r"(?:(facet|wall|box) of )?(.*?)(?:, fixed)?", text, re.S)
     assert found is not None
     number = re.fullmatch(r"(material )?(\d+)", found[2])
@@ -152,7 +152,7 @@ def name_of(text: str) -> Tuple[str, str, int]:
 
 
 def inside(command: List[str], folder: str, path: str, options: Options, rows: List[Row]) -> None:
-    """Runs a file inside of a program; it reads the collisions as json, and prints a line of json for each."""
+    """Runs a file inside a program. The file reads the collisions as json and prints a line of json for each."""
     here = os.path.dirname(os.path.abspath(__file__))
     spec = os.path.join(folder, "cor-collisions.json")
     todo: List[Dict[str, Any]] = [{"here": here, "script": os.path.basename(path)}]

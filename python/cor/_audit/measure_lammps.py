@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Collisions in the user's own LAMMPS or LIGGGHTS. The program reads its script line by line from a pipe, up to each
-run; then it gets two particles, or one and a plane wall. The program evaluates all variables and conditions. Only the
-order of lines (if, jump, label, include) is followed here, so that each command is seen before it is executed."""
+"""Runs collisions in the user's own LAMMPS or LIGGGHTS. The program reads its script line by line from a pipe, up
+to each run. Then it gets two particles, or one and a plane wall. It evaluates all variables and conditions. Only the
+order of lines (if, jump, label, include) is followed here, so that each command is checked before execution."""
 
 import itertools
 import math
@@ -17,13 +17,13 @@ from .._command import progress
 from .collision import Failed, eps_of, measured
 from .process import Process
 
-# Commands that are never executed, as they execute others, write files or run the simulation
+# Commands that are never executed: they execute others, write files or run the simulation
 LEFT_OUT = (
     "shell python plugin mdi kim kim_init geturl message server partition dump undump dump_modify restart write_data "
     "write_dump write_restart write_coeff group2ndx minimize rerun neb neb/spin temper temper/grem temper/npt tad prd "
     "hyper dynamical_matrix third_order"
 ).split()
-# Nothing is lost without these
+# Commands omitted without a report, because no result depends on them
 UNNAMED = "log echo print label thermo thermo_log thermo_modify thermo_style info timer balance processors".split()
 WRITING = re.compile(r".*\$|print$|ave/|python|external$|plumed|colvars|ipi$|imd$|mdi|qmmm|couple/")  # styles of fix
 PLANES = "xplane yplane zplane zcylinder region".split()
@@ -32,11 +32,11 @@ KEPT = re.compile(r"property/|mesh/|particle|freeze$|adapt$|lb/|check/")  # fixe
 
 @dataclass
 class Collision:
-    """One contact, in the units of the deck: two particles, or one and a wall. The second diameter and mass of a wall
-    are unused. Unknown sizes are NaN. runs: the runs that have it; empty: any."""
+    """One contact, in the units of the deck: two particles, or one and a wall. The second diameter and mass are unused
+    with a wall. Unknown sizes are NaN. runs: the runs with this contact; empty: any."""
 
     types: Tuple[int, int]
-    wall: List[str]  # words of which one is the fix of the wall; empty: none
+    wall: List[str]  # words, one of which is the fix of the wall; empty: no wall
     diameters: Tuple[float, float]
     masses: Tuple[float, float]
     held: Tuple[bool, bool]
@@ -44,16 +44,16 @@ class Collision:
     runs: Tuple[int, ...]
     eps: float = math.nan
     eps_small_step: float = math.nan
-    reason: str = ""  # why there is no result
+    reason: str = ""  # reason if there is no result
     done: bool = False
 
 
 class Stop(Exception):
-    """The script has come to its end."""
+    """The end of the script."""
 
 
 def words_of(line: str) -> List[str]:
-    """The words of a line without its comment; each quoted text is one word with its quotes."""
+    """Returns the words of a line without its comment. A quoted text is one word, with its quotes."""
     found = re.findall(r"\"\"\".*?\"\"\"|\"[^\"]*\"|'[^']*'|#.*|(?:\$\([^)]*\)|\$\{[^}]*\}|[^\s#\"'])+", line, re.S)
     return [word for word in found if not word.startswith("#")]
 
@@ -70,7 +70,7 @@ def writes(words: List[str]) -> bool:
 
 
 def lines_of(path: str) -> List[Tuple[int, str]]:
-    """The commands of a file, each with the number of its first line"""
+    """Returns the commands of a file, each with the number of its first line."""
     if not os.path.isfile(path):
         raise Failed(f"cannot open {os.path.basename(path)}")
     with open(path, encoding="utf-8", errors="surrogateescape") as file:
@@ -83,7 +83,7 @@ def lines_of(path: str) -> List[Tuple[int, str]]:
 
 
 class Script:
-    """The script in the program, and the collisions in place of its runs"""
+    """The script in the program, with collisions in place of its runs."""
 
     def __init__(self, command: List[str], folder: str, source: str, end: float, todo: List[Collision]) -> None:
         self.command, self.folder, self.source, self.end, self.todo = command, folder, source, end, todo
@@ -91,8 +91,8 @@ class Script:
         self.log = open(os.path.join(folder, "cor-sent"), "w", encoding="utf-8", errors="surrogateescape")
         self.sent: List[str] = ["newton off"]  # commands that restore the state
         self.left_out: Dict[str, List[int]] = {}
-        self.fixes: Dict[str, List[str]] = {}  # the words of each fix that exists, in their order
-        self.places: Dict[str, str] = {}  # and its line
+        self.fixes: Dict[str, List[str]] = {}  # the words of each existing fix, in the order of definition
+        self.places: Dict[str, str] = {}  # the line of each fix
         for file, text in ("cor-jump", "jump cor-jumped"), ("cor-jumped", 'print "cor jumped"'):
             with open(os.path.join(folder, file), "w", encoding="ascii") as made:
                 made.write(text + "\n")
@@ -101,7 +101,7 @@ class Script:
     # ---- the program ----
 
     def restore(self) -> None:
-        """Starts the program anew, and brings it to the place at which the script is."""
+        """Restarts the program and repeats the commands up to the present line of the script."""
         self.process.close()
         self.process = self.started()
         for line in self.sent[1:]:
@@ -117,7 +117,7 @@ class Script:
         return self.process
 
     def ask(self, *lines: str) -> List[str]:
-        """Sends commands, and returns the answer."""
+        """Sends commands. Returns the answer."""
         self.marks += 1
         for line in lines:
             self.log.write(line + "\n")
@@ -126,20 +126,20 @@ class Script:
         return self.process.read_until(f"cor {self.marks}.")
 
     def answer(self, text: str) -> str:
-        """The text, which has no line break, with its variables as the program has them"""
+        """Returns a text, which has no line break, with its variables replaced by the program."""
         quote = next((q for q in ("'", '"', '"""') if q not in text), "'")
         found = [line for line in self.ask(f"print {quote}cor = {text}{quote}") if line.startswith("cor = ")]
         return found[-1][6:] if found else text
 
     def values(self, **expressions: str) -> List[float]:
-        """The numbers of equal-style variables"""
+        """Returns the values of equal-style variables."""
         self.ask(*(f"variable cor_{name} equal {value}" for name, value in expressions.items()))
         return [float(word) for word in self.answer(" ".join("${cor_%s}" % name for name in expressions)).split()]
 
     # ---- the script ----
 
     def play(self, path: str) -> None:
-        """Executes a file. After a jump another file takes its place."""
+        """Executes a file. A jump may replace it by another file."""
         lines, i = lines_of(path), 0
         while i < len(lines):
             self.number, line = lines[i]
@@ -153,7 +153,7 @@ class Script:
                 i = labels[0] if jump[1] else 0
 
     def found(self, name: str) -> str:
-        """The path of a file of the script; from outside of its folder it is copied to the same place."""
+        """Returns the path of a file of the script. A file outside the script's folder is copied to the same place."""
         path = os.path.normpath(os.path.join(self.folder, unquoted(name)))
         original = os.path.normpath(os.path.join(self.source, unquoted(name)))
         if not os.path.exists(path) and os.path.isfile(original):
@@ -214,7 +214,7 @@ class Script:
         self.ask(*lines)
 
     def branch(self, words: List[str]) -> Optional[Tuple[str, str]]:
-        """Executes the commands of an if whose condition the program finds true."""
+        """Executes the commands of an if whose condition is true in the program."""
         jump, rest = None, words[1:]
         starts = [0] + [i + 1 for i, word in enumerate(rest) if word in ("elif", "else")]
         for start in starts:
@@ -256,7 +256,7 @@ class Script:
             self.restore()
 
     def prepare(self) -> None:
-        """Takes the sizes of the particles by type, and removes the particles and all that moves them."""
+        """Records the sizes of the particles by type. Removes the particles and every fix that moves them."""
         if not any(re.match("(comm_modify|communicate) .*vel", line) for line in self.sent):
             self.ask("comm_modify vel yes" if self.new else "communicate single vel yes")
         self.groups: List[str] = []
@@ -299,7 +299,7 @@ class Script:
         self.dt, *self.middle = self.values(**places)
 
     def size(self, c: Collision, i: int) -> Tuple[float, float]:
-        """Diameter and mass of a particle: as the audit read them, unless no particle of the program is like that"""
+        """Returns a particle's diameter and mass from the audit, unless no particle of the program matches them."""
         diameter, mass = c.diameters[i], c.masses[i]
         least, largest, light, heavy = self.sizes.get(c.types[i], [diameter, diameter, mass, mass])
         if not least * (1 - 1e-6) <= diameter <= largest * (1 + 1e-6):
@@ -312,7 +312,7 @@ class Script:
         return diameter, mass
 
     def collision(self, c: Collision, dt: float, phase: float) -> Tuple[float, int]:
-        """One collision: eps, and the number of steps until the bodies have parted"""
+        """Computes one collision. Returns eps and the number of steps until the bodies have parted."""
         sizes = [self.size(c, i) for i in range(1 if c.wall else 2)]
         gap, (x, y, z) = c.speed * dt * (1 + phase) + 1e-9 * sizes[0][0], self.middle
         touch = sum(diameter for diameter, _ in sizes) / 2
@@ -362,7 +362,7 @@ class Script:
         self.ask(f"velocity {group} set {speed:.17g} 0 0 units box")
 
     def wall_at(self, c: Collision, x: float) -> str:
-        """The wall as a plane at x, with the model and type of the deck."""
+        """Returns the wall as a plane at x, with the deck's model and type."""
         walls = {name: words for name, words in self.fixes.items() if "wall/" in words[3]}
         named = [name for name in walls if name in c.wall or self.places[name] in c.wall] or list(walls)
         words = walls.get(named[0], []) if len(named) == 1 else []
@@ -374,7 +374,7 @@ class Script:
         end = next(i for i, word in enumerate(words) if word in ("mesh", "primitive") and i > 3)
         rest = words[end + 1 :]
         kind = rest[1] if words[end] == "primitive" else str(c.types[1])
-        skipped = 3 + int(rest[1]) if words[end] == "mesh" else 3  # then come numbers of the plane, and keywords
+        skipped = 3 + int(rest[1]) if words[end] == "mesh" else 3  # followed by numbers of the plane and keywords
         rest = list(itertools.dropwhile(lambda word: not re.match("[a-z]", word, re.I), rest[skipped:]))
         if "shear" in rest:
             del rest[rest.index("shear") : rest.index("shear") + 3]
@@ -385,8 +385,8 @@ class Script:
 def measure(
     command: List[str], folder: str, path: str, end: float, variables: Dict[str, Tuple[str, ...]], todo: List[Collision]
 ) -> Tuple[str, Dict[str, List[int]], str]:
-    """Measures collisions in place of the runs of a script. Returns the program's version, the commands that were left
-    out with their lines, and the reason where the script did not come to its end."""
+    """Measures collisions in place of the runs of a script. Returns the program's version, the omitted commands with
+    their lines, and the reason if the script did not reach its end."""
     flags = [word for key, values in variables.items() for word in ("-var", key, *values)]
     source, name = os.path.split(os.path.abspath(path))
     script, reason = Script(command + ["-log", "none", *flags], folder, source, end, todo), ""

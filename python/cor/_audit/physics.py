@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""From the contacts of a deck to the rows of the audit. Laws, ends, maps and errors of steps are libcor_scene's."""
+"""Computes the audit's rows from the contacts of a deck. libcor_scene computes laws, ends, maps and step errors."""
 
 import math
 from importlib import import_module
@@ -9,7 +9,7 @@ from .._cor import ffi, lib
 from .._evaluate import string
 from .deck import MAX_CONTACTS, NAN, Body, Contact, Deck, DeckError, Options, Repair, Row, Spring
 
-# The simulators that have a reader: its module and function, and the signs by which its inputs are recognised
+# Simulators with a reader: its module and function, and the patterns that identify its inputs
 SIMULATORS = {
     "liggghts": ("lammps", "read_liggghts", ("property/global", "particletemplate/", "pair_style gran model")),
     "lammps": ("lammps", "read_lammps", ("pair_style", "wall/gran")),
@@ -33,20 +33,20 @@ _OTHER = {
     "YADE_EN": "YADE_EN_UNTIL_2023",
 }
 _PHASES, _PHASES_LEAST, _STEPS_OF_PHASES = 128, 16, 2**20  # of cor_scene_step_error
-_STEPS_IN_ALL = 2e8  # some seconds
+_STEPS_IN_ALL = 2e8  # takes some seconds
 _STEPS_OF_SEARCH, _LEAST_SEARCHED = 2e7, 1e-4  # of cor_scene_step_for
 _LINEAR = (Spring.HOOKE, Spring.CHARACTERISTIC, Spring.CONTACT_TIME, Spring.PER_MASS)
 _SIZES = (", least", ", largest")
-_NEVER = 1e5  # m/s, the threshold of Gazebo without the word: no impact is so fast
+_NEVER = 1e5  # m/s, Gazebo's default threshold: no impact is so fast
 
 
 def model_of(name: str) -> Any:
-    """The row of cor_simulators with an id, without COR_."""
+    """Returns the row of cor_simulators with this id, given without COR_."""
     return lib.cor_simulator_model(getattr(lib, f"COR_{name}"))
 
 
 def integrator_of(simulator: str) -> int:
-    """enum cor_integrator of a simulator."""
+    """Returns the enum cor_integrator of a simulator."""
     for i in range(lib.cor_simulator_count):
         if string(lib.cor_simulators[i].name) == simulator:
             return int(lib.cor_simulators[i].integrator)
@@ -65,7 +65,7 @@ def _over(numerator: float, denominator: float) -> float:
 
 
 def scene_of(contact: Contact, size: int = 0) -> Any:
-    """The struct cor_scene_contact with mass, stiffness and radius of a contact, in the units of the deck."""
+    """Returns a struct cor_scene_contact with mass, stiffness and radius of a contact, in the deck's units."""
     bodies = contact.bodies
     scene = ffi.new("struct cor_scene_contact *")
     mass = _over(1, sum(_inverse_mass(b, size) for b in bodies))
@@ -94,7 +94,7 @@ def scene_of(contact: Contact, size: int = 0) -> Any:
 
 
 def _is_moderate(*values: float) -> bool:
-    """True if no formula leaves the doubles: unknown, 0, or from 1e-48 to 1e48."""
+    """True if all values are unknown, 0, or from 1e-48 to 1e48, so that no formula leaves the range of doubles."""
     return all(math.isnan(x) or x == 0 or 1e-48 <= x <= 1e48 for x in values)
 
 
@@ -110,7 +110,7 @@ class _Audit:
     # ---- one contact at one speed ----
 
     def solve(self, row: Row, contact: Contact, model: Any, scene: Any, speed: float) -> int:
-        """Sets end, law, damping, eps and duration, in the units of the deck; returns the end."""
+        """Sets end, law, damping, eps and duration, in the deck's units. Returns the end."""
         end = lib.COR_END_ZERO_FORCE if contact.limited else model.end
         linear = contact.spring in _LINEAR
         law = lib.COR_LAW_LINEAR if model.law == lib.COR_LAW_TSUJI and linear else model.law
@@ -118,7 +118,7 @@ class _Audit:
         constant = law >= lib.COR_LAW_IMPULSE or lib.cor_scene_speed_exponent(scene) == 0
         row.end, row.law = string(lib.cor_end_names[end]), string(lib.cor_law_name(model.law))
         if not model.damping_of_e:
-            number = contact.number  # 0 is no damping, whatever the scales
+            number = contact.number  # 0 is no damping at any scale
             damping = model.damping_of_number(number, scene, speed) if number != 0 else 0.0
         elif model.least <= contact.number <= model.most:
             damping = model.damping_of_e(contact.number) * contact.zeta_factor
@@ -128,7 +128,7 @@ class _Audit:
         if not 0 <= damping < math.inf or (math.isnan(speed) and not constant):
             return int(end)
         if contact.solimp is not None and contact.solimp[0] != contact.solimp[1]:
-            row.damping = NAN  # it depends on the overlap
+            row.damping = NAN  # damping depends on the overlap
             if not math.isnan(speed):
                 row.realised = self.mujoco(contact, scene, damping, speed, 0.0)
             return int(end)
@@ -137,12 +137,12 @@ class _Audit:
         if end >= lib.COR_SCENE_ENDS:
             row.realised = lib.cor_law_eps(model.law, end, damping) if speed > contact.threshold else 0.0
             if contact.threshold > 0:
-                never = contact.number == 0 or contact.threshold >= _NEVER  # whatever the speed
+                never = contact.number == 0 or contact.threshold >= _NEVER  # at any speed
                 row.realised = NAN if math.isnan(speed) and not never else row.realised
                 row.advice += f" eps is 0 up to the threshold, {contact.threshold:.6g} m/s."
             return int(end)
         impact, eps = ffi.new("struct cor_scene_impact *"), ffi.new("double *")
-        if lib.cor_scene_needs_solver(scene):  # libcor integrates it under a force, here a vanishing one
+        if lib.cor_scene_needs_solver(scene):  # libcor integrates it under a force, here 0
             scene.force_n = 1e-13 * scene.mass_kg * at / lib.cor_scene_elastic_duration_s(scene, at)
         if lib.cor_scene_impact(impact, scene, at) == lib.COR_OK:
             row.realised = impact.eps[end]
@@ -154,7 +154,7 @@ class _Audit:
         return int(end)
 
     def damp(self, row: Row, contact: Contact, law: int, end: int, zeta: float) -> None:
-        """eps where all forces are 1 + d times larger against the motion and 1 - d times along it: the way in belongs
+        """Sets eps if all forces are 1 + d times larger against the motion and 1 - d times along it. The way in belongs
         to one collision, the way out to another one with the same largest overlap."""
         d, q = contact.global_damping, lib.COR_MAX_OVERLAP
         ratio = NAN
@@ -169,13 +169,13 @@ class _Audit:
         row.advice += "holds on a fixed body, and for two bodies of opposite momenta."
 
     def add_surface(self, row: Row, contact: Contact, scene: Any, speed: float, end: int) -> None:
-        """Sets eps at the surface under gravity, which presses the sphere to a wall."""
+        """Sets eps at the surface under gravity that presses the sphere against a wall."""
         gravity, d = contact.gravity, contact.global_damping
         is_known = gravity > 0 and speed > 0 and math.isfinite(row.realised)
         if not is_known or not any(b.wall for b in contact.bodies):
             return
         if d != 0:
-            # YADE changes the sum of spring and weight, whose potential is lowest inside of the contact
+            # YADE changes the sum of spring and weight, whose potential is lowest inside the contact
             a = scene.law.elastic / scene.law.denominator
             lowest = 2 * a / (a + 1) * gravity * (scene.mass_kg * gravity / scene.stiffness) ** (1 / a) / speed**2
             square = (1 - d) / (1 + d) * (1 + (1 - d) * lowest) - (1 + d) * lowest
@@ -244,7 +244,7 @@ class _Audit:
         if abs(row.realised + row.step_bias - wished) <= allowed and row.step_scatter <= allowed:
             return True
         if abs(row.step_bias) <= allowed and row.step_scatter <= allowed:
-            return False  # the step is not the reason
+            return False  # the step is not the cause
         row.advice += f" The time step makes eps {row.realised + row.step_bias:.6g} in the mean, "
         row.advice += f"with the standard deviation {row.step_scatter:.6g}."
         key = (scene.stiffness, scene.mass_kg, scene.damping, scene.law.elastic, scene.law.damping, at, end, allowed)
@@ -274,7 +274,7 @@ class _Audit:
             row.advice += " This law has no function in libcor."
 
     def row(self, contact: Contact, size: int, label: str, speed_m_s: float) -> Row:
-        """The row of one contact at one speed."""
+        """Returns the row of one contact at one speed."""
         units, names = contact.units, [b.name for b in contact.bodies]
         row = Row(contact.file, contact.line, contact.simulator, contact.style, contact=contact, size=size)
         row.pair = (contact.pair or "-".join(names)) + label
@@ -352,7 +352,7 @@ class _Audit:
         model, tangent = lib.cor_tangential_models[found[0]], math.tan(math.radians(self.options.angle))
         no_force = model.memory in (lib.COR_REMEMBERS_DISPLACEMENT, lib.COR_REMEMBERS_DISPLACEMENT_RESCALED)
         grows = no_force and not model.constant_stiffness and ratio * tangent > friction
-        if grows and 2 * scene.law.damping < scene.law.denominator:  # its limit needs steps that nobody makes
+        if grows and 2 * scene.law.damping < scene.law.denominator:  # its limit needs impracticably small steps
             row.advice += " The tangential damper exceeds the friction at the first touch: the rebound along the "
             row.advice += "surface depends on the time step."
             return
@@ -366,7 +366,7 @@ class _Audit:
             row.tangential_restitution = -impact.restitution
 
     def rows_of(self, contact: Contact) -> List[Row]:
-        """The rows of one contact: its sizes and speeds."""
+        """Returns the rows of one contact: one for each size and speed."""
         options, units = self.options, contact.units
         bodies = tuple(self.completed(b, units) for b in contact.bodies)
         contact.bodies = bodies[0], bodies[1]
@@ -381,11 +381,11 @@ class _Audit:
         ]
 
     def given(self, values: Dict[str, float], body: Body) -> float:
-        """The option for a body, by its name or the number of its type, or the one for all."""
+        """Returns the option for a body by its name or type number, otherwise the option for all bodies."""
         return values.get(body.name, values.get(str(body.type), values.get("", NAN)))
 
     def completed(self, body: Body, units: Any) -> Body:
-        """The body with radius and density of the options where the deck does not contain them."""
+        """Returns the body, with radius and density from the options if the deck does not contain them."""
         if body.wall:
             return body
         made = dict(body.__dict__)
@@ -400,7 +400,7 @@ class _Audit:
     # ---- lines to write instead ----
 
     def wanted(self, contact: Contact, row: Row) -> float:
-        """The e to write so that the contact realises the e that it asks for; NaN: none."""
+        """Returns the e to write so that the contact realises the requested e; NaN if no such e exists."""
         model = model_of(contact.model)
         if row.as_asked or abs(row.realised - row.asked) <= self.options.tolerance * row.asked:
             return contact.number
@@ -414,7 +414,7 @@ class _Audit:
         return float(lib.cor_simulator_e(changed, wished, ffi.new("enum cor_simulator_status *")))
 
     def repair(self, rows: List[Row]) -> None:
-        """Adds the lines to write instead: one text for all contacts whose numbers are in the same lines."""
+        """Adds the replacement lines: one text for all contacts whose numbers are in the same lines."""
         groups: Dict[int, List[Tuple[Row, Contact, float]]] = {}
         for row in rows:
             contact = row.contact
@@ -462,7 +462,7 @@ def _same(x: float, y: float) -> bool:
 
 
 def rows_of(deck: Deck, options: Options) -> List[Row]:
-    """All rows of a deck, contacts in their order and remarks by their lines."""
+    """Returns all rows of a deck: contacts in their order and remarks by line."""
     audit = _Audit(deck, options)
     rows: List[Row] = [
         Row(r.file, r.line, deck.simulator, advice=r.text, judged=not r.matters) for r in dict.fromkeys(deck.remarks)
@@ -477,7 +477,7 @@ def rows_of(deck: Deck, options: Options) -> List[Row]:
 
 
 def simulator_of(text: str) -> str:
-    """The simulator of a text by its signs. Raises DeckError if there is none."""
+    """Identifies the simulator of a text by its patterns. Raises DeckError if no pattern matches."""
     for name, (_, _, signs) in SIMULATORS.items():
         if any(sign in text for sign in signs):
             return name

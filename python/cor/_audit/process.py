@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Another program on a temporary copy of a folder, with limits of time; nothing of it stays behind."""
+"""Runs another program on a temporary copy of a folder, with time limits. The copy is removed afterwards."""
 
 import os
 import pty
@@ -15,13 +15,13 @@ from typing import List, Sequence
 
 from .collision import Failed
 
-RUN_S, ALL_S = 60.0, 600.0  # time limits of one answer and of everything
+RUN_S, ALL_S = 60.0, 600.0  # time limits of one answer and of all runs
 MOST_BYTES, MOST_FILES = 200_000_000, 20_000  # of a copied folder
 
 
 def copy_folder_of(path: str, whole: str) -> str:
-    """Copies the folder of a file, up to a size, into the folder `whole`, in which it lies so deep that paths with ../
-    stay inside. Returns the copy. Only files are copied, no devices."""
+    """Copies the folder of a file, up to a size, into the folder `whole`, so deep that paths with ../ remain in it.
+    Returns the path of the copy. Only files are copied, no devices."""
     source, target = os.path.dirname(os.path.realpath(path)), os.path.join(whole, "1", "2", "3")
     size = files = 0
     for folder, folders, names in os.walk(source):
@@ -30,7 +30,7 @@ def copy_folder_of(path: str, whole: str) -> str:
         copy = os.path.normpath(os.path.join(target, os.path.relpath(folder, source)))
         os.makedirs(copy, exist_ok=True)
         for name in names:
-            with suppress(OSError):  # the program names what it misses
+            with suppress(OSError):  # the program reports missing files
                 info = os.stat(os.path.join(folder, name))
                 asked = folder == source and name == os.path.basename(path)
                 if stat.S_ISREG(info.st_mode) and (asked or size + info.st_size <= MOST_BYTES):
@@ -40,10 +40,10 @@ def copy_folder_of(path: str, whole: str) -> str:
 
 
 class Process:
-    """A program that reads lines from a pipe and writes to a terminal, so that each line arrives at once."""
+    """A program that reads from a pipe and writes to a terminal, so that each line arrives immediately."""
 
     def __init__(self, command: Sequence[str], folder: str, end: float) -> None:
-        """end: the time.monotonic() at which all runs end"""
+        """end: the time.monotonic() at which all runs end."""
         self.end, self.rest, self.open = end, b"", True
         self.terminal, slave = pty.openpty()
         environment = {**os.environ, "OMP_NUM_THREADS": "1", "MPLBACKEND": "agg", "TMPDIR": os.path.dirname(folder)}
@@ -63,12 +63,12 @@ class Process:
 
     def send(self, text: str) -> None:
         """Writes one line."""
-        with suppress(BrokenPipeError, ValueError):  # read_until finds the reason
+        with suppress(BrokenPipeError, ValueError):  # read_until reports the reason
             self.pipe.write(text.encode(errors="surrogateescape") + b"\n")
             self.pipe.flush()
 
     def read_until(self, mark: str) -> List[str]:
-        """The lines up to the next one that begins with the mark"""
+        """Returns the lines up to the next one that begins with the mark."""
         limit = min(time.monotonic() + RUN_S, self.end)
         found: List[str] = []
         while True:
@@ -92,7 +92,7 @@ class Process:
             self.rest += block
 
     def close(self) -> None:
-        """Ends the program and everything that it started."""
+        """Ends the program and all processes that it started."""
         if not self.open:
             return
         self.open = False
@@ -105,7 +105,7 @@ class Process:
 
 
 def _reason(lines: List[str]) -> str:
-    """The program's first error message, or its last line"""
+    """Returns the program's first error message, or its last line."""
     said = [re.sub(r"\s+", " ", line).strip() for line in lines if line.strip()]
     errors = [line for line in said if re.search(r"\bERROR\b|Error:|Exception", line)]
     return (errors or said[-1:] or ["it ended without a message"])[0][:300]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""An interpreter of the scripts of LAMMPS and LIGGGHTS. It keeps variables, branches, loops and included files, and
-passes the other commands to a System (cor._audit.lammps), which takes a snapshot at each run. It executes nothing and
-reads files only through Options.include.
+"""An interpreter of the scripts of LAMMPS and LIGGGHTS. It handles variables, branches, loops and included files. It
+passes other commands to a System (cor._audit.lammps), which takes a snapshot at each run. It runs no program and reads
+files only through Options.include.
 
 An `if` whose condition is unknown splits the script into worlds, one for each branch."""
 
@@ -25,16 +25,16 @@ _BLANK = "\1"
 
 
 class Unknown(Exception):
-    """A value that only a run of the simulator would give. The text names it."""
+    """A value that only a run of the simulator can give. The text names it."""
 
 
 class OutOfBounds(Exception):
-    """The script takes too long; the text is the reason."""
+    """The script takes too long. The text is the reason."""
 
 
 class Variable(NamedTuple):
     style: str
-    values: Tuple[str, ...] = ()  # or the formula; of format: the variable and the format
+    values: Tuple[str, ...] = ()  # or the formula; for format: the variable and the format
     at: int = 0
 
 
@@ -54,7 +54,7 @@ class Source(NamedTuple):
 
 
 def number(word: str) -> float:
-    """Returns the number that a word is. Raises Unknown if it is not one, or has an unknown value."""
+    """Returns the value of a word that is a number. Raises Unknown for other words and unknown values."""
     if _MARK in word:
         raise Unknown(word.split(_MARK)[1])
     if re.fullmatch(rf"[+-]?{_NUMBER}", word):
@@ -89,9 +89,9 @@ SIGNS: Dict[str, Callable[[Any, Any], float]] = {
 
 
 class _Formula:
-    """A formula by LAMMPS's precedence: minus and ! bind before ^, and equal signs to the left.
+    """A formula with LAMMPS's precedence: minus and ! bind before ^, and operators of equal precedence to the left.
 
-    is_test: the condition of an `if`, whose names are words, and which has no arithmetic."""
+    is_test: the condition of an `if`, in which names are words and arithmetic is not allowed."""
 
     def __init__(self, text: str, world: "World", is_test: bool = False):
         self.text, self.world, self.at, self.is_test = text, world, 0, is_test
@@ -192,8 +192,8 @@ def _without_comment(text: str) -> str:
 
 
 class Words(List[str]):
-    """The words of a command; "" beyond them. expanded: the text with its variables replaced; inside: where the words
-    are in it; pieces: its parts, each with the part of the raw text that it came from."""
+    """The words of a command; "" beyond the last. expanded: the text with its variables replaced. inside: the place of
+    each word in it. pieces: its parts, each with the part of the raw text that it came from."""
 
     def __init__(self, line: Line, pieces: Sequence[Tuple[str, int, int]]):
         super().__init__()
@@ -211,9 +211,9 @@ class Words(List[str]):
         return super().__getitem__(i) if isinstance(i, slice) or -len(self) <= i < len(self) else ""
 
     def slots(self, indices: Sequence[int]) -> Tuple[str, Tuple[Tuple[int, int], ...]]:
-        """Returns a text for the line and the parts of it that hold these words.
+        """Returns a text for the line and the parts of it that contain these words.
 
-        It is the raw text or, where a variable holds several words, the text with its variables replaced."""
+        It is the raw text or, if a variable contains several words, the text with its variables replaced."""
         spans = []
         for i in indices:
             start, end = self.inside[i]
@@ -256,7 +256,7 @@ class Words(List[str]):
 
 
 class System:
-    """The state of the simulator. A command that matters is a method on_NAME; it returns False if nothing changes."""
+    """The state of the simulator. The method on_NAME executes the command NAME; it returns False if nothing changes."""
 
     is_changed = True  # since the last run
 
@@ -275,7 +275,7 @@ class System:
 
 
 class World:
-    """One course of a script: its place in the files, its variables and its system."""
+    """One path through a script: its place in the files, its variables and its system."""
 
     def __init__(self, script: "Script", system: System):
         self.script, self.system = script, system
@@ -283,7 +283,7 @@ class World:
         self.stack: List[Tuple[Source, int, int]] = []  # file, offset, number of the next line
         self.label, self.skip_jump, self.partition, self.depth, self.is_left = "", False, 0, 0, False
         self.evaluated: Set[str] = set()
-        self.changes = 0  # of the system, and with the variables at each unknown condition
+        self.changes = 0  # of the system, and of the variables at each unknown condition
         self.visited: Dict[Tuple[str, int], Any] = {}
         self.pending: List[str] = []
         self.place = Line("", 0, 0, "")
@@ -329,7 +329,7 @@ class World:
     def expand(self, line: Line, inside_quotes: bool = False) -> Words:
         """Replaces the variables outside of quotes and splits the text into words.
 
-        An unknown value stays in its word, as a mark with its name."""
+        An unknown value is replaced by a mark with its name."""
         text, start, quote = line.raw, 0, ""
         pieces: List[Tuple[str, int, int]] = []
         length = len(text)
@@ -381,7 +381,7 @@ class World:
         if style == "delete":
             self.variables.pop(name, None)
         elif style in ("index", "universe", "uloop", "loop", "world", "getenv", "file", "atomfile") and old:
-            return  # LAMMPS keeps the first
+            return  # LAMMPS uses the first definition
         elif style in ("index", "universe", "world") and values:
             if style == "world" and len(values) > 1:
                 self.part(len(values))
@@ -472,7 +472,7 @@ class World:
             self.stack[-1] = (source, at, line)
 
     def branch(self, words: Words) -> None:
-        """Executes `if`: the first branch that is true; each branch up to it in a world of its own while unknown."""
+        """Executes the first true branch of `if`. Each earlier branch of unknown condition gets its own world."""
         marks = [1] + [i for i in range(2, len(words)) if words[i] in ("elif", "else")] + [len(words)]
         branches: List[List[str]] = []
         unknown, is_true = "", False
@@ -584,7 +584,7 @@ def _formatted(form: str, value: float) -> str:
 
 
 def _logical_line(text: str, at: int, line: int) -> Tuple[str, int, int]:
-    """Returns a line with the lines that continue it (&, or an open triple quote), and where the next one begins."""
+    """Returns a line with the lines that continue it (&, or an open triple quote), and the start of the next line."""
     parts: List[str] = []
     quoted = False
     while True:
@@ -616,7 +616,7 @@ _FLOW: Dict[str, Callable[[World, Words], None]] = {
 
 
 class Script:
-    """The worlds of a script. remarks: sentences about lines; split: the place of each unknown condition, and why."""
+    """The worlds of a script. remarks: sentences about lines. split: place and reason of each unknown condition."""
 
     def __init__(self, options: Options):
         self.options = options

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Readers of formats of keywords: Kratos (json), MFiX, Lethe, PFC, MercuryDPM (C++)."""
+"""Reads keyword formats: Kratos (json), MFiX, Lethe, PFC, MercuryDPM (C++)."""
 
 import ast
 import contextlib
@@ -18,7 +18,7 @@ MAX_TEXT = 1 << 20
 
 
 def arithmetic(text: str) -> float:
-    """The value of an expression of numbers and functions; NaN if it is none. Exponents by e or d."""
+    """Returns the value of an expression of numbers and functions; NaN for other text. Exponents may use e or d."""
     text = re.sub(r"(?<=[\d.])[dD](?=[-+\d])", "e", text.strip())
     try:
         return float(text)
@@ -33,7 +33,7 @@ def arithmetic(text: str) -> float:
 
 
 class Source:
-    """A text with its lines, and the repairs of its lines."""
+    """A text with its lines and their repairs."""
 
     def __init__(self, text: str, name: str) -> None:
         if len(text) > MAX_TEXT:
@@ -43,7 +43,7 @@ class Source:
         self.repairs: Dict[int, Repair] = {}
 
     def line(self, at: int) -> int:
-        """The number of the line of a position, from 1."""
+        """Returns the line number of a position, from 1."""
         low, high = 0, len(self.starts)
         while high - low > 1:
             middle = (low + high) // 2
@@ -65,7 +65,7 @@ class Source:
 
 
 class _Number(float):
-    """A number of a text with its place."""
+    """A number with its place in the text."""
 
     place: Slot
 
@@ -139,7 +139,7 @@ def _kratos_contact(source: Source, bodies: List[Body], values: Dict[str, Any], 
 
 
 def _namelist(text: str) -> Iterator[Tuple[str, int, List[Tuple[str, int, int]]]]:
-    """Each keyword in upper case, its first index, and its values with their places; lists go on over lines."""
+    """Yields each keyword in upper case, its first index, and its values with their places. Lists may span lines."""
     comment = re.compile(r"""('[^'\n]*'|"[^"\n]*")|[!#][^\n]*""")
     text = comment.sub(lambda m: m[1] or " " * len(m[0]), text)
     keys = list(re.finditer(r"([A-Za-z_]\w*)[ \t]*(\([^)\n]*\))?[ \t]*=(?!=)", text))
@@ -223,7 +223,7 @@ def read_mfix(text: str, name: str, options: Options) -> Deck:
 
 
 def _set_mfix_step(deck: Deck, stiffness: float, factor: float) -> None:
-    """MFiX's time step: a 50th, or another fraction, of the shortest contact of two particles with linear springs."""
+    """Sets MFiX's time step: 1/50, or another fraction, of the shortest contact of particles with linear springs."""
     shortest = math.inf
     for c in deck.contacts:
         if not c.bodies[1].wall and not c.unknown:
@@ -315,7 +315,7 @@ def read_lethe(text: str, name: str, options: Options) -> Deck:
 
 
 def _pfc_lines(text: str, name: str, options: Options, called: Set[str]) -> Iterator[Tuple[str, int, str]]:
-    """File, number and text of each line without comments; the lines of a called file are in the place of the call."""
+    """Yields file, number and text of each line without comments. The lines of a called file replace the call."""
     for number, line in enumerate(re.sub(r";[^\n]*", "", Source(text, name).text).split("\n"), 1):
         call = re.match(r"""\s*(?:program\s+)?call\s+['"]?([^'"\s]+)""", line, re.I)
         found = options.include(call[1], name) if call and call[1] not in called else None
@@ -326,7 +326,7 @@ def _pfc_lines(text: str, name: str, options: Options, called: Set[str]) -> Iter
 
 
 def read_pfc(text: str, name: str, options: Options) -> Deck:
-    """Reads commands of PFC: contact models of the contact model assignment table, their dashpots, local damping."""
+    """Reads PFC commands: contact models of the contact model assignment table, their dashpots, local damping."""
     deck, lines = Deck(name, "pfc"), list(itertools.islice(_pfc_lines(text, name, options, set()), 100000))
     plain = "\n".join(line for _, _, line in lines)
     constants = {m[1].lower(): m[2] for m in re.finditer(r"\[\s*(\w+)\s*=\s*([^\]\n]+)\]", plain)}
@@ -379,7 +379,7 @@ def read_pfc(text: str, name: str, options: Options) -> Deck:
 # ---- MercuryDPM ----
 
 _SETTERS = (
-    {  # setter: model, places of e or its number, of the stiffness, and of the mass of one of two equal particles
+    {  # setter: model; argument indices of e or its number, the stiffness, and the mass of one of two equal particles
         "setStiffnessAndRestitutionCoefficient": ("MERCURYDPM_LINEAR", 1, 0, 2),
         "setCollisionTimeAndRestitutionCoefficient": ("MERCURYDPM_LINEAR", 1, 0, 2),
         "setRestitutionCoefficient": ("MERCURYDPM_LINEAR", 0, None, 1),
@@ -389,7 +389,7 @@ _SETTERS = (
 
 
 def read_mercurydpm(text: str, name: str, options: Options) -> Deck:
-    """Reads C++ for MercuryDPM: setters of species with literal numbers."""
+    """Reads MercuryDPM's C++: setters of species with literal numbers."""
     source, deck = Source(text, name), Deck(name, "mercurydpm")
     plain = re.sub(r"//[^\n]*|/\*.*?\*/", lambda m: re.sub(r"[^\n]", " ", m[0]), text, flags=re.S)
     constants = {m[1]: m[2] for m in re.finditer(r"\b(?:double|Mdouble|auto|int)\s+(\w+)\s*=\s*([^;{}]+);", plain)}
@@ -436,7 +436,7 @@ def read_mercurydpm(text: str, name: str, options: Options) -> Deck:
 def _mercury_dashpot(
     source: Source, m: "re.Match[str]", plain: str, constants: Dict[str, str], step: Any, wall: bool
 ) -> Contact:
-    """A linear spring and dashpot of a species, with the first radius of the text; discs in two dimensions."""
+    """Returns the contact of a species with linear spring and dashpot, and the text's first radius. 2D: discs."""
 
     def given(setter: str, of: str = r"\w+") -> float:
         found = re.search(rf"\b{of}\s*(?:->|\.)\s*{setter}\(([^;]*)\)\s*;", plain)

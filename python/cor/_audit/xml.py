@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Readers of XML: models of MuJoCo, worlds of Gazebo (SDF)."""
+"""Reads XML: models of MuJoCo, worlds of Gazebo (SDF)."""
 
 import math
 import xml.etree.ElementTree as ET
@@ -12,7 +12,7 @@ MAX_DEPTH, MAX_ELEMENTS, MAX_INCLUDES, MAX_GEOMS, MAX_PAIRS = 100, 100000, 100, 
 
 
 def parse(text: str, name: str) -> ET.Element:
-    """The tree of a text; each element has the attributes .line and .file. Entities are refused."""
+    """Returns the tree of a text. Each element has the attributes .line and .file. Entities are refused."""
     parser = expat.ParserCreate()
     root = ET.Element("")
     stack, count = [root], [0]
@@ -56,7 +56,7 @@ def _numbers(text: Optional[str]) -> List[float]:
 
 
 class _Geom:
-    """Attributes of a geom after its defaults."""
+    """Attributes of a geom, with its defaults applied."""
 
     def __init__(self, element: ET.Element, values: Dict[str, str], body: int) -> None:
         self.line, self.file, self.body = int(element.get(" line", 0)), element.get(" file", ""), body
@@ -87,7 +87,7 @@ class _Model:
         self.included = 0
 
     def include(self, element: ET.Element, depth: int = 0) -> None:
-        """Puts the elements of included files in their places."""
+        """Replaces includes by the elements of the included files."""
         made: List[ET.Element] = []
         for child in element:
             if child.tag != "include":
@@ -167,7 +167,7 @@ class _Model:
         return self.deck
 
     def add_pairs(self) -> None:
-        """Contacts that can happen: explicit pairs, and what the filters of MuJoCo leave."""
+        """Adds the possible contacts: explicit pairs, and pairs that pass MuJoCo's filters."""
         named = {g.name: g for g in self.geoms}
         explicit = set()
         for pair in self.pairs:
@@ -210,7 +210,7 @@ class _Model:
         return not related or self.flag.get("filterparent") == "disable"
 
     def contact(self, one: _Geom, two: _Geom, pair: Optional[_Geom]) -> None:
-        """Adds a contact with the parameters that MuJoCo mixes of both geoms, or of a pair."""
+        """Adds a contact with the parameters that MuJoCo mixes from both geoms, or the parameters of a pair."""
         at = pair or max(one, two, key=lambda g: g.line)
         priority = one.number("priority", 0) - two.number("priority", 0)
         mixes = [g.number("solmix", 1) for g in (one, two)]
@@ -274,7 +274,7 @@ class _Model:
 
 
 def read_mujoco(text: str, name: str, options: Options) -> Deck:
-    """Reads a model of MuJoCo."""
+    """Reads a MuJoCo model."""
     return _Model(name, options).read(text)
 
 
@@ -282,7 +282,7 @@ def read_mujoco(text: str, name: str, options: Options) -> Deck:
 
 
 def read_gazebo(text: str, name: str, options: Options) -> Deck:
-    """Reads a world or model of Gazebo: each collision with a restitution_coefficient, against each other one."""
+    """Reads a Gazebo world or model: each collision with a restitution_coefficient, paired with each other one."""
     deck = Deck(name, "gazebo")
     root = parse(text, name)
     found: List[Tuple[str, bool, int, float, float]] = []
@@ -306,7 +306,7 @@ def read_gazebo(text: str, name: str, options: Options) -> Deck:
             if engines:
                 c.unknown = f"cor knows contacts of ODE only, not of the physics {', '.join(sorted(engines))}."
             deck.contacts.append(c)
-    for one in found if not deck.contacts else []:  # a model without its world
+    for one in found if not deck.contacts else []:  # a model without a world
         a, b = Body(one[0]), Body("any")
         c = Contact(name, one[2], "gazebo", (a, b), "GAZEBO_BOUNCE", number=one[3], threshold=one[4], time_step=step)
         c.notes.append("A smaller e or threshold of the other body counts.")

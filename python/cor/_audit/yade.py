@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Reads YADE's Python by its syntax tree. Nothing is executed: statements whose values are constants are followed."""
+"""Reads YADE's Python from its syntax tree. Nothing is executed; statements with constant values are interpreted."""
 
 import ast
 import math
@@ -23,8 +23,8 @@ _OPERATORS: Dict[Any, Callable[..., Any]] = {
 }  # fmt: skip
 _MATH = {n: getattr(math, n) for n in "sqrt exp log log10 sin cos tan asin acos atan atan2 ceil floor radians".split()}
 _MATH.update(pow=math.pow, float=float, int=int, abs=abs, min=min, max=max, len=len, degrees=math.degrees)
-_MATH.update(toHP1=float, Real=float, radiansHP1=math.radians)  # of yade.math, which also takes "0.3"
-_MATERIAL = {"young": 1e9, "poisson": 0.25, "density": 1000.0}  # of YADE's classes where a material does not set them
+_MATH.update(toHP1=float, Real=float, radiansHP1=math.radians)  # of yade.math, which also accepts "0.3"
+_MATERIAL = {"young": 1e9, "poisson": 0.25, "density": 1000.0}  # defaults of YADE's classes
 _LOSSES: Tuple[str, ...] = ("DragEngine", "LinearDragEngine", "HydroForceEngine", "FlowEngine", "TwoPhaseFlowEngine")
 _LOSSES += ("ViscousForceEngine", "SPHEngine", "FluidDomain", "OpenFoamCoupling")
 _FACETS = re.compile("facet[A-Z]\\w*|gtsSurface2Facets|stl|gmsh|unv|ele|iges")
@@ -33,7 +33,7 @@ _NUMBERS = {"en", "betan", "tc", "kn", "cn", "damping"}
 
 @dataclass(eq=False)
 class Thing:
-    """An object of YADE, by the call that makes it: keywords with their values and their places in the text."""
+    """A YADE object, represented by the call that makes it: keywords with their values and places in the text."""
 
     name: str
     line: int
@@ -42,7 +42,7 @@ class Thing:
     arguments: List[Any] = field(default_factory=list)
 
     def number(self, key: str, otherwise: float = NAN) -> float:
-        """A keyword's number; NaN if it is not a constant."""
+        """Returns a keyword's number; NaN if it is not a constant."""
         value = self.values.get(key, otherwise)
         return float(value) if isinstance(value, (int, float)) else NAN
 
@@ -87,7 +87,7 @@ class Script:
     # ---- values ----
 
     def value(self, node: Optional[ast.AST]) -> Any:
-        """The value of an expression, or UNKNOWN."""
+        """Returns the value of an expression, or UNKNOWN."""
         self.steps += 1
         if node is None or self.steps > MAX_STEPS:
             return None if node is None else UNKNOWN
@@ -121,7 +121,7 @@ class Script:
         return self.sequence(node.elts)
 
     def value_Lambda(self, node: ast.Lambda) -> Any:
-        return UNKNOWN if node.args.args else self.value(node.body)  # a material, where YADE takes a function
+        return UNKNOWN if node.args.args else self.value(node.body)  # a material, where YADE accepts a function
 
     def value_Dict(self, node: ast.Dict) -> Any:
         pairs = zip(node.keys, node.values)
@@ -170,7 +170,7 @@ class Script:
         return found.value if isinstance(found, Placed) else found
 
     def items(self, node: ast.AST) -> Any:
-        """The elements of a loop; of a SpherePack the pairs (centre, radius) of its least and largest sphere."""
+        """Returns a loop's elements; for a SpherePack, (centre, radius) of its smallest and largest sphere."""
         of = self.value(node)
         is_pack = isinstance(of, Thing) and of.name == "SpherePack"
         return [(UNKNOWN, r) for r in of.values.get("radius", (NAN, NAN))] if is_pack else of
@@ -225,7 +225,7 @@ class Script:
             return self.method(of, thing)
         is_body = any(
             isinstance(x, Spheres) for x in thing.arguments
-        )  # which may exist, also in a loop of unknown length
+        )  # the body may exist, also in a loop of unknown length
         if isinstance(of, list) and name in ("append", "extend", "insert") and (is_body or not self.unsure):
             of.extend(thing.arguments[-1] if name == "extend" else thing.arguments[-1:])
             return None
@@ -246,7 +246,7 @@ class Script:
         return self.make(thing)
 
     def make(self, thing: Thing) -> Any:
-        """An object of YADE: materials and engines, bodies, packings, time steps."""
+        """Returns a YADE object: a material, engine, body, packing or time step."""
         name, a = thing.name, thing.arguments
         if name == "Omega":
             return self.names["O"]
@@ -325,7 +325,7 @@ class Script:
         return UNKNOWN
 
     def material(self, given: Any) -> Optional[Thing]:
-        """A material by its number, label or object."""
+        """Returns a material by its number, label or object."""
         if isinstance(given, ast.FunctionDef):  # YADE calls it for each body
             given = self.makers.setdefault(given.name, self.call(given, Thing(given.name, given.lineno)))
         if isinstance(given, Thing):
@@ -463,34 +463,34 @@ class Script:
 
 @dataclass(frozen=True)
 class Placed:
-    """A value of a dictionary with its place in the text."""
+    """A dictionary's value with its place in the text."""
 
     value: Any
     node: ast.AST
 
 
 def number_of(value: Any) -> float:
-    """A float, or NaN."""
+    """Returns the value as a float; NaN if it is not a number."""
     return float(value) if isinstance(value, (int, float)) else NAN
 
 
 def in_series(values: List[float]) -> float:
-    """The stiffness of two springs in series."""
+    """Returns the stiffness of two springs in series."""
     return values[0] * values[1] / sum(values) if sum(values) > 0 else NAN
 
 
 def young_of(material: Optional[Thing]) -> float:
-    """Young's modulus of a material."""
+    """Returns Young's modulus of a material."""
     return material.number("young", 1e9) if material else 1e7
 
 
 def density_of(material: Optional[Thing]) -> float:
-    """Density of a material."""
+    """Returns the density of a material."""
     return material.number("density", 1000.0) if material else 1000.0
 
 
 def parse(text: str, script: Script) -> ast.Module:
-    """The syntax tree; lines that are no Python 3, such as print of Python 2, are left out."""
+    """Returns the syntax tree. Lines that are not Python 3, such as print of Python 2, are omitted."""
     lines = text.expandtabs(8).split("\n")
     warnings.simplefilter("ignore", SyntaxWarning)
     for _ in range(80):
@@ -519,7 +519,7 @@ class _Reader:
         self.deck = Deck(name, "yade")
         self.lines = text.expandtabs(8).split("\n")
         self.repairs: Dict[Tuple[int, int], Repair] = {}
-        self.mixed: set[int] = set()  # materials whose numbers count in contacts with other materials
+        self.mixed: set[int] = set()  # materials whose numbers also affect contacts with other materials
         self.owners: List[Tuple[Contact, set[int]]] = []
 
     def read(self) -> Deck:
@@ -564,7 +564,7 @@ class _Reader:
     # ---- pairs ----
 
     def contacts(self) -> None:
-        """Contacts of all bodies that can meet; of all materials where the script has no spheres."""
+        """Adds the contacts of all bodies that can meet, or of all materials if the script has no spheres."""
         script, kinds = self.script, ("sphere", "facet", "wall", "box")
         loose = [t for t in script.things if t.name.endswith("Mat") and t not in script.materials]
         script.materials += loose
@@ -596,7 +596,7 @@ class _Reader:
                     self.contact(one, two)
         for c, materials in self.owners:
             if self.mixed & materials:
-                c.slots = ()  # another number changes the contacts of two materials
+                c.slots = ()  # changing the number would affect contacts of two materials
         for functor in self.functors:
             self.strange_matches(functor)
 
@@ -634,7 +634,7 @@ class _Reader:
         self.deck.contacts.append(c)
 
     def set_model(self, c: Contact, one: Spheres, two: Spheres) -> None:
-        """Model, number and spring by the materials' classes and the functors of the script."""
+        """Sets model, number and spring from the materials' classes and the script's functors."""
         a, b = one.material, two.material
         names = [m.name if m else "FrictMat" for m in (a, b)]
         suits = [t for t in self.functors if all(n in names or n == "FrictMat" for n in t.name.split("_")[1:3])]
@@ -673,7 +673,7 @@ class _Reader:
             c.unknown = "The adhesion changes eps."
 
     def set_number(self, c: Contact, thing: Thing, key: str, a: Optional[Thing], b: Optional[Thing]) -> None:
-        """The number of a keyword, which may be a MatchMaker, with its place in the text."""
+        """Sets number and place of a contact from a keyword, which may be a MatchMaker."""
         value, node = thing.values[key], thing.nodes.get(key)
         if isinstance(value, Thing) and value.name == "MatchMaker":
             value, node = self.match(value, a, b)
@@ -711,7 +711,7 @@ class _Reader:
         return made
 
     def strange_matches(self, functor: Thing) -> None:
-        """Pairs of a MatchMaker whose materials are not in the text, by their numbers."""
+        """Adds the pairs of a MatchMaker whose materials are not in the text, named by number."""
         maker = functor.values.get("en")
         if not (isinstance(maker, Thing) and maker.name == "MatchMaker" and functor.name.endswith("MindlinPhys")):
             return
@@ -745,7 +745,7 @@ class _Reader:
                 numbers.append(c.number)
             elif by_time:
                 numbers.append(sum(values) / 2)
-            else:  # both in series, and a number that is 0 does not count
+            else:  # in series; a number that is 0 is ignored
                 inverse = sum(1 / v for v in values if v != 0)
                 numbers.append(1 / inverse if inverse else 0.0)
         c.number = numbers[0] if by_time or keys[0] in own else 2 * numbers[0]
@@ -764,11 +764,11 @@ class _Reader:
             self.set_mass(c, one, two)
 
     def radii(self, c: Contact) -> List[float]:
-        """Radii by which YADE computes stiffnesses: a wall has the sphere's."""
+        """Returns the radii from which YADE computes stiffnesses. A wall has the sphere's radius."""
         return [c.bodies[0].radius[0] if b.wall else b.radius[0] for b in c.bodies]
 
     def set_mass(self, c: Contact, one: Spheres, two: Spheres) -> None:
-        """tc and en: YADE computes the damping with m m'/(m + m') of any partner, walls included."""
+        """Sets zeta_factor for tc and en: YADE uses m m'/(m + m') of any partner for the damping, walls included."""
         if two.kind == "sphere" and not (one.fixed or two.fixed):
             return
         if two.kind in ("wall", "facet"):
@@ -787,7 +787,7 @@ class _Reader:
             c.notes.append("YADE computes kn and cn with the mass of the fixed body, which does not move.")
 
     def place(self, c: Contact, node: Any) -> None:
-        """The place of a number in the lines of the text."""
+        """Sets repair and slot of a contact whose number is at a node."""
         key = node.lineno, node.end_lineno
         lines = self.lines[key[0] - 1 : key[1]]
         repair = self.repairs.setdefault(key, Repair(self.name, *key, "\n".join(lines)))
@@ -802,5 +802,5 @@ class _Reader:
 
 
 def read(text: str, name: str, options: Options) -> Deck:
-    """Reads a script of YADE."""
+    """Reads a YADE script."""
     return _Reader(text, name, options).read()
