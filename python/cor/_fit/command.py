@@ -108,7 +108,7 @@ def add_arguments(parser: Parser) -> None:
 
 
 def _text_table(rows: Sequence[Sequence[str]]) -> str:
-    """Return columns side by side; where one has negative numbers, the others leave room for the sign."""
+    """Return columns side by side. If one has negative numbers, the others have space for a sign."""
     columns = []
     for column in zip(*rows):
         signed = any(text.startswith("-") for text in column)
@@ -138,7 +138,7 @@ def report(result: Result) -> str:
 
 
 def _option_of(text: str, options: argparse.Namespace) -> str:
-    """Return a message about an argument of cor.fit as one about the option."""
+    """Return a message about an argument of cor.fit as a message about the option."""
     name = re.match(r"\w+(?=:)", text)
     return f"--{name[0].replace('_', '-')}{text[name.end():]}" if name and hasattr(options, name[0]) else text
 

@@ -2,8 +2,8 @@
 """Fits several models to the same data, ranks them by AIC, judges them, and names outliers.
 
 A curve is judged by its p value. With given errors it is the tail of chi^2 with n - k degrees of freedom. Without
-them, and in the robust fit, where psi(z) takes the place of z, it is the tail of Fisher's F of m = n/3 groups
-of neighbours in speed, at least k + 1 and at most 12, for
+them, and in the robust fit (with psi(z) instead of z), it is the tail of Fisher's F for m = n/3 groups of neighbours
+in speed, m from k + 1 to 12, at
 
     [sum over groups n_j mean_j^2/(m - k)]/[sum (z_i - mean_j)^2/(n - m)]
 """
@@ -20,27 +20,27 @@ from .likelihood import HUBER, LEAST_RESIDUAL, MANY, Field, Problem, Reduced, Sa
 from .models import POWER_LAW, Curve, Model
 
 SIGNIFICANCE = 0.01  # a curve with a smaller p value does not fit
-REACH = 67  # bounces after a time that still determine its error
+REACH = 67  # number of bounces after a time that still determine its error
 MAX_OUTLIERS = 8
-NO_SCATTER = 1e-12  # residuals of eps below come from rounding, not from errors
-NEAR = 2.0  # models whose AIC differs by less are as good
+NO_SCATTER = 1e-12  # smaller residuals of eps are rounding, not errors
+NEAR = 2.0  # models whose AIC differs by less are equally good
 
 
 @dataclass
 class Estimate:
-    """The fit of one curve"""
+    """The fit of one curve."""
 
     problem: Problem
     theta: Floats
     minimum: float  # Q
-    scale: float  # s of the errors, of times and heights times the root of the determinants; nan if they are given
+    scale: float  # s of the errors, times the root of the determinants for times and heights; nan if given
     intervals: Any = None  # [coordinate, level, side], infinite beyond the range of theta
     determined: Tuple[bool, ...] = ()  # False: the minimum is flat
     rms: float = math.nan
     chi2: float = math.nan
     p_value: float = math.nan
     p_of_chi2: bool = False
-    sigma: Tuple[float, float] = (math.nan, math.nan)  # of a time or height, and of the scatter of eps
+    sigma: Tuple[float, float] = (math.nan, math.nan)  # sigma of a time or height, and of the scatter of eps
     aic: float = math.nan
 
     @property
@@ -53,7 +53,7 @@ class Estimate:
 
 
 class Setup(NamedTuple):
-    """The settings of all fits of a call"""
+    """The settings of all fits of a call."""
 
     field: Field
     free: Tuple[str, ...]
@@ -63,7 +63,7 @@ class Setup(NamedTuple):
 def estimate(
     curve: Curve, sample: Sample, setup: Setup, whole: bool = True, near: Optional[Estimate] = None
 ) -> Optional[Estimate]:
-    """Fit a curve; None with too few points. whole: also intervals and p value. near: a fit of nearly the same data"""
+    """Fit a curve; None with too few points. whole: also intervals and p value. near: a fit of nearly equal data."""
     parameters = len(curve.kinds) + len(setup.free)
     if sample.size <= parameters:
         return None
@@ -90,7 +90,7 @@ def estimate(
 
 
 def _pilot(sample: Sample, setup: Setup) -> Tuple[Problem, Floats]:
-    """The power law, which is near any curve, fitted to some of very many drops"""
+    """Fit the power law, which approximates any curve, to a part of very many drops."""
     if sample.pilot is None:
         drop = np.cumsum(sample.begins) - 1
         chosen = drop % max(1, sample.size // 1000) == 0
@@ -101,8 +101,8 @@ def _pilot(sample: Sample, setup: Setup) -> Tuple[Problem, Floats]:
 
 
 def _set_limits(e: Estimate) -> None:
-    """A logarithm at an end of its range means 0 or infinity, and so do the ends of intervals. A coordinate whose
-    interval of 68 % is the whole range is not determined."""
+    """Set logarithms and ends of intervals at an end of the range to -inf or inf. A coordinate whose 68 % interval is
+    the whole range is not determined."""
     p = e.problem
     determined = []
     for j, kind in enumerate(p.kinds):
@@ -116,7 +116,7 @@ def _set_limits(e: Estimate) -> None:
                     near = np.abs(e.intervals[j] - end) < 1e-6
                     e.intervals[j] = np.where(near, infinity, e.intervals[j])
                     e.intervals[j, :, 0 if infinity < 0 else 1] = infinity
-    if not all(determined) and len(determined) > 1:  # a coordinate that moves with one that is not
+    if not all(determined) and len(determined) > 1:  # a coordinate that moves with an undetermined one
         covariance = covariance_of(p, finite_theta(e))
         size = np.sqrt(np.diag(covariance))
         tied = np.abs(covariance / np.outer(size, size)) > 1 - 1e-6
@@ -166,13 +166,13 @@ def _judge(e: Estimate) -> None:
 
 @dataclass
 class Comparison:
-    """The fits of the models, the least AIC first; equal AICs in the order of the models"""
+    """The fits of the models, the least AIC first. Equal AICs are in the order of the models."""
 
     fits: List[Tuple[Model, Estimate]] = field(default_factory=list)
-    too_many_parameters: int = 0  # models left out because the points are too few
+    too_many_parameters: int = 0  # models omitted because the points are too few
 
     def best(self) -> Optional[Tuple[Model, Estimate]]:
-        """The simplest model that fits and whose AIC is less than NEAR above the least of those that fit"""
+        """Return the simplest model that fits with an AIC less than NEAR above the least AIC of fitting models."""
         fitting = [fit for fit in self.fits if not math.isnan(fit[1].p_value) and fit[1].fits]
         near = [fit for fit in fitting if fit[1].aic < fitting[0][1].aic + NEAR]
         return min(near, key=lambda fit: fit[1].parameters) if near else None
@@ -210,12 +210,12 @@ def compare(
 
 class Outlier(NamedTuple):
     line: int
-    distance: float  # in sigma of the errors, without the outliers; above 0: eps is too large, or a time late
+    distance: float  # in sigma of the errors without outliers; above 0: eps is too large, or a time is late
 
 
 def distances(e: Estimate) -> Tuple[Ints, Floats]:
-    """The lines and their distances from the curve in standard deviations: of points (eps - eps(v))/s; of times, and
-    of heights of one drop, the error of the number, as the later bounces of its drop determine it, over its s"""
+    """Return the lines and their distances from the curve in standard deviations. For points: (eps - eps(v))/s. For
+    times, and heights of one drop: the number's error over its s, as determined by the later bounces of the drop."""
     p, sample, n = e.problem, e.problem.sample, e.problem.size
     theta = finite_theta(e)
     if not sample.is_chain:
@@ -229,7 +229,7 @@ def distances(e: Estimate) -> Tuple[Ints, Floats]:
     place = np.where(numbers < 0, -1, numbers - np.where(numbers[0] < 0, numbers[1], numbers[0])[start][drop])
     known, at = np.unique(numbers, return_index=True)
     known, at = known[known >= 0], at[known >= 0]
-    groups = int(place.max()) // REACH + 1  # of a drop: numbers so far apart do not disturb each other
+    groups = int(place.max()) // REACH + 1  # of a drop: numbers REACH apart do not affect each other
     found = np.empty(known.size)
     for colour in range(min(REACH, int(place.max()) + 1)):
         use = (place >= 0) & (place % REACH == colour)
@@ -254,11 +254,11 @@ def _squares(e: Estimate) -> float:
 
 
 def find_outliers(data: Data, sample: Sample, models: Sequence[Model], setup: Setup, progress: Any) -> List[Outlier]:
-    """The lines that lie too far from the curve of the first model of the robust fits. The line farthest from the
-    robust fit is left out while n normal errors would reach so far with a probability below 1/20, at most MAX_OUTLIERS
-    and a fourth of the points. Then the nearest is put back while the probability of one, Student's t times the number
-    of lines, is SIGNIFICANCE or more. Given errors have the normal tail; if they are too small for the other points,
-    too, they are scaled to chi^2 = n - k first."""
+    """Return the lines that are too far from the curve of the first model of the robust fits. The line farthest from
+    the robust fit is removed while n normal errors would reach that distance with a probability below 1/20. At most
+    MAX_OUTLIERS and a fourth of the points are removed. Then the nearest is restored while its probability, Student's t
+    times the number of lines, is SIGNIFICANCE or more. Given errors have the normal tail. If they are too small for the
+    other points, too, they are first scaled to chi^2 = n - k."""
     if sample.size > MANY:
         return []
     special = scipy("special")
@@ -283,7 +283,7 @@ def find_outliers(data: Data, sample: Sample, models: Sequence[Model], setup: Se
         if here.size * special.erfc(abs(found[k]) / math.sqrt(2)) > 0.05:
             break
         left_out.append(Outlier(int(lines[k]), float(found[k])))
-        if rest().size < 3 * sample.size // 4:  # too many: the last one stays
+        if rest().size < 3 * sample.size // 4:  # too many: the last one is not removed
             left_out.pop()
             break
     count = sample.numbers
@@ -298,7 +298,7 @@ def find_outliers(data: Data, sample: Sample, models: Sequence[Model], setup: Se
             f = estimate(curve, rest(put_back=outlier.line), plain, False, e)
             assert f is not None
             distance = _distance_of(replace(e, problem=_on(e.problem, f.problem.sample)), outlier.line)
-            if sample.is_chain:  # without the bounces of this time another lambda may look right by chance
+            if sample.is_chain:  # without the bounces of this time another lambda may fit by chance
                 other = _distance_of(f, outlier.line)
                 other *= math.sqrt((f.problem.freedom - 1) / max(f.problem.freedom - other**2, 1e-9))
                 distance = other if abs(other) < abs(distance) else distance
@@ -318,7 +318,7 @@ def find_outliers(data: Data, sample: Sample, models: Sequence[Model], setup: Se
 
 
 def _on(p: Problem, sample: Sample) -> Problem:
-    """The same curve and noise with other bounces"""
+    """Return the problem of this curve and noise with other bounces."""
     made = Problem(p.curve, sample, p.field, p.free, p.robust)
     made.scale, made.log_ratio = p.scale, p.log_ratio + math.log(made.mean_square / p.mean_square)
     return made

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Measured bounces as the reader (records) hands them to the fit: SI units, in the order of the file."""
+"""Measured bounces as the reader (records) passes them to the fit: SI units, in the order of the file."""
 
 from dataclasses import dataclass, replace
 from typing import Any, Dict, Optional, Tuple, Union
@@ -11,12 +11,12 @@ Floats = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]
 
 GRAVITY_M_S2 = 9.80665  # standard gravity
-MAX_BEYOND = 5  # a point may lie beyond 0 or 1 by this number of its sigma
-MAX_FLIGHT_RATIO = 1.2  # by noise a flight or a rebound may make eps as large as this
+MAX_BEYOND = 5  # largest distance of a point beyond 0 or 1, in its sigma
+MAX_FLIGHT_RATIO = 1.2  # noise of a flight or a rebound may raise eps up to this value
 
 
 class DataError(ValueError):
-    """Data that cannot be read: the text names line and column, what is allowed and an example."""
+    """Data that cannot be read. The text names line and column, the allowed values and an example."""
 
 
 @dataclass(frozen=True)
@@ -76,7 +76,7 @@ class Data:
     record: Union[Points, Heights, Times, Apexes]
     balls: Tuple[str, ...] = ()
     unused: Tuple[str, ...] = ()  # names of the columns that are not read
-    remarks: Tuple[str, ...] = ()  # sentences about the reading, as the number of bounces found in a track
+    remarks: Tuple[str, ...] = ()  # sentences about the reading, such as the number of bounces in a track
     row_word: str = "line"  # lines count from 1 with the header; "row": elements of arrays, from 0
 
     def of_ball(self, ball: int) -> "Data":
@@ -98,7 +98,7 @@ class Data:
 
 @dataclass(frozen=True)
 class Air:
-    """The air around the ball (PHYSICS: flight with drag and buoyancy). No drag without a number or fit_drag."""
+    """The air around the ball, which causes drag and buoyancy. Without a number or fit_drag drag is 0."""
 
     drag_coefficient: Optional[float] = None
     mass_kg: Optional[float] = None
@@ -110,9 +110,9 @@ class Air:
 
 @dataclass(frozen=True)
 class Form:
-    """How to read the source."""
+    """The format of the source."""
 
-    unit: Optional[str] = None  # of speeds, heights or times whose columns name none: "cm/s", "cm", "ms"
-    separator: Optional[str] = None  # one of , ; tab; None: the one that the first row has most of
+    unit: Optional[str] = None  # of speeds, heights or times whose columns name no unit: "cm/s", "cm", "ms"
+    separator: Optional[str] = None  # one of , ; tab; None: the most frequent one in the first row
     decimal_comma: bool = False
     drop_height_m: Optional[float] = None  # of every drop

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The least Q of a curve, and profile-likelihood intervals of its coordinates.
+"""Finds the least Q of a curve, and profile-likelihood intervals of its coordinates.
 
-The interval of a coordinate holds the values at which the least Q over the others exceeds the minimum by at most z^2
-(errors given), or t^2 s^2 with Student's t of n - k degrees of freedom (errors unknown). In the robust fit that
+The interval of a coordinate has the values at which the least Q over the others exceeds the minimum by at most z^2
+(errors given), or t^2 s^2 with Student's t of n - k degrees of freedom (errors unknown). In the robust fit this
 threshold is multiplied by Huber's factor [sum psi^2/(n - k)]/[sum psi'/n]. The search for an end of the 95 % interval
 starts at the end of the 68 % interval, so that one contains the other.
 """
@@ -31,8 +31,8 @@ class _Lower(Exception):
 
 
 def least_squares(p: Problem, theta: Floats, free: Sequence[int]) -> Tuple[Floats, float]:
-    """The Levenberg-Marquardt method of MINPACK over the free coordinates, from theta. A coordinate that leaves its
-    range is held at the end of the range."""
+    """Minimise Q over the free coordinates from theta by MINPACK's Levenberg-Marquardt method. A coordinate that leaves
+    its range is fixed at the end of the range."""
     theta, free = theta.copy(), list(free)
     while free:
 
@@ -65,7 +65,7 @@ class _Best:
 
 
 def _coarse(p: Problem, most: int, extra: Sequence[float]) -> Tuple[Floats, Callable[..., Any]]:
-    """Return a function of theta, whose elements may be columns: Q of at most `most` points, without covariance"""
+    """Return a function of theta, whose elements may be columns: Q of at most `most` points, without covariance."""
     curves = len(p.curve.kinds)
     flights = p.at(np.array([*([0.0] * curves), *extra]))
     order = flights.order[:: max(1, -(-p.size // most))]
@@ -111,7 +111,7 @@ def _starts(p: Problem, extra: Sequence[float]) -> List[List[float]]:
 
 
 def _lines(p: Problem, extra: Sequence[float]) -> List[List[float]]:
-    """The weighted mean, or the mean and the straight line of ln eps over ln v with weights eps^2/sigma^2"""
+    """Return the weighted mean, or it and the straight line of ln eps over ln v with weights eps^2/sigma^2."""
     flights = p.at(np.array([*([0.0] * len(p.curve.kinds)), *extra]))
     eps, weight = flights.eps, (p.spread(flights) * np.ones(p.size)) ** -2
     if p.curve is CONSTANT:
@@ -127,7 +127,7 @@ def _lines(p: Problem, extra: Sequence[float]) -> List[List[float]]:
 
 
 def minimise(p: Problem) -> Tuple[Floats, float]:
-    """The minimum at the present scale and lambda"""
+    """Return the minimum at the present scale and lambda."""
     best = _Best(p)
     for drag in DRAG_STARTS if "drag" in p.free else (0.0,):
         extra = [drag if name == "drag" else 0.0 for name in p.free]
@@ -137,7 +137,7 @@ def minimise(p: Problem) -> Tuple[Floats, float]:
 
 
 def settle(p: Problem, theta: Floats) -> Floats:
-    """theta and the noise in turn, until the scale stays"""
+    """Update theta and the noise in turn until the scale is constant."""
     for _ in range(40):
         before = p.scale
         if not p.robust:
@@ -156,8 +156,8 @@ def _nearest(p: Problem, theta: Floats) -> Tuple[Floats, float]:
 
 
 def minimise_with_noise(p: Problem, near: Optional[Floats] = None) -> Floats:
-    """The minimum over theta, and of unknown errors over lambda. Sets the scale (1 unless robust) and lambda. near: the
-    theta of data that differ by a few bounces, with their scale and lambda in p"""
+    """Return the minimum over theta and, for unknown errors, over lambda. Set the scale (1 unless robust) and lambda.
+    near: the theta of data that differ by a few bounces; p contains their scale and lambda."""
     if near is not None:
         theta = settle(p, near)
         p.scale = p.scale if p.robust else 1.0
@@ -166,7 +166,7 @@ def minimise_with_noise(p: Problem, near: Optional[Floats] = None) -> Floats:
     theta, _ = minimise(p)
     p.plain = False
     if not p.robust and (p.sample.is_points or not (p.scatters or p.sample.has_sigma)):
-        return theta  # z is the same
+        return theta  # z is unchanged
     if p.sample.has_sigma:
         return minimise(p)[0]
     p.set_noise(theta)
@@ -194,7 +194,7 @@ def minimise_with_noise(p: Problem, near: Optional[Floats] = None) -> Floats:
 
 
 def whole_q(p: Problem, theta: Floats) -> float:
-    """Q, least over lambda; sets lambda"""
+    """Return the least Q over lambda, and set lambda."""
     if not p.scatters or p.robust:
         return p.objective(theta)
     p.set_noise(theta)
@@ -203,7 +203,7 @@ def whole_q(p: Problem, theta: Floats) -> float:
 
 
 def profile(p: Problem, theta: Floats, held: Sequence[int]) -> Tuple[float, Floats]:
-    """The least Q where the held coordinates have their values in theta, and its place"""
+    """Return the least Q with the held coordinates fixed at their values in theta, and its place."""
     free = [j for j in range(p.parameters) if j not in held]
     q = math.inf
     while True:
@@ -216,7 +216,7 @@ def profile(p: Problem, theta: Floats, held: Sequence[int]) -> Tuple[float, Floa
 
 
 def covariance_of(p: Problem, theta: Floats) -> Any:
-    """The covariance of the coordinates for errors of 1, by linear propagation; large along a level valley"""
+    """Return the coordinates' covariance for errors of 1 by linear propagation. It is large along a flat valley."""
     base = p.residuals(theta)
     step = 1e-6 * np.maximum(np.abs(theta), 1)
     step = np.where(theta + step > p.high, -step, step)
@@ -230,8 +230,8 @@ def covariance_of(p: Problem, theta: Floats) -> Any:
 def interval_ends(
     p: Problem, theta: Floats, j: int, sign: int, minimum: float, targets: Sequence[float], covariance: Any
 ) -> List[float]:
-    """The ends of the intervals of coordinate j on one side: where the root of the excess of the profile over the
-    minimum, which is nearly linear there, reaches the targets."""
+    """Return the ends of the intervals of coordinate j on one side. There the square root of the excess of the profile
+    over the minimum reaches the targets; this root is nearly linear."""
     ways, width = covariance[j] / covariance[j, j], math.sqrt(covariance[j, j])
     limit = p.high[j] if sign > 0 else p.low[j]
     inside, others = theta.copy(), _other_starts(p, theta, j)
@@ -279,7 +279,7 @@ def interval_ends(
 
 
 def _other_starts(p: Problem, theta: Floats, j: int) -> Callable[[float], List[Floats]]:
-    """Return a function that finds the other of two coordinates of points on a grid: its minimum may jump."""
+    """Return a function that finds starts for the other of two coordinates on a grid. Its minimum may jump."""
     if p.curve.start != "grid" or p.parameters != 2 or p.scatters:
         return lambda x: []
     _, q = _coarse(p, 250, [])
@@ -296,7 +296,7 @@ def _other_starts(p: Problem, theta: Floats, j: int) -> Callable[[float], List[F
 
 
 def unit_of(p: Problem, theta: Floats, minimum: float) -> float:
-    """The excess of Q at an end of an interval, over the square of the quantile: 1, s^2, or Huber's factor"""
+    """Return the excess of Q at an interval's end over the quantile squared: 1, s^2, or Huber's factor."""
     if not p.robust:
         return 1.0 if p.sample.has_sigma else minimum / p.freedom
     root = np.abs(p.residuals(theta))
@@ -310,7 +310,7 @@ def quantile(p: Problem, level: float) -> float:
 
 
 def find_intervals(p: Problem, theta: Floats) -> Tuple[Floats, float, Any]:
-    """Return the minimum, its Q and an array of intervals: [coordinate, level, side]. Beyond a range: infinite"""
+    """Return the minimum, its Q and an array of intervals: [coordinate, level, side]; infinite beyond a range."""
     for _ in range(5):
         minimum = whole_q(p, theta)
         state = (p.scale, p.log_ratio)
@@ -336,7 +336,7 @@ def find_intervals(p: Problem, theta: Floats) -> Tuple[Floats, float, Any]:
 
 
 def _level_ends(p: Problem, theta: Floats, minimum: float, unit: float, found: Any) -> Floats:
-    """Where Q is level from the minimum to one end of a range, which means 0 or infinity, the minimum is that end."""
+    """Move the minimum to an end of a range, which means 0 or infinity, if Q is flat up to that end."""
     for j, side in zip(*np.nonzero(np.isinf(found[:, 0]))):
         if p.kinds[j] == "log" and np.isfinite(found[j, 0, 1 - side]):
             place = theta.copy()

@@ -2,13 +2,13 @@
 """The residuals of a curve, whitened by the covariance of the measured times or heights.
 
 Bounce k lies between two flights: it has the impact speed v_k and eps_k = u_(k+1)/v_k. The fit minimises Q, the sum of
-squares of z. Points have z_k = r_k/sigma_k for the residual r_k = eps_k - eps(v_k). Of times, c_k = v_k dT/du at the
-flight k + 1 makes r_k an error of the time at its end, and to first order in the errors e of the times
+squares of z. Points have z_k = r_k/sigma_k for the residual r_k = eps_k - eps(v_k). For times, c_k = v_k dT/du at
+flight k + 1 makes r_k an error of the time at its end. To first order in the errors e of the times
 
     c_k r_k = e_(k+2) - (1 + a_k) e_(k+1) + a_k e_k + c_k h_k,   a_k = (dT/du)_(k+1) (dv/dT)_k (eps + d eps/d ln v)(v_k)
 
 with the scatter h_k of eps. The first time and speed of a drop cancel. With the height of the drop, its first bounce
-has the error of a flight, e_2 - e_1. Of heights the errors are e_(k+1) - a_k e_k, with dh/du instead of dT/du. The
+has the error of a flight, e_2 - e_1. For heights the errors are e_(k+1) - a_k e_k, with dh/du instead of dT/du. The
 covariance is s^2 W, W = B + lambda diag(c^2), with a band B. z = L^-1 (c r) for W = L L^T, times
 sqrt(det W/det B)^(1/n), so that the least Q belongs to the restricted likelihood over lambda, too.
 """
@@ -25,16 +25,16 @@ from .data import Air, Apexes, Data, Floats, Heights, Ints, Points, Times
 from .models import Curve
 
 HUBER = 1.345
-LEAST_RESIDUAL = float(np.finfo(float).eps)  # smaller residuals count as this large, so that AIC is finite
+LEAST_RESIDUAL = float(np.finfo(float).eps)  # smaller residuals are raised to this value, so that AIC is finite
 SLOPE_STEP = 1e-4  # in ln v
-STEEPEST = 5.0  # eps + d eps/d ln v; beyond, where eps falls to 0, errors are not of first order
+STEEPEST = 5.0  # eps + d eps/d ln v; above, where eps drops to 0, errors are not of first order
 LOG_RATIO = (math.log(1e-10), math.log(1e8))  # of lambda times the mean square of c
 MANY = 20000  # bounces; more are reduced to a basis of curves
 
 
 @lru_cache(maxsize=None)
 def scipy(name: str) -> Any:
-    """Return a module of SciPy, which is imported where it is used."""
+    """Return a module of SciPy, imported at its first use."""
     try:
         return import_module(f"scipy.{name}")
     except ImportError:
@@ -45,7 +45,7 @@ def scipy(name: str) -> Any:
 
 
 def launch_of_duration(time: Floats, gravity: float, kappa: float) -> Floats:
-    """The launch speed u of a flight: g T sqrt(kappa) = atan(s) + asinh(s), s = u sqrt(kappa), kappa = 1/w^2"""
+    """Return a flight's launch speed u: g T sqrt(kappa) = atan(s) + asinh(s), s = u sqrt(kappa), kappa = 1/w^2."""
     tau = math.sqrt(kappa) * gravity * time
     if kappa == 0 or not np.any(tau > 1e-150):
         return gravity * time / 2
@@ -59,7 +59,7 @@ def launch_of_duration(time: Floats, gravity: float, kappa: float) -> Floats:
 
 
 def duration_slope(launch: Floats, gravity: float, kappa: float) -> Any:
-    """dT/du"""
+    """Return dT/du."""
     square = 1 + kappa * launch * launch
     return np.asarray((1 / square + 1 / np.sqrt(square)) / gravity)
 
@@ -76,17 +76,17 @@ def _speed_of_height(height: Floats, gravity: float, kappa: float, sign: int) ->
 
 
 def impact_of_drop(height: Floats, gravity: float, kappa: float) -> Any:
-    """The speed after a fall"""
+    """Return the speed after a fall from a height."""
     return _speed_of_height(height, gravity, kappa, -1)
 
 
 def launch_of_height(height: Floats, gravity: float, kappa: float) -> Any:
-    """The speed of a ball that rises to a height"""
+    """Return the launch speed of a ball that rises to a height."""
     return _speed_of_height(height, gravity, kappa, 1)
 
 
 class Field(NamedTuple):
-    """Gravity less buoyancy, and kappa = 1/w^2 for the terminal speed w. to_coefficient: C_d/kappa, nan: unknown"""
+    """Gravity minus buoyancy, and kappa = 1/w^2 for the terminal speed w. to_coefficient: C_d/kappa, nan if unknown."""
 
     gravity: float
     kappa: float
@@ -117,7 +117,7 @@ class Field(NamedTuple):
 
 
 class Flights(NamedTuple):
-    """The bounces at one gravity and drag, in the order of the file"""
+    """The bounces at one gravity and drag, in the order of the file."""
 
     speed: Floats
     log_speed: Floats
@@ -128,7 +128,7 @@ class Flights(NamedTuple):
 
 
 class Sample:
-    """The bounces of a record. without: lines that are left out with the bounces that need them"""
+    """The bounces of a record. without: lines that are omitted with the bounces that need them."""
 
     def __init__(self, data: Data, without: Sequence[int] = ()) -> None:
         record = data.record
@@ -141,13 +141,13 @@ class Sample:
         self._keep(~np.isin(self.lines, list(without)).any(axis=1))
 
     def part(self, kept: Any) -> "Sample":
-        """Return a copy with the bounces of a mask."""
+        """Return a copy with the bounces that a mask selects."""
         made = copy(self)
         made._keep(kept)
         return made
 
     def _keep(self, kept: Any) -> None:
-        """Where bounces are left out, another drop begins."""
+        """Keep the bounces of a mask. A new drop begins after each omitted bounce."""
         left_out = np.cumsum(~kept)[kept]
         begins = self.begins[kept]
         if begins.size:
@@ -161,14 +161,14 @@ class Sample:
         self.has_sigma = self.variance is not None
         self.is_chain = self.is_times or isinstance(self.record, Apexes)
         used = np.stack([self.first, self.middle, self.last])
-        self.numbers = self.size if not self.is_chain else np.unique(used[used >= 0]).size  # that may be outliers
+        self.numbers = self.size if not self.is_chain else np.unique(used[used >= 0]).size  # possible outliers
         self.scatters = not self.is_points and not self.has_sigma
         self._cached: Dict[Tuple[float, float], Flights] = {}
         self.reduced: Any = None
         self.pilot: Any = None
 
     def _bounces(self, record: Any) -> Tuple[Ints, Ints, Ints, Any]:
-        """For each bounce the indices of its measured numbers, -1 for none, and the first bounces of drops"""
+        """Return the indices of the measured numbers of each bounce, or -1, and a mask of the drops' first bounces."""
         if isinstance(record, (Points, Heights)):
             last = np.arange(record.line.size)
             middle = last if isinstance(record, Heights) else np.full(last.size, -1)
@@ -183,7 +183,7 @@ class Sample:
         return first, last - 1, last, (place[last] == 1) | ((place[last] == 2) & ~dropped[last])
 
     def _variance(self) -> Optional[Tuple[Floats, Floats]]:
-        """The variances of the last and of the middle number of each bounce, if they are given"""
+        """Return the variances of the last and the middle number of each bounce, if they are given."""
         record = self.record
         if isinstance(record, Points):
             given: Tuple[Any, Any] = record.sigma, None
@@ -208,7 +208,7 @@ class Sample:
         return self._cached[key]
 
     def _flights(self, gravity: float, kappa: float) -> Tuple[Any, Any, Any, Any]:
-        """Speeds, eps, c and gains"""
+        """Return speeds, eps, c and gains."""
         record, first, middle, last = self.record, self.first, self.middle, self.last
         if isinstance(record, Points):
             one = np.ones(self.size)
@@ -239,7 +239,7 @@ class Sample:
 
 
 class Problem:
-    """The residuals z of a curve. Behind its coordinates theta are one for the drag and one for gravity, if free."""
+    """The residuals z of a curve. Its coordinates theta are followed by drag and gravity, if these are free."""
 
     def __init__(self, curve: Curve, sample: Sample, field: Field, free: Sequence[str], robust: bool) -> None:
         self.curve, self.sample, self.field, self.free, self.robust = curve, sample, field, tuple(free), robust
@@ -252,7 +252,7 @@ class Problem:
         self.kinds = (*curve.kinds, *(extra[name][0] for name in self.free))
         self.size, self.parameters = sample.size, len(self.kinds)
         self.freedom = self.size - self.parameters
-        self.scatters = sample.scatters  # lambda is free
+        self.scatters = sample.scatters  # True: lambda is free
         self.scale, self.log_ratio = 1.0, LOG_RATIO[0]
         self.plain = False  # True: without the covariance and Huber's function, for starts
         self.mean_square = float(np.mean(flights.weight**2))
@@ -277,7 +277,7 @@ class Problem:
         return flights.eps - self.curve.eps(theta, flights.log_speed)
 
     def parts(self, theta: Floats) -> Tuple[Floats, Floats, Floats]:
-        """c r, c and a"""
+        """Return c r, c and a."""
         flights, n = self.at(theta), self.size
         x = flights.log_speed
         eps = self.curve.eps(theta, np.concatenate((x, x + SLOPE_STEP, x - SLOPE_STEP)))
@@ -311,33 +311,33 @@ class Problem:
         return determinant, z.reshape(-1, self.size)
 
     def z_at(self, parts: Tuple[Floats, Floats, Floats], log_ratios: Any) -> Floats:
-        """z with the determinants, for each ln of lambda times the mean square of c"""
+        """Return z with the determinants, for each ln of lambda times the mean square of c."""
         if not self.sample.scatters:
             return self.whiten(parts, [0.0])[1]
         determinant, z = self.whiten(parts, [0.0, *(math.exp(u) / self.mean_square for u in log_ratios)])
         return np.asarray(z[1:] * np.exp((determinant[1:] - determinant[0]) / (2 * self.size))[:, None])
 
     def time_sigma(self, theta: Floats, scale: float) -> Tuple[float, float]:
-        """s of a time or height, and the scatter of eps"""
+        """Return s of a time or height, and the scatter of eps."""
         ratio = math.exp(self.log_ratio) / self.mean_square
         determinant, _ = self.whiten(self.parts(theta), [0.0, ratio])
         sigma = scale / math.exp((determinant[1] - determinant[0]) / (2 * self.size))
         return sigma, sigma * math.sqrt(ratio)
 
     def spread(self, flights: Flights) -> Any:
-        """The standard deviations of eps, without correlations; 1 if they are not given"""
+        """Return the standard deviations of eps, without correlations; 1 if they are not given."""
         variance = self.sample.variance
         return 1.0 if variance is None else np.sqrt(variance[0] + variance[1]) / flights.weight
 
     def z(self, theta: Floats) -> Any:
-        """The residuals over their standard deviations, or over `scale`"""
+        """Return the residuals over their standard deviations, or over `scale`."""
         if self.plain or self.sample.is_points:
             return self.eps_residual(theta) / (self.spread(self.at(theta)) * self.scale)
         z = self.z_at(self.parts(theta), [self.log_ratio])[0]
         return z if self.sample.has_sigma else z / self.scale
 
     def residuals(self, theta: Floats) -> Any:
-        """z or, robust, sign(z) sqrt(rho(z)) with Huber's rho, linear beyond HUBER"""
+        """Return z, or in the robust fit sign(z) sqrt(rho(z)) with Huber's rho, linear beyond HUBER."""
         z = self.z(theta)
         if not self.robust or self.plain:
             return z
@@ -350,7 +350,7 @@ class Problem:
         return q if math.isfinite(q) else math.inf
 
     def scale_of(self, z: Floats) -> Any:
-        """sqrt(sum z^2/(n - k)) or, robust, the median of |z| over 0.6745, times sqrt(n/(n - k)); of rows of z"""
+        """Return sqrt(sum z^2/(n - k)), or if robust sqrt(n/(n - k)) median |z|/0.6745, for each row of z."""
         if self.robust:
             found = np.median(np.abs(z), axis=-1) / 0.67448975019608171 * math.sqrt(self.size / self.freedom)
         else:
@@ -359,8 +359,8 @@ class Problem:
         return np.where(np.isnan(found), math.inf, found)
 
     def set_noise(self, theta: Floats) -> None:
-        """Set lambda to the value of the least scale, and the scale. Errors of times and scatter of bounces may both be
-        likely: each local minimum of a scan is refined. A median has many by chance: there only the lowest counts."""
+        """Set the least scale and its lambda. Errors of times and scatter of bounces may both be likely, so each local
+        minimum of a scan is refined. A median has many minima by chance; of these only the lowest is refined."""
         parts = self.parts(theta)
         if not self.scatters:
             self.scale = float(self.scale_of(parts[0]))
@@ -389,8 +389,8 @@ KNOTS = 32
 
 
 class Reduced(Problem):
-    """Very many bounces with one scale and lambda: z is linear in eps, which cubic polynomials between KNOTS speeds
-    interpolate. So Q is the sum of KNOTS squares and a constant. lambda and the slopes of the covariance come from a
+    """Very many bounces with one scale and lambda. z is linear in eps, which cubic polynomials between KNOTS speeds
+    interpolate. So Q is a sum of KNOTS squares and a constant. lambda and the slopes of the covariance come from a
     `pilot`, a fit of a part of the bounces."""
 
     def __init__(self, curve: Curve, sample: Sample, field: Field, pilot: Optional[Tuple["Problem", Floats]]) -> None:
@@ -456,7 +456,7 @@ class Reduced(Problem):
 
 
 def _local_minimum(f: Callable[[Sequence[float]], Floats], low: float, high: float, places: int) -> Tuple[float, float]:
-    """The place and the value of a local minimum: by golden sections, or with several places evaluated at once"""
+    """Return place and value of a local minimum, by golden sections or with several places evaluated at once."""
     golden = 0.6180339887498949
     if places == 1:
         at = low + (1 - golden) * (high - low)

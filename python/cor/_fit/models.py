@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The models of restitution that a fit compares.
 
-Several models are one curve eps(speed) with different parameters: a thin plate has eps of the viscoelastic sphere at
-zero overlap, and eps of the linear and of Tsuji's law is constant. A curve is fitted once, in internal
+Several models are one curve eps(speed) with different parameters: a thin plate has the eps of a viscoelastic sphere at
+zero overlap, and eps is constant for the linear and Tsuji's law. A curve is fitted once, in internal
 coordinates theta; a model converts them to its parameters.
 """
 
@@ -28,8 +28,8 @@ BODIES = (*BODY, *(f"{name}_2" for name in BODY))
 class Curve:
     """eps as a function of the coordinates theta and of ln(speed/(m/s)); both may be arrays of one shape.
 
-    kinds, of each coordinate: "log", a logarithm whose range ends where it means 0 or infinity; "unit", from 0 to 1;
-    "free", a number that may have any value. start: how the search for the minimum begins."""
+    kinds, one for each coordinate: "log", a logarithm whose ends of range mean 0 or infinity; "unit", from 0 to 1;
+    "free", any number. start: the method that finds starts for the search of the minimum."""
 
     name: str
     eps: Callable[[Any, Floats], Any]
@@ -37,14 +37,14 @@ class Curve:
     ranges: Callable[[float, float], Ranges]  # of theta, for speeds from exp(least) to exp(most)
     start: str  # "lines", "scan", "grid" or "given"
     dry: Optional["Curve"] = None  # the curve without the loss
-    given: Tuple[float, ...] = ()  # the start of a function of the user
+    given: Tuple[float, ...] = ()  # the start of a user's function
 
 
 # ---- curves of one coordinate ----
 
 
 def _law(name: str, end: str, q: float) -> Curve:
-    """eps of beta = exp(theta_0) (speed/(m/s))^q. At the ends of its range eps is 1 or 0 within 1e-8."""
+    """Return the curve eps(beta), beta = exp(theta_0) (speed/(m/s))^q. At the ends eps is 1 or 0 within 1e-8."""
     number, at_end = law.laws().index(name), law.ends().index(end)
 
     def eps(theta: Any, x: Floats) -> Any:
@@ -67,7 +67,7 @@ _unit_yield.yield_speed_m_s = 1
 
 
 def _plastic_eps(theta: Any, x: Floats) -> Any:
-    """eps of spheres that yield from the speed exp(theta_0)"""
+    """Return eps of spheres that yield above the speed exp(theta_0)."""
     ratio = np.exp(x - theta[0])
     result = np.empty_like(ratio)
     status = lib.cor_loop_impacts(_unit_yield, address(ratio), address(result, True), ratio.size, 0)
@@ -79,7 +79,7 @@ def _walton_braun_eps(theta: Any, x: Floats) -> Any:
 
 
 def _speed(down: float, up: float) -> Callable[[float, float], Tuple[float, float]]:
-    """The range of the logarithm of a speed"""
+    """Return the range of the logarithm of a speed."""
     return lambda least, most: (least + math.log(down), most + math.log(up))
 
 
@@ -91,11 +91,11 @@ def _unit(_least: float, _most: float) -> Tuple[float, float]:
     return 0.0, 1.0
 
 
-# ---- curves of two ----
+# ---- curves of two coordinates ----
 
 
 def _adhesive(dry: Curve) -> Curve:
-    """The rebound loses the work of parting: (eps^2 - (v_s/v)^2)^(1/2), v_s = exp(theta_1)."""
+    """Return the curve with work of separation lost at the rebound: (eps^2 - (v_s/v)^2)^(1/2), v_s = exp(theta_1)."""
 
     def eps(theta: Any, x: Floats) -> Any:
         inside, ratio = dry.eps(theta, x), np.exp(theta[1] - x)
@@ -106,7 +106,7 @@ def _adhesive(dry: Curve) -> Curve:
 
 
 def _wet(dry: Curve) -> Curve:
-    """A liquid takes the speed s = exp(theta_1) on both ways: (eps(v - s) (v - s) - s)/v."""
+    """Return the curve if a liquid takes s = exp(theta_1) off the speed both ways: (eps(v - s) (v - s) - s)/v."""
 
     def eps(theta: Any, x: Floats) -> Any:
         ratio = np.exp(theta[1] - x)
@@ -149,7 +149,7 @@ STOKES = Curve(
 
 
 def function_curve(function: Callable[..., Any]) -> Curve:
-    """The curve of a function of the user, eps(speed, a=0.9, b=0.1): its defaults are the start."""
+    """Return the curve of a user's function eps(speed, a=0.9, b=0.1). Its defaults are the start."""
     parameters = list(inspect.signature(function).parameters.values())[1:]
     if not parameters or any(p.kind not in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD) for p in parameters):
         raise ValueError("function: needs the speed and one or more parameters, as def eps(speed, a=0.9, b=0.1)")
@@ -169,7 +169,7 @@ def function_curve(function: Callable[..., Any]) -> Curve:
 
 
 class Bodies:
-    """The bodies of the contact, if they are given, and the viscosity of a liquid between them"""
+    """The bodies of the contact, if given, and the viscosity of a liquid between them."""
 
     def __init__(self, given: Dict[str, float], wall: bool = False, viscosity_liquid: Optional[float] = None) -> None:
         self.known = wall or any(name in given for name in BODIES if name != "mass")
@@ -203,14 +203,14 @@ class Bodies:
         return contact.Body(of("young"), of("poisson"), 1.0, radius, mass)
 
     def contact(self, **options: Any) -> Contact:
-        """Return the contact of the bodies with a dissipation time of 1 s, or with the options."""
+        """Return the contact of the bodies with the options, or with a dissipation time of 1 s."""
         return Contact(self._body(1), self._body(2), **options)
 
     def damping_at_1_m_s(self, **options: Any) -> float:
         return float(self.contact(end="zero_overlap", **options).quantities["beta_factor"])
 
     def plate_unit(self) -> float:
-        """beta at 1 m/s on a plate of 1 m"""
+        """Return beta at 1 m/s on a plate of 1 m thickness."""
         ball, plate = self._body(1), self._body(2)
         density = self.given.get("density_2", self.given.get("density"))
         numbers: Dict[str, Any] = {
@@ -227,7 +227,7 @@ class Bodies:
         return self.wall and dense and "mass_2" not in self.given and math.isfinite(self._body(2).young_modulus_pa)
 
     def yield_unit(self) -> float:
-        """The yield speed of a yield stress of 1 Pa; v_y is proportional to its power 5/2."""
+        """Return the yield speed of a yield stress of 1 Pa. v_y is proportional to the power 5/2 of the stress."""
         plain = self.contact()._one()
         made = ffi.new("struct cor_scene_contact *")
         made.law = lib.cor_law_exponents[lib.COR_LAW_ELASTIC_PLASTIC]
@@ -235,7 +235,7 @@ class Bodies:
         return math.pow(lib.cor_scene_yield_stress(made, 1.0), -2.5)
 
     def stokes_at_1_m_s(self) -> float:
-        """St = m v/(6 pi eta R^2) at 1 m/s, with the effective mass and radius"""
+        """Return St = m v/(6 pi eta R^2) at 1 m/s, with the effective mass and radius."""
         known = self.contact().quantities
         return float(known["effective_mass"] / (6 * math.pi * (self.viscosity or 1.0) * known["effective_radius"] ** 2))
 
@@ -245,7 +245,7 @@ class Bodies:
 
 @dataclass(frozen=True)
 class Parameter:
-    """A monotonic function of one coordinate"""
+    """A monotonic function of one coordinate."""
 
     name: str
     of_theta: Callable[[Any], Any]
@@ -256,7 +256,7 @@ class Parameter:
 
 
 def _power(name: str, unit: float = 1.0, power: float = 1.0) -> Parameter:
-    """(exp(theta)/unit)^power"""
+    """Return the parameter (exp(theta)/unit)^power."""
     return Parameter(name, lambda theta: (np.exp(theta) / unit) ** power)
 
 
@@ -277,7 +277,7 @@ WithBodies = Callable[[Bodies], Optional[Parameter]]
 
 @dataclass(frozen=True)
 class Model:
-    """A curve with the parameters of a law. with_bodies replaces the parameter number `replaced` where it gives one."""
+    """A curve with the parameters of a law. If with_bodies gives a parameter, it replaces number `replaced`."""
 
     name: str
     end: str  # "zero-overlap", "zero-force" or "both"
@@ -345,7 +345,7 @@ def function_model(function: Callable[..., Any]) -> Model:
 
 
 def choose(names: Any, end: Optional[str]) -> List[Model]:
-    """Return the models of "viscoelastic,power-law", of a list, or "all", that have the end; functions are models."""
+    """Return the models of "viscoelastic,power-law", a list, or "all" that have the end. Functions are models."""
     allowed = list(dict.fromkeys(model.name for model in MODELS))
     chosen = names.split(",") if isinstance(names, str) else [names] if callable(names) else list(names)
     for name in chosen:

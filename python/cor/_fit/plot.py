@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The picture of a fit: data, the best curve with its band, and residuals. Needs Matplotlib 3.6 or later."""
+"""Draws a fit: data, the best curve with its band, and residuals. Needs Matplotlib 3.6 or later."""
 
 from importlib import import_module
 from os.path import basename
@@ -24,7 +24,7 @@ def _module(name: str) -> Any:
 
 
 def format_of(path: str) -> str:
-    """Return pdf, png or svg. Raises ValueError for other names."""
+    """Return pdf, png or svg. Raise ValueError for other names."""
     form = path.rpartition(".")[2].lower()
     if form not in FORMATS:
         raise ValueError(f"plot: '{path}' is not the name of a picture; allowed: FILE.pdf, FILE.png or FILE.svg")
@@ -32,7 +32,7 @@ def format_of(path: str) -> str:
 
 
 def _errors(e: Estimate) -> Any:
-    """Return the standard deviations of eps, None if nothing but the scatter of the points is known."""
+    """Return the standard deviations of eps, None if only the scatter of the points is known."""
     p, theta = e.problem, finite_theta(e)
     if p.sample.has_sigma:
         return p.spread(p.at(theta))
@@ -50,7 +50,7 @@ def _limits(values: Floats, pad: float) -> Any:
 
 
 def draw(result: Any, group: str = "", every: bool = False) -> Any:
-    """Return a figure of Matplotlib. every: also the other models"""
+    """Return a figure of Matplotlib. every: also draw the other models."""
     model, best = result.find(group=group)
     flights, errors = best.problem.at(finite_theta(best)), _errors(best)
     order = np.argsort(flights.speed)
@@ -99,6 +99,6 @@ def draw(result: Any, group: str = "", every: bool = False) -> Any:
 
 
 def save(figure: Any, file: Any, form: str) -> None:
-    """Write a figure, the same bytes each time."""
+    """Write a figure, with equal bytes at each call."""
     with _module("matplotlib").rc_context({"svg.hashsalt": "cor", "svg.fonttype": "none", "pdf.fonttype": 42}):
         figure.savefig(file, format=form, dpi=200, metadata=FORMATS[form])

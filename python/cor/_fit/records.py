@@ -12,7 +12,7 @@ from .data import MAX_BEYOND, MAX_FLIGHT_RATIO, Apexes, Data, DataError, Floats,
 from .track import find_bounces
 
 MAX_ROWS, MAX_COLUMNS, MAX_LINE, BLOCK, SHOWN = 1000000, 256, 65536, 1 << 22, 40
-WAVEFORM_ROWS = 100  # this number of equal steps are samples and not bounces
+WAVEFORM_ROWS = 100  # this number of equal steps means samples, not bounces
 
 # ---- names of columns ----
 
@@ -25,7 +25,7 @@ UNIT_NAMES = [unit for units in UNITS.values() for unit in units]
 ALIASES = {"µs": "us", "μs": "us", "sec": "s", "seconds": "s", "m_s": "m/s", "cm_s": "cm/s", "mm_s": "mm/s"}
 
 
-# Key, dimension, least number in SI units, and other names of the column, their letters and digits
+# Key, dimension, least number in SI units, and other names of the column (letters and digits only)
 ROWS = """\
 speed speed 1e-30 v v0 vin speedin vbefore speedbefore velocity velocityin impactspeed impactvelocity
 speed_out speed 0 v1 vout vafter speedafter velocityout reboundspeed reboundvelocity
@@ -52,7 +52,7 @@ for _key, _dimension, _least, *_names in map(str.split, ROWS.splitlines()):
     QUANTITIES[_key] = Quantity(_dimension, _names, float(_least))
     QUANTITIES[_key + "_sigma"] = Quantity(_dimension, [n + "sigma" for n in _names], 1e-30)
 SIGMA_WORDS = "sigma std stdev stddev sd sem err error errors uncertainty unc σ delta standarddeviation standarderror"
-# A kind of record, the columns that it needs, and others that it reads. A kind wins over those below it.
+# A kind of record, the columns that it needs, and optional ones. A kind has priority over the kinds below it.
 KINDS: List[Tuple[str, List[str], List[str]]] = [
     ("points", ["speed", "eps"], ["eps_sigma"]),
     ("speeds", ["speed", "speed_out"], ["speed_sigma", "speed_out_sigma"]),
@@ -75,12 +75,12 @@ _UNIT_END = re.compile(
 
 
 def _plain(name: str) -> str:
-    """Return the letters and digits of a name, small."""
+    """Return the letters and digits of a name, in lower case."""
     return "".join(c for c in name.lower()[: 4 * SHOWN] if c.isalnum())
 
 
 def _split_name(name: str) -> Tuple[str, Optional[str]]:
-    """Return the plain name without its unit, and the unit, None if the name has none."""
+    """Return the plain name without its unit, and the unit, or None if the name has no unit."""
     found = _UNIT_END.match(name.strip())
     if not found:
         return _plain(name), None
@@ -89,7 +89,7 @@ def _split_name(name: str) -> Tuple[str, Optional[str]]:
 
 
 def _is_near(a: str, b: str) -> bool:
-    """True if one letter too many, missing or wrong, or two that are swapped, lead from one name to the other."""
+    """True if the names differ by one inserted, missing or wrong letter, or by two swapped letters."""
     if len(b) < 3 or a == b or abs(len(a) - len(b)) > 1:
         return a == b
     i = next((k for k in range(min(len(a), len(b))) if a[k] != b[k]), min(len(a), len(b)))
@@ -101,7 +101,7 @@ def _is_near(a: str, b: str) -> bool:
 
 
 class Table:
-    """Columns of cells, with the places that messages name."""
+    """Columns of cells, with their places for messages."""
 
     def __init__(self, name: str, word: str, form: Form) -> None:
         self.name, self.word, self.form = name, word, form
@@ -129,7 +129,7 @@ class Table:
         return str(self.columns[self.found[key]][row]).strip(" \t")[:SHOWN]
 
     def numbers(self, key: str, least: Optional[float] = None) -> Floats:
-        """Return a column in SI units; refuse the first cell that is not an allowed number."""
+        """Return a column in SI units. Refuse the first cell that is not an allowed number."""
         column = self.columns[self.found[key]]
         if not (isinstance(column, np.ndarray) and column.dtype.kind in "iuf"):
             column = [_number(str(cell), self.form.decimal_comma) for cell in column]
@@ -161,7 +161,7 @@ class Table:
 
 
 def _number(text: str, decimal_comma: bool) -> float:
-    """Return a decimal number of ASCII, nan for another text."""
+    """Return the value of a decimal number in ASCII; nan for other text."""
     if decimal_comma:
         text = text.replace(".", "x").replace(",", ".")
     try:
@@ -171,7 +171,7 @@ def _number(text: str, decimal_comma: bool) -> float:
 
 
 def _check_encoding(table: Table, block: bytes) -> bytes:
-    """Return the first block without the mark of UTF-8."""
+    """Return the first block without the byte order mark of UTF-8."""
     for form, mark, zero in (("UTF-16LE", b"\xff\xfe", 1), ("UTF-16BE", b"\xfe\xff", 0)):
         if block[:2] == mark or (len(block) > 1 and block[zero] == 0 and block[1 - zero] != 0):
             allowed = f"UTF-8, as from iconv -f {form} -t UTF-8 FILE"
@@ -180,7 +180,7 @@ def _check_encoding(table: Table, block: bytes) -> bytes:
 
 
 def _cells(table: Table, number: int, line: str) -> List[str]:
-    """Return the cells of a line, none of an empty line or a comment. The first row chooses the separator."""
+    """Return the cells of a line; [] for an empty line or a comment. The first row determines the separator."""
     if len(line) > MAX_LINE:
         table.refuse(number, None, f"longer than {MAX_LINE} characters; allowed: a csv file, as speed_m_s,eps")
     if "\0" in line or "\r" in line:
@@ -209,12 +209,12 @@ def _read_csv(table: Table, file: Any, progress: Callable[[str], None]) -> None:
         block = rest + (raw.encode("utf-8", "surrogateescape") if isinstance(raw, str) else raw)
         block = block if number else _check_encoding(table, block)
         end = block.rfind(b"\n") + 1
-        end = end if raw and len(block) - end <= MAX_LINE + 1 else len(block)  # behind whole lines, or a long one
+        end = end if raw and len(block) - end <= MAX_LINE + 1 else len(block)  # end of whole lines, or a part
         rest = block[end:]
         lines = block[:end].replace(b"\r\n", b"\n").decode("utf-8", "surrogateescape").split("\n")
         lines = lines if lines[-1] else lines[:-1]
         text, others = "\n".join(lines), len(columns) - 1
-        if (  # rows without surprises, in a tenth of the time
+        if (  # regular rows, in a tenth of the time
             columns
             and not any(c in text for c in '"#\0\r')
             and "" not in lines
@@ -322,7 +322,7 @@ def _factor(table: Table, key: str, unit: Optional[str], given: Dict[str, str]) 
 
 
 def _near_name(plain: str, missing: List[str], kind: str) -> Optional[str]:
-    """Return the name of the missing column that is nearly this one."""
+    """Return the name of the missing column that nearly matches this name."""
     for key in missing:
         names, words = QUANTITIES[key].names, SIGMA_WORDS.split()
         bases = [n[: -len("sigma")] for n in names] + [""] * (key in ("eps_sigma", "h1_sigma", "h_sigma"))
@@ -347,7 +347,7 @@ def _starts(ball: Ints, run: List[str]) -> Ints:
 
 
 def _refuse_gain(table: Table, key: str, eps: Floats, rows: Optional[Ints] = None) -> None:
-    """Refuse the first rebound that gains more than noise may."""
+    """Refuse the first rebound whose gain is too large for noise."""
     for at in np.flatnonzero(eps > MAX_FLIGHT_RATIO):
         why = f"the rebound makes eps = {eps[at]:.4g}; allowed: eps up to 1, and by noise up to {MAX_FLIGHT_RATIO}"
         table.refuse_row(int(at if rows is None else rows[at]), key, why)
@@ -403,7 +403,7 @@ def _times(table: Table, ball: Ints, run: List[str], key: str) -> Times:
         time = np.insert(total - np.repeat(total[first] - time[first], np.diff(start)), first, 0.0)
         row, start = np.insert(row, first, first), start + np.arange(len(start))
         table.remarks.append(f"The intervals give {len(time)} times of bounces.")
-    flight, inside = np.diff(time), np.ones(len(time), dtype=bool)  # inside: of the flights that end at a bounce
+    flight, inside = np.diff(time), np.ones(len(time), dtype=bool)  # inside: flights that end at a bounce
     inside[start[:-1]] = False
     for at in np.flatnonzero(inside[1:] & (flight <= 0)) + 1:
         text = f"{table.cell(row[at], key)} is not after the bounce before"
@@ -432,7 +432,7 @@ def _times(table: Table, ball: Ints, run: List[str], key: str) -> Times:
 def _refuse_waveform(table: Table, key: str, flight: Floats) -> None:
     """Refuse time steps that are equal up to rounding: samples of a sound or of a force."""
     step = float(np.median(flight)) if len(flight) >= WAVEFORM_ROWS else np.nan
-    is_rounded = step > 0 and np.unique(np.round(flight / step, 3)).size <= 3  # as 0.02, 0.02, 0.03 ms
+    is_rounded = step > 0 and np.unique(np.round(flight / step, 3)).size <= 3  # such as 0.02, 0.02, 0.03 ms
     if is_rounded or np.mean(np.abs(flight - step) <= 0.1 * step) > 0.9 if len(flight) else False:
         why = (
             f"{len(flight)} steps of {step:.4g} s are a recorded waveform, sampled at {1 / step:.5g} Hz, and not times"

@@ -29,7 +29,7 @@ Progress = Callable[[str, int, int], None]
 
 @dataclass
 class Group:
-    """The fits of one ball, or of all data"""
+    """The fits of one ball, or of all data."""
 
     name: str  # "": all
     sample: Sample
@@ -100,7 +100,7 @@ class Result:
         return np.array(rows, [*texts, *((name, np.float64) for name in COLUMNS)]).view(np.recarray)
 
     def find(self, model: Optional[str] = None, end: Optional[str] = None, group: str = "") -> Tuple[Model, Estimate]:
-        """Return a model and its fit; without a name the model of the verdict or, if none fits, of the least AIC."""
+        """Return a model and its fit. The default is the model of the verdict or, if none fits, of least AIC."""
         if group not in self.groups:
             raise ValueError(f"group: {group!r}; allowed: {', '.join(map(repr, self.groups))}")
         fits = self.groups[group].comparison.fits
@@ -221,7 +221,7 @@ class Result:
     # ---- predictions ----
 
     def _region(self, model: Model, e: Estimate, group: str) -> List[List[Floats]]:
-        """Places on the boundary of the region of theta whose projections are the intervals, for each level"""
+        """Return, for each level, points on the boundary of the region of theta whose projections are the intervals."""
         key = (group, id(e))
         if key in self._regions:
             return list(self._regions[key])
@@ -230,7 +230,7 @@ class Result:
         covariance = covariance_of(p, theta)[:count, :count]
         values, axes = np.linalg.eigh((covariance + covariance.T) / 2)
         directions = [*(axes * np.sqrt(np.maximum(values, 0))).T]
-        if count > 1:  # where eps at one of these speeds changes most
+        if count > 1:  # directions in which eps at one of these speeds changes most
             least, most = (math.log(end) for end in (p.at(theta).speed.min(), p.at(theta).speed.max()))
             speeds, steps = np.linspace(least - 1, most + 1, 12), 1e-3 * np.sqrt(np.diag(covariance))
             shifts = [h * way for h, way in zip(steps, np.eye(count))]
@@ -286,7 +286,7 @@ class Result:
     # ---- commands and pictures ----
 
     def command(self, model: Optional[str] = None, *, end: Optional[str] = None, group: str = "") -> Optional[str]:
-        """Return the line of corgen embed that writes eps of the fit as a header; None for a model without one."""
+        """Return the corgen embed command that writes eps of the fit as a header; None if the model has none."""
         chosen, e = self.find(model, end, group)
         p = e.problem
         if not all(e.determined) or not np.all(np.isfinite(e.theta)):
@@ -320,13 +320,13 @@ class Result:
         line += [f"--end {chosen.end}"] if chosen.end != "both" else []
         speed = p.at(finite_theta(e)).speed
         low, high = speed.min(), max(speed.max(), 1.001 * speed.min())
-        if chosen.name == "power-law" and second > 0:  # up to the speed at which a rising eps is 1
+        if chosen.name == "power-law" and second > 0:  # up to the speed at which the rising eps is 1
             high = min(high, 0.999 * value ** (-1 / second))
         return " ".join([*line, f"--speed-min {low:.6g} --speed-max {high:.6g} --tolerance 1e-6"])
 
     def plot(self, file: Optional[str] = None, *, group: str = "", all: bool = False) -> Any:
-        """Return a figure of Matplotlib: data with errors, the best model and its band, and residuals. all: also the
-        other models. file: also written, as .pdf, .png or .svg."""
+        """Return a figure of Matplotlib: data with errors, the best model and its band, and residuals. all: also
+        draw the other models. file: also write the figure, as .pdf, .png or .svg."""
         from .plot import draw, format_of, save
 
         form = format_of(str(file)) if file is not None else ""
@@ -377,7 +377,7 @@ def fit(
     """Fit models of restitution to measured bounces, rank them by AIC and judge them. Needs SciPy.
 
     source: a path, an open file, a data frame, or a mapping of arrays with the columns of cor fit (docs/fit.md).
-    law: "all", names as "viscoelastic,power-law", or a list of names and functions eps(speed, a=0.9, b=0.1), whose
+    law: "all", names such as "viscoelastic,power-law", or a list of names and functions eps(speed, a=0.9, b=0.1), whose
     defaults are the start. end: "zero-overlap" or "zero-force" (both). robust: Huber's function.
     gravity: m/s^2; fit_gravity: a parameter, for drops of known height. Air: drag_coefficient with mass and diameter,
     or terminal_speed, or fit_drag; air_density (1.204 kg/m^3). SI units throughout.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Finds the bounces in a track, the height of a ball over the time."""
+"""Finds the bounces in a track, the height of a ball over time."""
 
 from typing import List, NamedTuple
 
@@ -9,7 +9,7 @@ from .data import Floats, Ints
 from .likelihood import scipy
 
 LEAST_SAMPLES = 4  # of a flight
-FREE_BEND, FREE_SKEW = 8, 12  # samples for a curvature and, because of drag, a cubic term of its own
+FREE_BEND, FREE_SKEW = 8, 12  # samples for a flight's own curvature and, because of drag, its own cubic term
 ALLOWED = "a track of at least three bounces with the heights upward, 4 samples or more in each flight"
 
 
@@ -23,7 +23,7 @@ class Bounces(NamedTuple):
 
 
 def _interior(height: Floats, a: int, b: int) -> Ints:
-    """Return the samples of the flight between the lowest ones, a and b, without those near the ground."""
+    """Return the samples of the flight between the lowest samples a and b, without samples near the ground."""
     inside = np.arange(a + 1, b)
     low = max(height[a], height[b]) + 0.1 * (height[inside].max() - max(height[a], height[b])) if b > a + 1 else 0.0
     high = inside[height[inside] > low]
@@ -31,14 +31,14 @@ def _interior(height: Floats, a: int, b: int) -> Ints:
 
 
 def _crossing(first: "np.poly1d", second: "np.poly1d", near: float) -> float:
-    """Return the time nearest to `near` at which two flights meet, or near itself."""
+    """Return the time nearest to `near` at which two flights meet, or `near` if they do not meet."""
     roots = (first - second).roots
     real = roots[np.abs(np.imag(roots)) < 1e-9 * (1 + np.abs(roots))].real
     return float(real[np.argmin(np.abs(real - near))]) if len(real) else near
 
 
 def find_bounces(time: Floats, height: Floats) -> Bounces:
-    """Fit a polynomial to each flight; a bounce is where two of them meet. Raises ValueError with what is allowed."""
+    """Fit a polynomial to each flight. A bounce is where two meet. Raise ValueError with the allowed input."""
     bend = np.diff(height, 2)
     if len(bend) < 3 * LEAST_SAMPLES:
         raise ValueError(f"{len(height)} samples of the height are too few; allowed: {ALLOWED}")
