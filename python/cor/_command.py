@@ -40,7 +40,7 @@ class Failure(Exception):
 
 
 def printable(text: str) -> str:
-    r"""Returns the text with \xNN for each byte of a control character, or of a byte that is no UTF-8."""
+    r"""Returns the text with \xNN for each byte of a control character, or of a byte that is not UTF-8."""
     if text.isprintable():
         return text
     parts = []
@@ -52,7 +52,7 @@ def printable(text: str) -> str:
 
 
 def cell(value: object) -> str:
-    """Returns a value as csv has it: 12 digits, "" where it is unknown."""
+    """Returns a value as text for csv: 12 digits; "" for an unknown value."""
     if value is None or (isinstance(value, float) and math.isnan(value)):
         return ""
     return f"{value:.12g}" if isinstance(value, float) else printable(str(value))
@@ -82,8 +82,8 @@ def table(columns: Sequence[str], rows: Sequence[Sequence[object]], form: str) -
 
 
 def read_text(path: str, most: int) -> str:
-    """Returns the text of a regular file, or of standard input for "-". Bytes that are no UTF-8 become surrogates.
-    Raises OSError, and ValueError with a sentence for other files, for long ones and for zero bytes."""
+    """Returns the text of a regular file, or of standard input for "-". Bytes that are not UTF-8 become surrogates.
+    Raises OSError, and ValueError with a sentence for other kinds of files, long files and zero bytes."""
     if path == "-":
         data = sys.stdin.buffer.read(most + 1)
     else:
@@ -149,7 +149,7 @@ def message(text: str) -> None:
 
 
 class Progress:
-    """A line on a terminal, from one second on, and the times of steps for --profile."""
+    """A progress line on a terminal, shown after one second, and the times of steps for --profile."""
 
     def __init__(self) -> None:
         self.started = self.shown = self.since = time.monotonic()
@@ -158,7 +158,7 @@ class Progress:
         self.seconds: Dict[str, float] = {}
 
     def __call__(self, step: str) -> None:
-        """Names the present step."""
+        """Starts a step with this name."""
         at = time.monotonic()
         name = self.now.partition(":")[0]
         self.seconds[name] = self.seconds.get(name, 0.0) + at - self.since
@@ -176,7 +176,7 @@ class Progress:
             self.visible = False
 
     def report(self) -> None:
-        """Prints what --profile asks for."""
+        """Prints the times of steps for --profile."""
         self("")
         rest = time.monotonic() - self.started
         for name, seconds in self.seconds.items():
@@ -195,7 +195,7 @@ progress = Progress()
 
 
 class Parser(argparse.ArgumentParser):
-    """Options as corgen has them: no abbreviations; what is wrong, and where the help is."""
+    """Options as in corgen: no abbreviations, and error messages that refer to the help."""
 
     def __init__(self, **settings: Any) -> None:
         settings.setdefault("formatter_class", argparse.RawDescriptionHelpFormatter)
@@ -206,7 +206,7 @@ class Parser(argparse.ArgumentParser):
 
 
 def positive(text: str) -> float:
-    """A number above 0, for argparse."""
+    """Returns a number above 0, for argparse."""
     try:
         value = float(text)
     except ValueError:
@@ -217,7 +217,7 @@ def positive(text: str) -> float:
 
 
 def numbers(text: str) -> List[float]:
-    """Numbers above 0 and ranges such as 0.1,1:3:+0.5,0.01:10:log:7,1:3:lin:3, for argparse."""
+    """Returns numbers above 0 from numbers and ranges such as 0.1,1:3:+0.5,0.01:10:log:7,1:3:lin:3, for argparse."""
     made: List[float] = []
     for part in text.split(","):
         words = part.split(":")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A contact in SI units, as corgen contact computes it, by cor/scene.h."""
+"""A contact in SI units, computed by cor/scene.h as in corgen contact."""
 
 import math
 import re
@@ -21,7 +21,7 @@ _DAMPINGS = "g_star beta zeta restitution damping_coefficient dissipation_time v
 
 
 def raise_text(text: Any) -> None:
-    """Raises a sentence of C, with the options of corgen under their names in Python."""
+    """Raises an error with a sentence of C. Names of corgen's options are replaced by their names in Python."""
     raise ValueError(re.sub(r"--([a-z][a-z0-9-]*)", lambda name: name[1].replace("-", "_"), string(text)))
 
 
@@ -52,8 +52,8 @@ class Contact:
     """A contact of two bodies in SI units, with all numbers that corgen contact computes.
 
     bodies: one cor.Body for two equal bodies; two, of which the second may be a wall (infinite radius and mass); or
-    none if keywords describe them. Keywords are the options of corgen contact with _ for each hyphen, numbers in SI
-    units. A damping among them replaces the dissipation times of the bodies.
+    none if keywords describe them. Keywords are the options of corgen contact with _ for each hyphen; numbers are in SI
+    units. A keyword for damping replaces the dissipation times of the bodies.
 
         bodies      young, poisson, radius, density or mass; young_2, ...; wall=True; plate_thickness
         a spring    stiffness or duration, effective_mass; equivalent="energy" or "duration" with law="linear", bodies
@@ -68,8 +68,8 @@ class Contact:
                     "largest_pull" with JKR: where restitution or duration was measured, and of eps
 
     Accuracy (cor/scene.h): COR_SCENE_MAX_ERROR; with a constant force COR_SCENE_PRESSED_ERROR, with JKR
-    COR_JKR_EPS2_MAX_ERROR. Exponents of no named law need equal exponents or a constant force; otherwise a ValueError
-    names corgen contact, which encloses them.
+    COR_JKR_EPS2_MAX_ERROR. Exponents that no named law has must be equal, or need a constant force. Otherwise a
+    ValueError refers to corgen contact, which computes enclosures for them.
     """
 
     def __init__(
@@ -125,7 +125,7 @@ class Contact:
     @classmethod
     def from_restitution(cls, body_1: Body, body_2: Body, eps: float, speed_m_s: float, end: str) -> "Contact":
         """Returns the contact of two bodies that rebounds with eps at an impact speed, m/s. The dissipation times of
-        the bodies do not count."""
+        the bodies are ignored."""
         return cls(body_1, body_2, restitution=eps, at=speed_m_s, end=end)
 
     def __repr__(self) -> str:
@@ -159,7 +159,7 @@ class Contact:
                 self._scene.number[getattr(lib, f"COR_SCENE_{name}") + (lib.COR_SCENE_BODY if k else 0)] = value
 
     def _end(self, end: Optional[str] = None) -> int:
-        """Returns the index of an end; without a name, of the end that was given for the contact."""
+        """Returns the index of an end. The default is the end that was given for the contact."""
         if end is None and (self._scene.end >= 0 or not lib.cor_scene_ends_differ(self._contacts)):
             return max(int(self._scene.end), 0)
         name = re.sub("[- ]", "_", str(end))
@@ -179,14 +179,14 @@ class Contact:
         raise_text(text)
 
     def _one(self) -> Any:
-        """Returns the contact in C. Refuses two, one for each end at which it may have been measured."""
+        """Returns the contact in C. Refuses two contacts, one for each end at which eps may have been measured."""
         if self._count > 1:
             raise ValueError(f"end: the end of the measured contact is missing; allowed: {', '.join(self.ends)}")
         return self._contacts[0]
 
     @property
     def quantities(self) -> Dict[str, float]:
-        """The quantities of the contact at every speed, with the names and units of corgen contact"""
+        """The quantities of the contact that do not depend on the speed, with the names and units of corgen contact."""
         contact, found = self._one(), {}
         for known in lib.cor_scene_quantities:
             value = lib.cor_scene_quantity(ffi.addressof(contact), known.number)

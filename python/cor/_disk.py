@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Functions of disk.h that fill arrays of the caller or call it back, and the class of tables of modes."""
+"""Functions of disk.h that fill the caller's arrays or call the caller back, and the class of tables of modes."""
 
 import os
 from typing import Any, Callable, Optional, Tuple, TypeVar, Union
@@ -29,7 +29,7 @@ _MODE = plain_dtype("cor_disk_mode")
 
 
 def _documented(name: str) -> Callable[[F], F]:
-    """Puts the comment of the header behind the docstring."""
+    """Appends the comment of the header to the docstring."""
 
     def add(function: F) -> F:
         function.__doc__ = f"{function.__doc__}\n\n{DOCS[name]}\n\nC: {name}"
@@ -39,7 +39,7 @@ def _documented(name: str) -> Callable[[F], F]:
 
 
 class DiskModes:
-    """Free modes of an elastic disk: a table for functions of cor.disk, and their short forms as methods.
+    """Free modes of an elastic disk: a table for functions of cor.disk, with short forms of these as methods.
 
     DiskModes(nu, count) computes the lowest count modes for Poisson's ratio nu by cor_disk_modes_compute;
     DiskModes.read(path) reads a file of corgen. cor.disk.modes_nu033 and modes_nu090 are the tables of the library.
@@ -64,14 +64,14 @@ class DiskModes:
 
     @classmethod
     def from_table(cls, nu: float, mode: Array) -> "DiskModes":
-        """Modes from a structured array with the fields of struct cor_disk_mode, by increasing omega."""
+        """Returns modes from a structured array with the fields of struct cor_disk_mode, by increasing omega."""
         copy = np.array(mode, _MODE, order="C", ndmin=1)
         c = ffi.new("struct cor_disk_modes *", (nu, copy.size, _modes_address(copy)))
         return cls._of(copy, c)
 
     @classmethod
     def read(cls, path: Union[str, "os.PathLike[str]"]) -> "DiskModes":
-        """Modes of a file that corgen wrote (cor_disk_modes_read)."""
+        """Reads the modes from a file that corgen wrote (cor_disk_modes_read)."""
         return modes_read(path)
 
     @property
@@ -97,19 +97,19 @@ class DiskModes:
         return self.count if n_modes is None else n_modes
 
     def rayleigh(self, speed: ArrayLike, n_modes: Optional[int] = None, datum: int = CENTRE_OF_MASS) -> Any:
-        """rayleigh of one speed, rayleigh_array of several; all modes unless n_modes says otherwise."""
+        """Calls rayleigh for one speed, rayleigh_array for several. Uses all modes if n_modes is None."""
         n = self.count if n_modes is None else n_modes
         speeds = np.asarray(speed, np.float64)
         return rayleigh_array(self, n, datum, speeds) if speeds.ndim else rayleigh(self, n, datum, float(speeds))
 
     def collision(self, speed: ArrayLike, alpha: float, tolerance: float, n_modes: Optional[ArrayLike] = None) -> Any:
-        """cor.disk.collision of one speed, or of several; all modes unless n_modes says otherwise."""
+        """Calls cor.disk.collision for one or several speeds. Uses all modes if n_modes is None."""
         from . import disk
 
         return disk.collision(self, self._modes(n_modes), disk.CollisionOptions(alpha, tolerance), speed)
 
     def hard_wall(self, speed: ArrayLike, tolerance: float, n_modes: Optional[ArrayLike] = None) -> Any:
-        """cor.disk.hard_wall of one speed, or of several; all modes unless n_modes says otherwise."""
+        """Calls cor.disk.hard_wall for one or several speeds. Uses all modes if n_modes is None."""
         from . import disk
 
         return disk.hard_wall(self, self._modes(n_modes), disk.HardWallOptions(tolerance), speed)
@@ -120,7 +120,7 @@ def _modes_address(mode: Array) -> Any:
 
 
 def _constant(c: Any) -> DiskModes:
-    """A table of the library, which lives as long as the program."""
+    """Returns a table of the library, which exists until the program ends."""
     table = np.frombuffer(ffi.buffer(c.mode, c.count * _MODE.itemsize), _MODE)
     return DiskModes._of(table, ffi.addressof(c))
 
@@ -131,7 +131,7 @@ modes_nu090 = _constant(lib.cor_disk_modes_nu090)
 
 @_documented("cor_disk_modes_read")
 def modes_read(path: Union[str, "os.PathLike[str]"]) -> DiskModes:
-    """The modes of a file. CorError names the line of the file that is wrong, if one is, by its attribute line."""
+    """Reads the modes of a file. If a line of the file is wrong, the attribute line of CorError is its number."""
     name = os.fsencode(path)
     c = ffi.new("struct cor_disk_modes *")
     line = ffi.new("size_t *")
@@ -149,7 +149,7 @@ def modes_read(path: Union[str, "os.PathLike[str]"]) -> DiskModes:
 
 @_documented("cor_disk_modes_compute")
 def modes_compute(nu: float, count: int) -> DiskModes:
-    """The lowest count modes of a disk."""
+    """Computes the lowest count modes of a disk."""
     nu, count = number("nu", nu), number("count", count, True, -(2**63))
     if count > lib.COR_DISK_MODES_MAX_COUNT or count < 1:
         raise CorError(lib.COR_ERROR_MODES)
@@ -166,7 +166,7 @@ def _table(modes: DiskModes) -> Any:
 def _fractions_array(
     modes: DiskModes, n_modes: int, shape: Tuple[int, ...], wanted: bool
 ) -> Tuple[Optional[Array], Any]:
-    """An array for the fractions of the modes and its address; none, where n_modes is an error that C reports."""
+    """Returns an array for the fractions of the modes and its address; none if C reports n_modes as an error."""
     if not wanted or not 0 < n_modes <= modes.count:
         return None, ffi.NULL
     fractions = np.zeros(shape + (n_modes,))
@@ -174,7 +174,7 @@ def _fractions_array(
 
 
 def _record(struct: str, call: Callable[[Any], int]) -> Any:
-    """A record of the results and the status; call(out) fills the struct and returns the status."""
+    """Returns a record of the results and the status. call(out): fills the struct and returns the status."""
     out = np.zeros((), record_dtype(struct))
     out["status"] = call(ffi.cast(f"struct {struct} *", ffi.from_buffer("char[]", out, True)))
     judge(np.asarray(out["status"]))
@@ -182,8 +182,8 @@ def _record(struct: str, call: Callable[[Any], int]) -> Any:
 
 
 def _records(struct: str, speed: ArrayLike, function: Any, given: Tuple[Any, ...], more: Tuple[Any, ...] = ()) -> Any:
-    """An array of records of the results and the status, of the shape of speed; more is what function takes between
-    the results and the statuses, for all speeds at once."""
+    """Returns an array of records of the results and the status, of the shape of speed. more: arguments of function
+    between the results and the statuses, for all speeds at once."""
     speeds = np.array(speed, np.float64, order="C")
     mask = mask_of([speed], speeds.shape)
     out = np.zeros(speeds.size, plain_dtype(struct))
@@ -210,7 +210,7 @@ def _records(struct: str, speed: ArrayLike, function: Any, given: Tuple[Any, ...
 
 @_documented("cor_disk_rayleigh")
 def rayleigh(modes: DiskModes, n_modes: int, datum: int, speed: float, mode_fraction: bool = False) -> Any:
-    """A record of the results and the status; with mode_fraction also the array of the fractions."""
+    """Returns a record of the results and the status; with mode_fraction also the array of the fractions."""
     table = _table(modes)
     n_modes = number("n_modes", n_modes, True)
     fractions, at = _fractions_array(modes, n_modes, (), mode_fraction)
@@ -221,8 +221,8 @@ def rayleigh(modes: DiskModes, n_modes: int, datum: int, speed: float, mode_frac
 
 @_documented("cor_disk_rayleigh_array")
 def rayleigh_array(modes: DiskModes, n_modes: int, datum: int, speed: ArrayLike, mode_fraction: bool = False) -> Any:
-    """An array of records of the results and the status, of the shape of speed; with mode_fraction also the fractions,
-    an array with one more axis."""
+    """Returns an array of records of the results and the status, of the shape of speed. With mode_fraction it also
+    returns the fractions, an array with one more axis."""
     table = _table(modes)
     n_modes = number("n_modes", n_modes, True)
     fractions, at = _fractions_array(modes, n_modes, np.shape(speed), mode_fraction)
@@ -233,7 +233,7 @@ def rayleigh_array(modes: DiskModes, n_modes: int, datum: int, speed: ArrayLike,
 
 @_documented("cor_disk_rayleigh_tolerance")
 def rayleigh_tolerance(modes: DiskModes, datum: int, speed: float, tolerance: float) -> Tuple[Any, int]:
-    """A record of the results and the status, and the number of modes."""
+    """Returns a record of the results and the status, and the number of modes."""
     given = (_table(modes), datum, number("speed", speed), number("tolerance", tolerance))
     n_modes = ffi.new("size_t *")
     result = _record("cor_disk_rayleigh", lambda out: int(lib.cor_disk_rayleigh_tolerance(*given, out, n_modes)))
@@ -242,17 +242,17 @@ def rayleigh_tolerance(modes: DiskModes, datum: int, speed: float, tolerance: fl
 
 @_documented("cor_disk_collision_array")
 def collision_array(modes: DiskModes, n_modes: int, options: Any, speed: ArrayLike) -> Any:
-    """An array of records of the results and the status, of the shape of speed."""
+    """Returns an array of records of the results and the status, of the shape of speed."""
     given = (_table(modes), number("n_modes", n_modes, True), pointer(options, "cor_disk_collision_options"))
     return _records("cor_disk_collision", speed, lib.cor_disk_collision_array, given)
 
 
 class _Detail:
-    """Optional results of one collision, filled by the function that takes this object.
+    """Optional results of one collision, filled by the function that receives this object.
 
     energy_after, energy_average   arrays with one element for each mode
     observe                        is called at every step with the moment, a record, and the arrays q and q_dot of
-                                   the amplitudes, which it has to copy if it keeps them. If it raises an exception, the
+                                   the amplitudes, which must be copied to be stored. If it raises an exception, the
                                    function raises it at its end.
     """
 
@@ -282,7 +282,7 @@ class _Detail:
             record = np.frombuffer(ffi.buffer(moment), np.dtype((np.record, self._dtype))).copy()[0]
             try:
                 self.observe(record, self._q, self._q_dot)
-            except BaseException as error:  # KeyboardInterrupt, too: C cannot be left by an exception
+            except BaseException as error:  # KeyboardInterrupt, too: an exception cannot pass through C
                 self._error = error
 
 
@@ -314,7 +314,7 @@ def _in(what: str) -> Callable[..., Any]:
     def call(
         workspace: Any, modes: DiskModes, n_modes: int, options: Any, speed: float, detail: Optional[_Detail] = None
     ) -> Any:
-        """A record of the results and the status. workspace is a writable buffer, such as np.empty(bytes, np.uint8)."""
+        """Returns a record of the results and the status. workspace: writable buffer, as np.empty(bytes, np.uint8)."""
         memory = ffi.from_buffer("char[]", workspace, True)
         n_modes, speed = number("n_modes", n_modes, True), number("speed", speed)
         if detail is not None and detail.energy_after.size < n_modes <= modes.count:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Broadcasting, dtypes, structs and errors: how the generated modules call the loops of the C module."""
+"""Broadcasting, dtypes, structs and errors for calls of the C module's loops by the generated modules."""
 
 import operator
 import re
@@ -33,8 +33,8 @@ _NUMBERS = frozenset((float, int, _number))
 
 
 class CorError(ValueError):
-    """A status of cor that is an error. status is its number, a cor.status.Status; index is the place of the first
-    element that has it, () for a single result."""
+    """An error status of cor. status: its number, a cor.status.Status. index: the place of the first element with this
+    status, () for a single result."""
 
     __module__ = "cor"
 
@@ -51,18 +51,18 @@ class CorError(ValueError):
 
 
 class CorWarning(UserWarning):
-    """A status of cor that comes with results, which are less than was asked for."""
+    """A status of cor that comes with results, which are less than requested."""
 
     __module__ = "cor"
 
 
 def string(text: Any) -> str:
-    """A string of C; "" for NULL."""
+    """Returns a string of C; "" for NULL."""
     return "" if text == ffi.NULL else str(ffi.string(text).decode(errors="replace"))
 
 
 def number(name: str, value: Any, integer: bool = False, least: int = 0) -> Any:
-    """A number for C; the error names the argument."""
+    """Returns a number for C. The error names the argument."""
     kind = "an integer" if integer else "a real number"
     try:
         if isinstance(value, (str, bytes)):
@@ -78,7 +78,7 @@ def number(name: str, value: Any, integer: bool = False, least: int = 0) -> Any:
 
 
 def one_of(argument: str, value: object, allowed: Sequence[str]) -> int:
-    """The index of a name, which may have _ or a space for each hyphen."""
+    """Returns the index of a name, which may have _ or a space for each hyphen."""
     names = [re.sub("[_ ]", "-", str(name).lower()) for name in (value, *allowed)]
     if names[0] not in names[1:]:
         raise ValueError(f"{argument}: {value!r}; allowed: {', '.join(allowed)}")
@@ -86,13 +86,13 @@ def one_of(argument: str, value: object, allowed: Sequence[str]) -> int:
 
 
 def mask_of(values: Sequence[Any], shape: Tuple[int, ...]) -> Any:
-    """Where one of the numbers is masked; nomask: none of them is a masked array."""
+    """Returns a mask of the elements with a masked argument; nomask if no argument is a masked array."""
     masks = [ma.getmaskarray(v) for v in values if isinstance(v, ma.MaskedArray)]
     return np.logical_or.reduce([np.broadcast_to(mask, shape) for mask in masks]) if masks else ma.nomask
 
 
 def like(values: Sequence[Any], result: Any) -> Any:
-    """The result with the mask of the arguments, or with the index of a Series or DataFrame of pandas among them."""
+    """Returns the result with the mask of the arguments, or with the index of a pandas object among them."""
     mask = mask_of(values, np.shape(result))
     if mask is not ma.nomask:
         return ma.array(result, mask=mask)
@@ -108,7 +108,7 @@ def like(values: Sequence[Any], result: Any) -> Any:
 
 
 def in_parts(size: int, run: Callable[[int, int], None]) -> None:
-    """Calls run(first, count) for all elements, in parts of a tenth of a second, between which Ctrl-C ends the call."""
+    """Calls run(first, count) for all elements in parts of a tenth of a second. Ctrl-C ends the call after a part."""
     first, count = 0, 8
     while first < size or first == 0:
         start = time.monotonic()
@@ -131,7 +131,7 @@ def judge(status: Array) -> None:
 
 
 def caller() -> int:
-    """The stacklevel, seen from judge, of the first caller outside this package."""
+    """Returns the stacklevel, seen from judge, of the first caller outside this package."""
     level = 2
     frame = sys._getframe(2)
     while frame.f_back is not None and frame.f_globals.get("__name__", "").partition(".")[0] == __package__:
@@ -141,7 +141,7 @@ def caller() -> int:
 
 
 class Struct:
-    """A struct of C that functions take. It cannot be changed."""
+    """An immutable struct of C that functions accept."""
 
     _struct: ClassVar[str]
     _fields: ClassVar[Tuple[str, ...]]
@@ -181,7 +181,7 @@ class Struct:
 
 
 def pointer(struct: Any, name: str, argument: str = "") -> Any:
-    """The address of a struct, which has to be the one named. A number is the tolerance of a rigid wall."""
+    """Returns the address of a struct of this name. A number is accepted as the tolerance of a rigid wall."""
     if getattr(struct, "_struct", None) == name:
         return struct._c
     if name == "cor_disk_hard_wall_options" and isinstance(struct, (int, float, np.number)):
@@ -190,12 +190,12 @@ def pointer(struct: Any, name: str, argument: str = "") -> Any:
 
 
 def address(array: Array, writable: bool = False) -> Any:
-    """The address of the first element of a contiguous array, for C; it keeps the array alive."""
+    """Returns the address of a contiguous array's first element, for C. It keeps the array alive."""
     return ffi.from_buffer(_POINTER[array.dtype], array, writable)
 
 
 def _is_narrow(value: Any, array: Array, name: str) -> Optional[bool]:
-    """Whether a real number is no wider than float32; None for a number of Python, which takes the type of others."""
+    """True if a real number fits float32 by its type; None for a Python number, which adopts the others' type."""
     if array.dtype.kind == "O":
         for element in array.flat:
             number(name, element)
@@ -217,14 +217,14 @@ def _integers(array: Array, dtype: "np.dtype[Any]", name: str) -> Array:
 
 
 def prepared_array(array: Array, dtype: "np.dtype[Any]") -> Array:
-    """As C reads it: of this dtype, contiguous and aligned; copied only where it has to be."""
+    """Returns an array of this dtype, contiguous and aligned, as C needs it. It is copied only if necessary."""
     array = array.astype(dtype, order="C", copy=False)
     return array if array.flags.aligned else array.copy()
 
 
 class _Function:
-    """A function of C. names: the arguments, without the struct of results, which C has at the index out. The first
-    `fixed` arguments and structs are the same for all elements; the others are numbers or arrays."""
+    """A function of C. names: the arguments without the struct of results, whose index in C is out. The first `fixed`
+    arguments and all structs are shared by all elements; the others are numbers or arrays."""
 
     def __init__(self, name: str, names: str, out: Optional[int] = None, fixed: int = 0) -> None:
         self._c = getattr(lib, name)
@@ -239,14 +239,14 @@ class _Function:
         self._names = names.split()
 
     def _pointers(self, given: Sequence[Any]) -> List[Any]:
-        """The arguments with the addresses of structs"""
+        """Returns the arguments with structs replaced by their addresses."""
         made = list(given)
         for i, struct in self._structs:
             made[i] = pointer(made[i], struct, self._names[i])
         return made
 
     def _arrays(self, given: Sequence[ArrayLike], has_float: bool) -> Tuple[List[Array], bool]:
-        """The numbers as arrays of the types that C accepts; and True if the result is to be float32."""
+        """Returns the numbers as arrays of types that C accepts, and True if the result must be float32."""
         arrays = [np.asarray(given[i]) for i in self._numbers]
         kinds = [(a, self._dtypes[i], self._names[i]) for a, i in zip(arrays, self._numbers)]
         reals = [_is_narrow(given[i], a, n) for (a, dtype, n), i in zip(kinds, self._numbers) if dtype == _FLOAT64]
@@ -260,8 +260,8 @@ def _shape(arrays: List[Array]) -> Tuple[int, ...]:
 
 
 class Elementwise(_Function):
-    """A function that returns a number. It has a loop in C, and with has_float also one in float. Otherwise the double
-    result is rounded once for arguments of float32."""
+    """A function that returns a number. It has a loop in C, and with has_float also a float loop. Without has_float the
+    double result is rounded once for float32 arguments."""
 
     def __init__(self, name: str, names: str, fixed: int = 0, has_float: bool = False) -> None:
         super().__init__(name, names, None, fixed)
@@ -275,10 +275,10 @@ class Elementwise(_Function):
             for i in self._numbers:
                 if type(given[i]) not in _NUMBERS and not isinstance(given[i], IntEnum):
                     break
-            else:  # numbers alone: no arrays are made
+            else:  # only numbers: no arrays are made
                 try:
                     return _number(self._c(*pointers))
-                except (OverflowError, TypeError):  # an integer beyond the doubles; a fraction for an integer
+                except (OverflowError, TypeError):  # integer too large for a double; fraction for an integer
                     pass
         values = [given[i] for i in self._numbers]
         arrays, narrow = self._arrays(given, self._float_loop is not None)
@@ -292,7 +292,7 @@ class Elementwise(_Function):
         if out is not None:
             check_out(out, shape, final)
         arguments = [p for i, p in enumerate(pointers) if i not in self._numbers]
-        for array in arrays:  # address and step; repeated where broadcasting needs it
+        for array in arrays:  # address and step; elements are repeated if broadcasting needs it
             if array.size not in (1, result.size):
                 array = np.ascontiguousarray(np.broadcast_to(array, shape))
             arguments += [address(array), int(array.size == result.size)]
@@ -309,7 +309,7 @@ class Elementwise(_Function):
 
 
 def fits(out: Optional[Array], arrays: List[Array], shape: Tuple[int, ...], dtype: "np.dtype[Any]") -> bool:
-    """Whether C may write to out: it has to be as C wants it, and may be an argument, but not overlap one by a part."""
+    """True if C may write to out: its format suits C, and no argument overlaps it, except out itself."""
     if not isinstance(out, np.ndarray) or out.dtype != dtype or out.shape != shape:
         return False
     if not (out.flags.c_contiguous and out.flags.aligned and out.flags.writeable):
@@ -331,7 +331,7 @@ def check_out(out: Any, shape: Tuple[int, ...], dtype: "np.dtype[Any]") -> None:
 
 
 def plain_dtype(struct: str) -> "np.dtype[Any]":
-    """The fields of a struct."""
+    """Returns a dtype with the fields of a struct."""
     kinds = {"double": np.float64, "int": np.intc, "size_t": np.uintp, "unsigned long": np.uintp}
     c_type = ffi.typeof(f"struct {struct}")
     names, fields = zip(*c_type.fields)
@@ -341,7 +341,7 @@ def plain_dtype(struct: str) -> "np.dtype[Any]":
 
 
 def record_dtype(struct: str) -> "np.dtype[Any]":
-    """The fields of a struct of results, and behind them the status."""
+    """Returns a dtype with the fields of a struct of results, followed by the status."""
     plain = plain_dtype(struct)
     names, size = plain.names or (), plain.itemsize
     formats = [plain[name] for name in names] + [np.dtype(np.intc)]
@@ -351,8 +351,8 @@ def record_dtype(struct: str) -> "np.dtype[Any]":
 
 
 class Record(_Function):
-    """A function that returns a status and fills a struct of results: a record with its fields and the status, or an
-    array of records."""
+    """A function that returns a status and fills a struct of results. In Python it returns a record of the fields and
+    the status, or an array of records."""
 
     def __init__(self, name: str, names: str, out: int = -1) -> None:
         super().__init__(name, names, out)
@@ -384,7 +384,7 @@ class Record(_Function):
 
 
 class Init(Record):
-    """A function that fills a struct which other functions accept"""
+    """A function that fills a struct that other functions accept."""
 
     def __init__(self, name: str, names: str) -> None:
         super().__init__(name, names, 0)

@@ -20,21 +20,21 @@ class Function(NamedTuple):
 
 
 def laws() -> List[str]:
-    """The names of the laws.
+    """Returns the names of the laws.
 
     C: cor_law_name"""
     return [string(lib.cor_law_name(law)) for law in range(lib.COR_LAWS)]
 
 
 def ends() -> List[str]:
-    """The names of the ends of contact.
+    """Returns the names of the ends of contact.
 
     C: cor_end_name"""
     return [string(lib.cor_end_name(end)) for end in range(lib.COR_ENDS)]
 
 
 def quantities() -> List[str]:
-    """The names of the quantities.
+    """Returns the names of the quantities.
 
     C: cor_quantity_name"""
     return [string(lib.cor_quantity_name(quantity)) for quantity in range(lib.COR_QUANTITIES)]
@@ -46,7 +46,7 @@ def _indices(law: str, end: str, quantity: str) -> Tuple[int, int, int]:
 
 
 def function(law: str, end: str, quantity: str) -> Optional[Function]:
-    """Name, domain and accuracy of a function; None if the law has no such function.
+    """Returns name, domain and accuracy of a function; None if the law has no such function.
 
     C: cor_law_function"""
     found = lib.cor_law_function(*_indices(law, end, quantity))
@@ -57,14 +57,14 @@ _value = Elementwise("cor_law_value", "law end quantity x", 3, True)
 
 
 def value(law: str, end: str, quantity: str, x: ArrayLike, *, out: Optional[Array] = None) -> Any:
-    """A quantity of a law at an end of contact, as value("tsuji", "zero_force", "eps", zeta).
+    """Returns a quantity of a law at an end of contact, such as value("tsuji", "zero_force", "eps", zeta).
 
     law, end, quantity: names of laws(), ends() and quantities(), with - or _.
     x: the damping, which is zeta for linear and tsuji and beta for the others; eps for damping-of-eps; 1 - eps for
     damping-of-loss.
-    NaN if the law has no such function and for x outside its domain; function(law, end, quantity) has domain and
-    accuracy. float32 gives float32: eps and loss of viscoelastic at zero overlap and zero force in float arithmetic,
-    within 0.75 units of the last place, the others rounded once.
+    Returns NaN if the law has no such function and for x outside its domain. function(law, end, quantity) has domain
+    and accuracy. float32 gives float32: eps and loss of viscoelastic at zero overlap and zero force use float
+    arithmetic, within 0.75 units of the last place; the others are rounded once.
 
     C: cor_law_value, cor_law_array, cor_law_arrayf"""
     return _value((*_indices(law, end, quantity), x), out)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What simulators make of a contact: lines for their inputs, the restitution that these realise, the audit of an input
-and the error of a time step. The functions are those of cor/scene.h, of corgen contact and of cor audit.
+"""Contacts in simulators: lines for their inputs, the realised restitution, the audit of an input and the error of a
+time step. The functions correspond to cor/scene.h, corgen contact and cor audit.
 
-A contact is a cor.Contact; or one cor.Body or a pair of them, or nothing, with the keywords of cor.Contact.
+A contact is a cor.Contact, or one cor.Body, a pair of them or nothing, with the keywords of cor.Contact.
 """
 
 import math
@@ -62,12 +62,12 @@ _SIMULATORS = [lib.cor_simulators[i] for i in range(lib.cor_simulator_count)]
 
 
 def names() -> List[str]:
-    """The simulators that lines knows."""
+    """Returns the simulators that lines supports."""
     return [string(s.name) for s in _SIMULATORS if s.comment != ffi.NULL]
 
 
 def models(simulator: str) -> Dict[str, str]:
-    """The contact models of a simulator: the name of each by its id."""
+    """Returns the contact models of a simulator: their names, keyed by id."""
     found = [s for s in _SIMULATORS if string(s.name) == str(simulator).lower()]
     known = found[0] if found else lib.cor_simulator_named(_text("simulator", simulator))
     if known == ffi.NULL:
@@ -77,8 +77,8 @@ def models(simulator: str) -> Dict[str, str]:
 
 
 def realised(simulator: str, model: str, e: ArrayLike) -> Any:
-    """The restitution that a model of a simulator realises where a user sets e, with a time step of zero
-    (cor_simulator_realised); NaN where it has no e, or refuses this one. model: an id of models(simulator), with or
+    """Returns the restitution that a simulator's model realises at a user's e with a time step of zero
+    (cor_simulator_realised); NaN if the model has no e, or refuses it. model: an id of models(simulator), with or
     without the name of the simulator."""
     allowed = models(simulator)
     asked, prefix = (re.sub("[- ]", "_", str(name).lower()) for name in (model, simulator))
@@ -90,14 +90,14 @@ def realised(simulator: str, model: str, e: ArrayLike) -> Any:
     return like([e], result[()])
 
 
-# Columns of numbers, with the arguments of cor.Contact that have their ranges
+# Columns of numbers, with the arguments of cor.Contact of equal range
 _MATERIAL = {"young_pa": "young", "poisson": "poisson", "density_kg_m3": "density", "radius_m": "radius", "wall": ""}
 _MATERIAL.update(radius_max_m="radius", dissipation_time_s="dissipation_time")
 _PAIR = {"restitution": "restitution", "at_m_s": "at"}
 
 
 def _row(argument: str, row: Mapping[str, Any], texts: Tuple[str, ...], numbers: Dict[str, str]) -> Dict[str, Any]:
-    """The cells of a row of materials or pairs; numbers are NaN where they are not given."""
+    """Returns the cells of a row of materials or pairs; numbers are NaN if they are not given."""
     cells: Dict[str, Any] = {**dict.fromkeys(texts, ""), **dict.fromkeys(numbers, math.nan)}
     for column, given in row.items():
         if column not in cells:
@@ -114,7 +114,7 @@ def _row(argument: str, row: Mapping[str, Any], texts: Tuple[str, ...], numbers:
 
 
 def _many(request: Any, materials: Sequence[Mapping[str, Any]], pairs: Sequence[Mapping[str, Any]]) -> List[Any]:
-    """Puts several materials into a request. Returns what must live as long as it."""
+    """Puts several materials into a request. Returns the objects that must exist as long as the request."""
     rows = [_row("materials", row, ("name",), _MATERIAL) for row in materials]
     names = [row["name"] for row in rows]
     texts = [ffi.new("char[]", _text("materials", name)) for name in names]
@@ -153,18 +153,18 @@ def lines(
     step_corrected: bool = False,
     **scene: Any,
 ) -> str:
-    """The lines by which a simulator realises a contact, to be put into its input whole: what corgen contact --for
-    prints. ValueError says why there are none. speeds: impact speeds for which the text says what is realised.
+    """Returns the lines by which a simulator realises a contact, to be put into its input unchanged, as printed by
+    corgen contact --for. Raises ValueError if impossible. speeds: impact speeds at which the text states eps.
 
-    materials: instead of a contact, rows as those of csv.DictReader with the columns of corgen contact --materials;
-    pairs: rows of the measured pairs. Keywords are then law, elastic, damping and end, and speeds are needed."""
+    materials: instead of a contact, rows as from csv.DictReader with the columns of corgen contact --materials;
+    pairs: rows of the measured pairs. Keywords are then law, elastic, damping and end, and speeds are required."""
     request = ffi.new("struct cor_simulator_request *")
     if materials is None:
         made = _contact(contact, scene)
     elif contact is not None or set(scene) - {"law", "elastic", "damping", "end"} or not np.size(speeds):
         raise TypeError("materials: allowed with speeds, law, elastic, damping and end, and without a contact")
     else:
-        made = Contact(restitution=0.5, at=1.0, **scene)  # for its law and end
+        made = Contact(restitution=0.5, at=1.0, **scene)  # provides law and end
         made._scene.number = [math.nan] * lib.COR_SCENE_NUMBERS
         kept = _many(request, materials, pairs)  # noqa: F841
     _positive(time_step=time_step, steps=steps, step_tolerance=step_tolerance)
@@ -197,10 +197,10 @@ def step_error(
     integrator: str = _VERLET,
     **scene: Any,
 ) -> Any:
-    """What a time step does to eps (cor_scene_step_error): a record, or an array of records, with the mean of the error
-    over all phases of the first step (bias), its standard deviation (scatter), least and most. steps: time steps in the
-    duration of a contact without damping at the speed, m/s. NaN: the motion leaves the doubles, or takes too many of
-    them."""
+    """Returns the error of eps from a time step (cor_scene_step_error): a record, or an array of records, with the mean
+    of the error over all phases of the first step (bias), its standard deviation (scatter), least and most. steps: time
+    steps in the duration of a contact without damping at the speed, m/s. NaN: the motion leaves the range of doubles,
+    or needs too many steps."""
     made = _contact(contact, scene)
     method = one_of("integrator", integrator, _INTEGRATORS)
     at, count = np.broadcast_arrays(np.asarray(speed, np.float64), np.asarray(steps, np.float64))
@@ -217,22 +217,22 @@ def step_error(
 
 
 class Finding(NamedTuple):
-    """One contact at one speed as an audit finds it; or, where model is "", a remark on a line."""
+    """One contact at one speed as an audit finds it, or, if model is "", a remark on a line."""
 
     file: str
     line: int
     simulator: str
     model: str
     pair: str
-    asked: float  # NaN: the text gives a number of the damping
-    end: str  # "": not known
+    asked: float  # NaN: the text gives a damping number
+    end: str  # "": unknown
     speed_m_s: float  # NaN: every speed
     realised: float
     duration_s: float
     time_step_s: float
     step_bias: float
     step_scatter: float
-    as_asked: Optional[bool]  # None: no e was requested, or eps is not known
+    as_asked: Optional[bool]  # None: no e was requested, or eps is unknown
     advice: str
     instead: str
 
@@ -249,9 +249,9 @@ def audit(
     tolerance: float = 0.01,
     include: Optional[Callable[[str, str], Optional[str]]] = None,
 ) -> List[Finding]:
-    """The restitution that each contact in the input of a simulator really gives: the command cor audit. text is the
-    input itself, or a path; include(name, of) returns the text of a file that the input includes, or None. An input in
-    which no contact is found raises ValueError."""
+    """Computes the restitution that each contact in a simulator's input really gives, as the command cor audit. text:
+    the input itself, or a path. include(name, of): returns the text of a file that the input includes, or None. Raises
+    ValueError for an input without contacts."""
     from ._audit import physics
     from ._audit.deck import MAX_BYTES, DeckError, Options
     from ._command import read_text
