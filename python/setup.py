@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Builds the package cor: Python modules and a C module, both written from the headers of cor.
 
-The library is compiled into the package from ../runtime, with the flags of cmake/CorArraySets.cmake; a source
-distribution has what that needs in library/. With COR_PYTHON_LIBRARY=installed in the environment, the package is
+The library is compiled into the package from ../runtime, with the flags of cmake/CorArraySets.cmake. A source
+distribution has the necessary files in library/. With COR_PYTHON_LIBRARY=installed in the environment, the package is
 linked with the installed library that pkg-config finds, and written from its headers.
 """
 
@@ -40,7 +40,7 @@ def pkg_config(*arguments: str) -> List[str]:
 
 
 def choose_library() -> Tuple[bool, Path]:
-    """Whether the library is compiled in, and the folder that has cor/cor.h."""
+    """Returns True if the library is compiled in, and the folder that has cor/cor.h."""
     choice = os.environ.get("COR_PYTHON_LIBRARY", "bundled")
     if choice == "bundled":
         return True, ROOT / "include"
@@ -54,7 +54,7 @@ DECLARED = Declarations(INCLUDE / "cor")
 
 
 def cmake_list(name: str, file: str = "CorArraySets.cmake") -> List[str]:
-    """The words of set(<name> ...) in a file of cmake/, of which a choice between two is the second."""
+    """Returns the words of set(<name> ...) in a file of cmake/; the second of two choices."""
     text = (ROOT / "cmake" / file).read_text(encoding="utf-8")
     found = re.search(rf"^\s*set\({name} (.*)\)$", text, re.M)
     if not found:
@@ -63,7 +63,7 @@ def cmake_list(name: str, file: str = "CorArraySets.cmake") -> List[str]:
 
 
 def library_parts() -> List[Tuple[str, str, List[str]]]:
-    """The sources of the library, each with a folder for its object and its flags. A kernel is there once for each
+    """Returns the library's sources, each with a folder for its object and its flags. A kernel occurs once for each
     instruction set."""
     x86 = platform.machine() in ("x86_64", "AMD64", "amd64")
     plain = PLAIN_FLAGS + [f"-Werror={what}" for what in cmake_list("cor_errors", "CorDefaults.cmake")]
@@ -82,7 +82,7 @@ def library_parts() -> List[Tuple[str, str, List[str]]]:
 
 
 class BuildModules(build_py):
-    """Writes the generated modules beside the others."""
+    """Writes the generated modules next to the others."""
 
     def run(self) -> None:
         super().run()
@@ -122,7 +122,7 @@ class BuildLibrary(build_ext):
 
 
 class SourceDistribution(sdist):
-    """Has what writes the modules, and the library's sources."""
+    """Adds the generators of the modules and the library's sources."""
 
     def make_release_tree(self, base_dir: str, files: List[str]) -> None:
         super().make_release_tree(base_dir, files)
@@ -142,7 +142,7 @@ EXTENSION = Extension(
     extra_link_args=[] if BUNDLED else pkg_config("--libs"),
 )
 
-# What is built goes where git ignores it.
+# Build files are in a folder that git ignores.
 BUILD = ROOT / "build" / "python" if (ROOT / "runtime").is_dir() else HERE / "build"
 BUILD.mkdir(parents=True, exist_ok=True)
 

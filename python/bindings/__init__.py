@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""The bindings of other languages, written from the public headers at build time."""
+"""Generators of the bindings of other languages, run at build time on the public headers."""

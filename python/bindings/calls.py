@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""How each public function can be called from another language, judged by its declaration alone."""
+"""Determines from its declaration how each public function can be called from another language."""
 
 import re
 from dataclasses import dataclass
@@ -7,7 +7,7 @@ from typing import Dict, List, Optional
 
 from .declarations import Declarations, Function, Parameter, Struct
 
-# The table of law.h, which each binding has by hand, and its names in Python
+# The table of law.h, which each binding has written by hand, and its names in Python
 BY_HAND = {
     "cor_law_function": "function",
     "cor_law_value": "value",
@@ -21,7 +21,7 @@ BY_HAND = {
 
 @dataclass(frozen=True)
 class Call:
-    """A function with its loop over an array, and how it is called.
+    """A function, its loop over an array, and the kind of call.
 
     kind is one of
         elementwise  a number from numbers, and from structs that are the same for all elements
@@ -62,13 +62,13 @@ def output_struct(p: Parameter) -> str:
 
 
 def form_of(functions: Dict[str, Function], name: str) -> str:
-    """The function through which one is reached: itself, or the one whose loop over arrays it is."""
+    """Returns the function through which one is called: itself, or the function whose array loop it is."""
     base = re.sub("_arrayf?$", "", name)
     return base if base in functions and is_elementwise(functions[base]) else name
 
 
 def calls(declared: Declarations) -> Dict[str, Call]:
-    """Every public function but those of BY_HAND and the loops of others over arrays, by name."""
+    """Returns every public function by name, except those in BY_HAND and array loops of other functions."""
     functions = declared.functions
     taken = {input_struct(p) for f in functions.values() for p in f.parameters}
     found = {}

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The C module of the Python package: declarations for cffi, and one loop over arrays for each function.
 
-A loop takes the address and the step of each number, 0 for a number that is the same for all elements, or else 1. It
-calls the array function of the library where there is one for these steps, and the scalar function otherwise; both
+A loop accepts the address and the step of each number. The step is 0 if all elements share the number, otherwise 1.
+The loop calls the library's array function if one exists for these steps, and the scalar function otherwise. Both
 give the same bits.
 """
 
@@ -17,7 +17,7 @@ C_OF_KIND = {"d": "double", "i": "int", "n": "size_t"}
 
 
 def kind_of(p: Parameter) -> str:
-    """d, i or n: how a number is passed to a loop."""
+    """Returns how a number is passed to a loop: d, i or n."""
     return {"double": "d", "size_t": "n"}.get(p.type, "i")
 
 
@@ -28,7 +28,7 @@ def constant_type(constant: Constant) -> str:
 
 
 def declarations(declared: Declarations) -> str:
-    """What cffi is given to read."""
+    """Returns the declarations for cffi."""
     lines = list(declared.types)
     for function in [c.function for c in calls(declared).values()] + [declared.functions[name] for name in BY_HAND]:
         parameters = ", ".join(f"{p.type} {p.name}" for p in function.parameters)
@@ -80,7 +80,7 @@ HAND = [
 
 
 def scene_declarations(include: Path) -> str:
-    """The text of scene.h, which cffi reads as it is."""
+    """Returns the declarations of scene.h, which cffi reads unchanged."""
     text = (include / "scene.h").read_text(encoding="utf-8")
     text = re.sub(r"/\*.*?\*/", "", text, flags=re.S)
     text = re.sub(r"#ifdef __cplusplus.*?#endif", "", text, flags=re.S)
@@ -89,7 +89,7 @@ def scene_declarations(include: Path) -> str:
 
 
 def source(declared: Declarations) -> str:
-    """The text of the C module that cffi puts before its own."""
+    """Returns the C text that cffi puts before its own text of the module."""
     parts = [
         "#define COR_WITH_DISK\n#include <math.h>",
         "#include <cor/cor.h>\n#include <cor/scene.h>",
@@ -101,7 +101,7 @@ def source(declared: Declarations) -> str:
 
 
 def _observers(declared: Declarations) -> List[str]:
-    """The functions of Python that C calls: one for each field of a struct that is a pointer to a function."""
+    """Returns the Python functions that C calls, one for each struct field that is a pointer to a function."""
     return [
         field.type.replace("(*)", f"cor_python_{field.name}_{struct.name[len('cor_'):]}")
         for struct in declared.structs.values()

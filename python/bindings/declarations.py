@@ -12,12 +12,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Dict, Iterator, List, Tuple
 
-NOT_READ = ("export.h",)  # defines COR_API alone
+NOT_READ = ("export.h",)  # defines only COR_API
 ROOT = Path(__file__).resolve().parents[2]
 
 
 def write_or_check(path: Path, text: str, arguments: List[str], usage: str) -> int:
-    """Writes a file made from the headers, or with --check fails if it is another; the exit status."""
+    """Writes a generated file, or with --check fails if it differs. Returns the exit status."""
     if arguments not in ([], ["--check"]):
         print(usage, file=sys.stderr)
         return 2
@@ -65,7 +65,7 @@ class Enum:
 
 @dataclass(frozen=True)
 class Constant:
-    """A macro with a value"""
+    """A macro with a value."""
 
     name: str
     text: str
@@ -110,7 +110,7 @@ class Declarations:
         self._read("cor.h", "version")
 
     def short_name(self, name: str, header: str) -> str:
-        """A C name without the prefix cor_<module>_, or else without cor_; macros likewise."""
+        """Returns a C name or macro without the prefix cor_<module>_, or else without cor_."""
         prefix = "cor_" + self.modules[header] + "_"
         for start in (prefix, "cor_"):
             if name.lower().startswith(start) and not name[len(start)].isdigit():
@@ -146,7 +146,7 @@ class Declarations:
             self.objects[name] = Object(name, squeeze(found["object"]), header)
         elif found["function"]:
             name, words = found["function"], squeeze(found["parameters"])
-            if re.search(rf"\b{name}\b", docs[0].split(".")[0]):  # a comment of several functions comes first
+            if re.search(rf"\b{name}\b", docs[0].split(".")[0]):  # a comment on several functions comes first
                 doc = docs[0] + "\n\n" + doc
             parameters = () if words == "void" else tuple(parameter(word) for word in words.split(","))
             self.functions[name] = Function(name, squeeze(found["result"]), parameters, header, doc)
@@ -170,7 +170,7 @@ class Declarations:
 
 
 def comment_text(comment: str) -> str:
-    """The words of a comment, without its marks. Indented lines keep their indentation."""
+    """Returns the text of a comment without its marks. Indented lines remain indented."""
     first, *lines = comment[2:-2].split("\n")
     return "\n".join([first.strip()] + [re.sub(r"^[ \t]*\*?[ ]?", "", line).rstrip() for line in lines]).strip()
 
@@ -180,7 +180,7 @@ def squeeze(text: str) -> str:
 
 
 def parameter(text: str) -> Parameter:
-    """double *y -> Parameter("double *", "y"); a function pointer keeps its whole text as its type."""
+    """Parses double *y to Parameter("double *", "y"). The type of a function pointer is its whole text."""
     text = squeeze(text)
     pointer = re.fullmatch(r"(.*\(\*)(\w+)(\)\(.*\))", text)
     if pointer:
@@ -192,7 +192,7 @@ def parameter(text: str) -> Parameter:
 
 
 def _fields(text: str) -> List[Parameter]:
-    """int n, l -> two fields; double *q, *q_dot -> two; a function pointer -> one."""
+    """Parses fields: int n, l to two; double *q, *q_dot to two; a function pointer to one."""
     if "(" in text:
         return [parameter(text)]
     first, *others = text.split(",")
@@ -205,7 +205,7 @@ def _declared(field: Parameter) -> str:
 
 
 def _with_comments(body: str, separator: str) -> Iterator[Tuple[str, str]]:
-    """The parts of a body of a struct or an enum, each with the comment behind it on its line, or else before it."""
+    """Yields the parts of a struct or enum body, each with the comment after it on its line, or else before it."""
     part = rf"((?:/\*.*?\*/|\([^()]*\)|[^{separator}])*)(?:{separator}|$)(?:[ \t]*(/\*.*?\*/))?"
     for found in re.finditer(part, body, re.S):
         comments = _COMMENT.findall(found[1] + (found[2] or ""))

@@ -84,8 +84,8 @@ def module(declared: Declarations) -> str:
 
 
 def _binding(function: Function, name: str, pure: str = "") -> str:
-    """A function of C, under a name of Fortran. One interface for all functions of a kind would be shorter, but
-    gfortran 12 forgets the attribute value there."""
+    """Returns the interface of a C function under a Fortran name. One interface for all functions of a kind would be
+    shorter, but gfortran 12 ignores the attribute value there."""
     arguments = ", ".join(p.name for p in function.parameters)
     what = "subroutine" if function.result == "void" else "function"
     result = "" if function.result == "void" else KINDS.get(function.result, "type(c_ptr)") + " "
@@ -96,7 +96,7 @@ def _binding(function: Function, name: str, pure: str = "") -> str:
 
 
 def _grouped(declared: List[Tuple[str, str]]) -> List[str]:
-    """Declarations, one for each kind. declared: kind and name"""
+    """Returns declarations, one for each kind. declared: kind and name."""
     kinds: Dict[str, List[str]] = {}
     for kind, name in declared:
         kinds.setdefault(kind, []).append(name)
@@ -109,7 +109,7 @@ def _field(field: Parameter) -> str:
 
 
 def _shape(function: Function, p: Parameter) -> str:
-    """(*) for an array"""
+    """Returns (*) for an array."""
     plain = p.type.replace("const ", "").rstrip("* ")
     if plain.startswith("struct "):
         many = plain == "struct cor_disk_mode" or function.name.endswith("_array") and p.name == "out"
@@ -118,7 +118,7 @@ def _shape(function: Function, p: Parameter) -> str:
 
 
 def _dummy(function: Function, p: Parameter) -> str:
-    """The kind of an argument of a function of C."""
+    """Returns the Fortran type of an argument of a C function."""
     plain = p.type.replace("const ", "").rstrip("* ")
     constant = p.type.startswith("const ")
     intent = "intent(in)" if constant else "intent(inout)"
@@ -135,7 +135,7 @@ def _dummy(function: Function, p: Parameter) -> str:
 
 
 def _packed(statements: List[str], indent: int) -> str:
-    """Statements, as many on a line as it holds."""
+    """Returns statements, with several on a line if they fit."""
     lines = [statements[0]]
     for statement in statements[1:]:
         fits = indent + len(lines[-1]) + len(statement) + 2 <= WIDTH
@@ -144,7 +144,7 @@ def _packed(statements: List[str], indent: int) -> str:
 
 
 def _wrapped(text: str, indent: int) -> str:
-    """A statement, continued where it is long."""
+    """Returns a statement, with continuation lines if it is long."""
     lines: List[str] = []
     while len(text) > WIDTH:
         at = text.rindex(" ", 0, WIDTH)

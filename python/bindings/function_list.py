@@ -34,7 +34,7 @@ HEAD = """/* SPDX-License-Identifier: MIT */
 
 
 def _argument(p: Parameter, index: str) -> str:
-    """The argument for a parameter: element `index` of what is drawn for all parameters of its name."""
+    """Returns the argument for a parameter: element `index` of the values drawn for all parameters of its name."""
     struct = input_struct(p)
     if struct:
         return f"&a->{struct[len('cor_'):] if p.name == 'options' else p.name}[{index}]"

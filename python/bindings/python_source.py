@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The Python modules of the package, one for each header: functions, classes, enums and constants with type hints, and
-with the comments of the headers as their docstrings."""
+"""Generates the package's Python modules, one for each header: functions, classes, enums and constants with type hints.
+Their docstrings are the comments of the headers."""
 
 import os
 import re
@@ -10,7 +10,7 @@ from .calls import BY_HAND, Call, calls, input_struct, is_plain, output_struct
 from .cffi_source import constant_type
 from .declarations import Declarations, Enum, Parameter, Struct
 
-NAMED = ("cor_law", "cor_end", "cor_quantity")  # enums of which Python has the names
+NAMED = ("cor_law", "cor_end", "cor_quantity")  # enums whose names Python uses
 BESIDE = {"disk": ["CollisionDetail", "DiskModes", "HardWallDetail"], "law": sorted(set(BY_HAND.values()))}
 HEAD = '''# SPDX-License-Identifier: MIT
 # Written by python/bindings from the headers of cor.
@@ -34,12 +34,12 @@ __all__ = {names!r}
 def __dir__() -> "list[str]":
     return __all__
 """
-# "double cor_f(double x), cor_g(double y): " in a comment, or the first of these alone
+# "double cor_f(double x), cor_g(double y): " in a comment, or only the first of these
 PROTOTYPE = re.compile(r"\bdouble cor_([\w<>]+)\([^)]*\)((?:,\s+\w+(?:\([^)]*\))?)*:\s+)?")
 
 
 def modules(declared: Declarations) -> Dict[str, str]:
-    """The text of each module, by name."""
+    """Returns the text of each module, by name."""
     names = dict.fromkeys(declared.modules.values())
     return {name: _Module(declared, name).text() for name in names}
 
@@ -93,7 +93,7 @@ class _Module:
         return text
 
     def _written_by_hand(self) -> str:
-        """Names that a module of the same name with _ before it has to have: an ImportError says which it lacks."""
+        """Returns the import of names that the module _NAME must define. An ImportError names the missing one."""
         names = [self.short(c.function.name) for c in self.calls if c.kind == "other"]
         names += [self.short(o.name) for o in self.declared.objects.values() if o.header in self.headers]
         names += BESIDE.get(self.name, [])
@@ -137,7 +137,7 @@ class _Module:
         return f"{made}def {short}({', '.join(typed)}) -> {returned}:\n{_docstring(doc)}    return {body})\n"
 
     def _without_prototypes(self, doc: str) -> str:
-        """help() has the Python signature: a comment begins with what it says, or, of several functions, their names."""
+        """Removes C prototypes, as help() has the Python signature. Comments on several functions keep their names."""
         doc = re.sub("^---- (.*) ----\n", r"\1.\n", doc)
         found = list(PROTOTYPE.finditer(doc))
         if len(found) == 1 and found[0].start() == 0 and found[0][2]:
@@ -154,7 +154,7 @@ def _docstring(text: str) -> str:
 
 
 def docs(declared: Declarations) -> str:
-    """The module _docs: the comments of the functions whose wrappers are written by hand."""
+    """Returns the module _docs: the comments of functions with wrappers written by hand."""
     text = '# SPDX-License-Identifier: MIT\n# Written by python/bindings from the headers of cor.\n"""Comments of the headers."""\n\n'
     text += "DOCS = {\n"
     for name, call in calls(declared).items():
