@@ -285,8 +285,10 @@ class Contact:
                 f"tangential: {tangential!r} is not a model; allowed: {allowed}, or the name of a simulator"
             )
         viscous = lib.cor_tangential_models[found[0]].memory == lib.COR_REMEMBERS_NOTHING
-        if tangential_stiffness is None and not viscous and (
-            math.isnan(contact.radius_m) or lib.cor_tangential_models[found[0]].constant_stiffness
+        if (
+            tangential_stiffness is None
+            and not viscous
+            and (math.isnan(contact.radius_m) or lib.cor_tangential_models[found[0]].constant_stiffness)
         ):
             raise ValueError(f"tangential_stiffness of {models[found[0]]} is missing; give it in N/m^(1+p)")
         one, two = (lib.cor_scene_body(self._scene, k) for k in (1, 2))

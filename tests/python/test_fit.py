@@ -509,7 +509,9 @@ def test_commands_give_the_fit(bodies):
             words += ["--end", "zero-overlap"]
         rows = subprocess.run(words, stdout=subprocess.PIPE, universal_newlines=True, check=True).stdout.split()
         head = rows[0].split(",")
-        column = 1 if head[1] == "eps" else head.index("eps_zero_force" if model.end == "zero-force" else "eps_zero_overlap")
+        column = (
+            1 if head[1] == "eps" else head.index("eps_zero_force" if model.end == "zero-force" else "eps_zero_overlap")
+        )
         made = [float(row.split(",")[column]) for row in rows[1:]]
         assert made == pytest.approx(result.predict([0.5, 2.0], model.title).eps, rel=1e-6), command
         seen += 1

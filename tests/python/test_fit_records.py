@@ -299,7 +299,9 @@ def test_pictures(tmp_path, capfd):
     file.write_text(POINTS + "".join(f"{v},{0.9 * v**-0.1 + v % 3 / 1e3}\n" for v in range(1, 13)))
     result = cor.fit(file, law="constant,power-law")
     upper, lower = result.plot(all=True).axes
-    assert lower.get_xlabel() == "impact speed (m/s)" and upper.get_title().startswith(r"restitution of a \$x\$.csv, fitted by ")
+    assert lower.get_xlabel() == "impact speed (m/s)" and upper.get_title().startswith(
+        r"restitution of a \$x\$.csv, fitted by "
+    )
     assert upper.get_xlim() == (1, 12)  # the range of the data
     names = ", ".join(text.get_text() for text in upper.get_legend().get_texts())
     assert names == "measured, 95 % of the curve, power-law, constant"

@@ -79,7 +79,9 @@ def test_contact_sample_and_plan(tmp_path):
         speed = np.geomspace(low, high, 9)[1:-1]
         rows = output("contact", *words, "--speed", ",".join(map(repr, map(float, speed))), "--format", "csv").split()
         assert rows[0] == "speed_m_s,eps"
-        assert [float(row.split(",")[1]) for row in rows[1:]] == pytest.approx(list(eps(speed).astype(float)), rel=1e-11)
+        assert [float(row.split(",")[1]) for row in rows[1:]] == pytest.approx(
+            list(eps(speed).astype(float)), rel=1e-11
+        )
         words += ["--speed-min", repr(low), "--speed-max", repr(high), "--tolerance", "1e-3", "--format", "csv"]
         points = np.array([row.split(",") for row in output("sample", *words).split()[1:]], float)
         tried = np.geomspace(low, high, 3001)

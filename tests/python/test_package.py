@@ -56,7 +56,9 @@ def test_every_public_constant_is_reached():
 
 def test_docstrings_are_the_comments_of_the_headers():
     text = (ROOT / "include" / "cor" / "contact.h").read_text()
-    comment = text[text.index("/* Returns A of (4), s, as published") : text.index("COR_API double cor_dissipation_time_s(")]
+    comment = text[
+        text.index("/* Returns A of (4), s, as published") : text.index("COR_API double cor_dissipation_time_s(")
+    ]
     words = re.sub(r"\n \*/?|/\*|\*/", " ", comment).split()
     assert words == inspect.getdoc(cor.contact.dissipation_time_s).split("C: ")[0].split()
     assert "Domain: 0 <= beta <= inf" in inspect.getdoc(cor.sphere.eps_zero_force)

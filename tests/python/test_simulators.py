@@ -199,7 +199,9 @@ def test_a_contact_of_the_list(row):
 
 
 def test_an_equivalent_spring():  # by hand, (16/15 E* sqrt(R))^(4/5) (m V^2)^(1/5)
-    contact = cor.Contact(cor.Body(2.6e8, 0.25, 0.0, 9e-3, 7.63e-3), law="linear", equivalent="energy", zeta=0.1, at=3.0)
+    contact = cor.Contact(
+        cor.Body(2.6e8, 0.25, 0.0, 9e-3, 7.63e-3), law="linear", equivalent="energy", zeta=0.1, at=3.0
+    )
     assert contact.quantities["stiffness"] == pytest.approx(201573.32305184516, rel=1e-13)
 
 
