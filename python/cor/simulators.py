@@ -284,7 +284,7 @@ def audit(
     given: Dict[str, Any] = {key: {k: v for k, v in value.items() if v} for key, value in numbers.items()}
     options = Options(
         simulator or "", version or "", tuple(map(float, _speeds(speeds)[0])), given["radii"], given["densities"],
-        time_step or math.nan, tolerance, include=included,
+        time_step=time_step or math.nan, tolerance=tolerance, include=included,
     )  # fmt: skip
     try:
         rows = physics.audit_text(text, name, options)

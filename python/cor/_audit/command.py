@@ -93,8 +93,9 @@ def _options(given: argparse.Namespace, path: str) -> Options:
         raise UsageError("-var: a name and at least one value are needed, as -var e 0.7")
     variables: Dict[str, Tuple[str, ...]] = {words[0]: tuple(words[1:]) for words in given.var}
     return Options(
-        given.simulator, version, tuple(given.speed), dict(given.radius), dict(given.density), given.time_step,
-        given.angle, given.tolerance, variables, lambda name, of: _includes(path, name, of), progress,
+        given.simulator, version, tuple(given.speed), dict(given.radius), dict(given.density),
+        time_step=given.time_step, tolerance=given.tolerance, variables=variables, angle=given.angle,
+        include=lambda name, of: _includes(path, name, of), progress=progress,
     )  # fmt: skip
 
 

@@ -145,11 +145,11 @@ class Options:
     radii: Dict[str, float] = field(default_factory=dict)
     densities: Dict[str, float] = field(default_factory=dict)
     time_step: float = NAN
-    angle: float = NAN  # of oblique impacts, degrees
     tolerance: float = 0.01
     variables: Dict[str, Tuple[str, ...]] = field(default_factory=dict)
     include: Callable[[str, str], Optional[Tuple[str, str]]] = lambda name, of: None
     progress: Callable[[str], None] = lambda step: None
+    angle: float = NAN  # of oblique impacts, degrees
 
 
 COLUMNS = (
