@@ -52,6 +52,8 @@ static int check_options(const struct contact_arguments *o, const struct contact
         return usage_error("--angle and --tangential-speed need --speed LIST, the normal component of the velocity");
     if (o->walton && o->angle.count + o->tangential_speed.count < 3)
         return usage_error("--walton needs three angles or more, as --angle 1:89:lin:89");
+    if (o->walton && o->simulator)
+        return usage_error("--walton and --for exclude each other: without --for, --walton prints its numbers");
     if (oblique && (isnan(c->mass_kg) || contacts->scene.plate || c->adhesion_j_m2 > 0))
         return usage_error("oblique impacts need two bodies, or --stiffness and --effective-mass, and no plate and no "
                            "adhesion of JKR");

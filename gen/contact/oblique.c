@@ -26,7 +26,7 @@ static int model_of(const char *name, const struct cor_scene_contact *contact)
         snprintf(names + length, sizeof names - length, "%s, ", model->name);
     }
     return usage_error(
-               "--tangential: '%s' is not a model of a tangential force; allowed: %sor the name of a simulator: "
+               "'%s' is not a model of a tangential force; allowed for --tangential: %sor the name of a simulator: "
                "lammps, liggghts, yade, mercurydpm",
                name, names),
            -1;
@@ -78,28 +78,36 @@ static int impact_of(struct cor_oblique_impact *impact, const struct contacts *c
 
 /* ---- Walton's three numbers ---- */
 
-/* The largest error of max(-beta_0, 1 - slip/tangent) */
-static double largest_error(const double *tangent, const double *restitution, size_t n, double slip, double beta_0)
+/* Returns the largest error of max(-beta_0, 1 - slip/tangent), and the mean error. */
+static double largest_error(double *mean, const double *tangent, const double *restitution, size_t n, double slip,
+                            double beta_0)
 {
     double largest = 0;
-    for (size_t i = 0; i < n; i++)
-        largest = fmax(largest, fabs(fmax(-beta_0, 1 - slip / tangent[i]) - restitution[i]));
+    *mean = 0;
+    for (size_t i = 0; i < n; i++) {
+        const double error = fabs(fmax(-beta_0, 1 - slip / tangent[i]) - restitution[i]);
+        largest = fmax(largest, error);
+        *mean += error / (double)n;
+    }
     return largest;
 }
 
-/* Searches both numbers on grids that shrink around the best place. Returns the largest error. */
+/* Searches both numbers on grids that shrink around the best place. Where one angle decides the largest error for many
+ * frictions, the mean error, with a small weight, chooses among them. Returns the largest error. */
 static double fit_walton(double *slip, double *beta_0, const double *tangent, const double *restitution, size_t n)
 {
     enum { GRID = 40, ROUNDS = 12 };
-    double best = INFINITY, middle[2] = {*slip, 0}, half[2] = {0.9 * *slip, 1.2};
+    double best = INFINITY, largest = INFINITY, middle[2] = {*slip, 0}, half[2] = {0.9 * *slip, 1.2};
     for (int round = 0; round < ROUNDS; round++) {
         const double from[2] = {middle[0], middle[1]};
         for (int k = 0; k < (GRID + 1) * (GRID + 1); k++) {
             const double try[2] = {from[0] + half[0] * (2.0 * (k % (GRID + 1)) / GRID - 1),
                                    from[1] + half[1] * (2.0 * (k / (GRID + 1)) / GRID - 1)};
-            const double error = largest_error(tangent, restitution, n, try[0], try[1]);
-            if (error < best) {
-                best = error;
+            double mean;
+            const double error = largest_error(&mean, tangent, restitution, n, try[0], try[1]);
+            if (error + 1e-4 * mean < best) {
+                best = error + 1e-4 * mean;
+                largest = error;
                 memcpy(middle, try, sizeof middle);
             }
         }
@@ -108,7 +116,7 @@ static double fit_walton(double *slip, double *beta_0, const double *tangent, co
     }
     *slip = middle[0];
     *beta_0 = middle[1];
-    return best;
+    return largest;
 }
 
 /* ---- tables ---- */

@@ -215,7 +215,8 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
              "pair_coeff {pair} " spring " {n} tangential {tangential} damping " damping "\n",                         \
     .wall_lines = "fix cor_wall all wall/gran granular " spring " {n} tangential {tangential} damping " damping        \
                   " zplane 0 NULL\n",                                                                                  \
-    .many = "-pair_style granular\n"                                                                                   \
+    .many = "-# Put these lines after create_atoms or read_data: a group has only the atoms that exist.\n"             \
+            "-pair_style granular\n"                                                                                   \
             "ppair_coeff {i} {j} " spring " {n} tangential linear_nohistory 0 0 damping " damping "\n"                 \
             "ggroup cor_{i} type {i}\n" WALL_PLANE(                                                                    \
                 "zplane 0 NULL") "wfix cor_wall_{i}_{j} cor_{i} wall/gran granular " spring                            \
