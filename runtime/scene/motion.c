@@ -44,14 +44,6 @@ int cor_motion_init(struct motion *m, double u, double v)
 
 /* ---- series ---- */
 
-static double product_coefficient(const double *x, const double *y, int n)
-{
-    double sum = 0;
-    for (int k = 0; k <= n; k++)
-        sum += x[k] * y[n - k];
-    return sum;
-}
-
 static double square_coefficient(const double *x, int n)
 {
     double sum = 0;

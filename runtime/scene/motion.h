@@ -18,6 +18,15 @@ struct cor_full_impact {
 };
 static const struct cor_full_impact cor_together = {{0, 0}, {INFINITY, INFINITY}, 0, 0};
 
+/* Returns the coefficient n of the product of two series. */
+COR_INLINE double product_coefficient(const double *x, const double *y, int n)
+{
+    double sum = 0;
+    for (int k = 0; k <= n; k++)
+        sum += x[k] * y[n - k];
+    return sum;
+}
+
 COR_INLINE double whole_power(double x, int n)
 {
     double y = 1;

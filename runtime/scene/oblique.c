@@ -41,14 +41,6 @@ struct slide {
 
 /* ---- series ---- */
 
-static double product_at(const double *x, const double *y, int n)
-{
-    double sum = 0;
-    for (int k = 0; k <= n; k++)
-        sum += x[k] * y[n - k];
-    return sum;
-}
-
 static double value_at(const double *c, double s)
 {
     double y = c[ORDER];
@@ -116,12 +108,13 @@ static void expand_stick(struct slide *s)
     s->series_w[0] = s->w;
     s->series_q[0] = s->q;
     for (int n = 0; n < ORDER; n++) {
-        const double spring = s->kappa * product_at(x_r, s->series_q, n),
-                     damper = s->gamma * product_at(x_b, s->series_w, n), cap = s->cap * s->sign * s->m.force[n];
+        const double spring = s->kappa * product_coefficient(x_r, s->series_q, n),
+                     damper = s->gamma * product_coefficient(x_b, s->series_w, n),
+                     cap = s->cap * s->sign * s->m.force[n];
         total[n] = spring + damper;
         capped[n] = spring + (s->damper_in_cap ? damper : 0);
-        s->series_w[n + 1] = -unit * product_at(slope, total, n) / (n + 1);
-        s->series_q[n + 1] = unit * product_at(rate, s->series_w, n) / (n + 1);
+        s->series_w[n + 1] = -unit * product_coefficient(slope, total, n) / (n + 1);
+        s->series_q[n + 1] = unit * product_coefficient(rate, s->series_w, n) / (n + 1);
         for (int k = 0; k < 2; k++)
             s->test[k][n] = cap - (k == 0 ? 1 : -1) * capped[n];
     }
@@ -138,8 +131,8 @@ static void expand_slip(struct slide *s)
                  damper = s->damper_in_cap ? s->side * s->gamma : 0;
     s->series_w[0] = s->w;
     for (int n = 0; n < ORDER; n++) {
-        s->held[n] = cap * (m->spring[0].factor * x_a[n] + m->damper.factor * product_at(x_b, m->v, n)) -
-                     damper * product_at(x_b, s->series_w, n);
+        s->held[n] = cap * (m->spring[0].factor * x_a[n] + m->damper.factor * product_coefficient(x_b, m->v, n)) -
+                     damper * product_coefficient(x_b, s->series_w, n);
         s->series_w[n + 1] = s->side * cap * (m->v[n + 1] - press * slope[n] / (n + 1));
     }
     s->held[ORDER] = 0;
@@ -154,8 +147,9 @@ static void expand_excess(struct slide *s, double *excess, const double *w)
     for (int n = 0; n < ORDER; n++)
         rise[n] = (n + 1) * s->held[n + 1] / s->m.unit;
     for (int n = 0; n < ORDER; n++)
-        excess[n] = (w ? s->side * s->kappa * s->d * product_at(stiff, w, n) : 0) - product_at(u, rise, n) +
-                    (s->r * s->d - s->least) * product_at(s->m.v, s->held, n);
+        excess[n] = (w ? s->side * s->kappa * s->d * product_coefficient(stiff, w, n) : 0) -
+                    product_coefficient(u, rise, n) +
+                    (s->r * s->d - s->least) * product_coefficient(s->m.v, s->held, n);
     excess[ORDER - 1] = excess[ORDER] = 0; /* they need the unknown coefficient of `held` */
 }
 
@@ -175,9 +169,9 @@ static void expand_creep(struct slide *s)
     }
     for (int n = 0; n < ORDER; n++) {
         const double rise = s->side * (n + 1) * s->series_w[n + 1] / s->m.unit;
-        s->damped[n] = s->side * s->gamma * product_at(x_b, s->series_w, n);
-        s->test[0][n] = s->d * s->cap * s->sign * product_at(slope, s->m.force, n) + rise;
-        s->test[1][n] = -s->test[0][n] - s->d * product_at(slope, s->damped, n);
+        s->damped[n] = s->side * s->gamma * product_coefficient(x_b, s->series_w, n);
+        s->test[0][n] = s->d * s->cap * s->sign * product_coefficient(slope, s->m.force, n) + rise;
+        s->test[1][n] = -s->test[0][n] - s->d * product_coefficient(slope, s->damped, n);
     }
     for (int k = 0; k < 2; k++)
         s->test[k][ORDER - 2] = s->test[k][ORDER - 1] = s->test[k][ORDER] = 0;
