@@ -881,7 +881,9 @@ static void put_realised(struct text *t, const struct block *block, const struct
     const size_t speeds = request->speeds > 0 ? request->speeds : (size_t)!isnan(*speed);
     for (size_t i = 0; i < speeds; i++) {
         const double eps = realised_eps(block, task, speed[i]);
-        if (!isnan(eps) && request->step_errors && block->model->law != COR_LAW_IMPULSE)
+        /* An implicit method damps much even with a 50th of the contact, so its error is printed without a request. */
+        const int implicit = integrator_of(task) == COR_IMPLICIT_EULER && !isnan(block->time_step_s);
+        if (!isnan(eps) && (request->step_errors || implicit) && block->model->law != COR_LAW_IMPULSE)
             put_stepped(t, block, task, speed[i], eps);
         else if (!isnan(eps) || task->pressed)
             put_comment(t, "realises eps = %s at %s m/s%s", isnan(eps) ? "(not known)" : TEXT(eps), TEXT(speed[i]),
