@@ -282,7 +282,7 @@ static int run_contact(const void *arguments)
         set_engine(&copy, &stiffness, &damping);
     if (o->materials && !o->simulator)
         return usage_error("--materials needs --for SIMULATOR, as --for lammps; --for list names them");
-    /* a list, a name that is none, and materials need no contact */
+    /* a list, an unknown name, and materials need no contact */
     if (o->simulator && (o->materials || (o->version && strcmp(o->version, CONTACT_SIMULATOR_LIST) == 0) ||
                          !cor_simulator_named(o->simulator)))
         return print_for_simulator(o, NULL);

@@ -21,7 +21,7 @@ enum {
     EMBED_DECAY_SPEED,
     EMBED_NUMBERS
 };
-/* Laws of one's own, as --law has them, after those of cor/law.h */
+/* Laws of one's own, as --law has them; they follow the laws of cor/law.h */
 enum { EMBED_LAW_POWER = COR_LAW_ELASTIC_PLASTIC + 1, EMBED_LAW_EXPONENTIAL, EMBED_LAW_TABLE };
 extern const char *const embed_law_names[]; /* ends with NULL */
 

@@ -33,7 +33,7 @@ struct collide {
     uint64_t again_row;
 
     double modes_seconds, rows_seconds, rows_started; /* times of this run; modes_seconds: for one material */
-    uint64_t rows, finished, done;                    /* of the part; those that exist; those of this run */
+    uint64_t rows, finished, done;                    /* of the part; existing ones; new ones of this run */
     uint64_t first;                                   /* of a loop in the part, with ROWS_AT_A_TIME results */
     struct sweep_result *result;
     size_t materials_left;
