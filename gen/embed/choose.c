@@ -16,14 +16,14 @@ enum {
     POLYNOMIAL_MAX = 24,
     RATIONAL_MAX = 40, /* largest sum of degrees */
     PADE_MAX = 40,
-    PADE_SKEW = 6, /* largest degree of the denominator minus that of the numerator */
+    PADE_SKEW = 6, /* largest degree of the denominator minus degree of the numerator */
     PIECE_DEGREE_MAX = 9,
     LARGE_PIECE_DEGREE_MAX = 11, /* largest degree of pieces in large tables */
     FRACTION_BITS_MAX = 8,
     ROWS_MAX = 256
 };
 
-/* The error between the samples may be a little larger. */
+/* The error between the samples may be a little larger than at the samples. */
 static const double margin = 0.97;
 
 static struct embed_form form_blank(const struct embed_scene *s, enum embed_family family, enum embed_variable variable,
@@ -52,8 +52,8 @@ static double balanced_cost(const struct embed_form *f)
     return embed_cost(f->cost, PURPOSE_BALANCED);
 }
 
-/* Fits a form, or takes its numbers from a quotient in beta^(1/series_root), and keeps it in *best if it meets the
- * tolerance and costs less. Returns whether it meets the tolerance. */
+/* Fits a form, or converts a quotient in beta^(1/series_root). Stores it in *best if it meets the tolerance and costs
+ * less. Returns true if it meets the tolerance. */
 static bool try_form(struct embed_form *best, struct embed_form f, const struct embed_scene *s,
                      const struct pade *quotient)
 {
@@ -75,7 +75,7 @@ static bool try_form(struct embed_form *best, struct embed_form f, const struct 
     return f.found;
 }
 
-/* Polynomials, or the degrees nearest to the diagonal */
+/* Tries polynomials, or rational functions whose degrees are nearly equal. */
 static void search_rational(struct embed_form *best, const struct embed_scene *s, enum embed_variable variable)
 {
     const bool polynomial = best->family == FAMILY_POLYNOMIAL_BETA;
@@ -95,8 +95,8 @@ static bool try_quotient(struct embed_form *best, const struct embed_scene *s, c
     return try_form(best, form_blank(s, best->family, variable, m, n), s, f);
 }
 
-/* The radius of convergence of eps in powers of beta: h*, rounded (docs/theory.md, 3). And how near to it, chosen,
- * a search that fails is said to fail for it. */
+/* The radius of convergence of eps in powers of beta: h*, rounded (docs/theory.md, 3). A failed search states it as the
+ * reason if beta exceeds a chosen fraction of it. */
 #define CONVERGENCE 1.388
 #define NEAR_CONVERGENCE 0.97
 

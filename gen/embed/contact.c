@@ -7,18 +7,18 @@
 
 /* ---- bodies: include/cor/contact.h ---- */
 
-typedef const fmpq *exact; /* a number as it is written */
+typedef const fmpq *exact; /* a number as written */
 
 static exact number_of(const struct embed_request *request, int which, int body)
 {
     return embed_number_of_body(request, which, body)->value;
 }
 
-/* m, K, A and R = 1/(1/R_1 + 1/R_2) of two bodies: K = (4/3) sqrt(R)/(c_1 + c_2) and A = (A_1 c_1 + A_2 c_2)/(c_1 +
- * c_2), c_i = (1 - nu_i^2)/Y_i. m_i is given or (4/3) pi R_i^3 rho_i. A wall and a plate have 1/R = 1/m = 0; a plate of
- * the thickness h has A_2 = 0, and m/Z is added to A, Z = 4 h^2 sqrt(rho_2/(3 c_2)). A_i is given, or that of
- * viscosities, (1 + nu)/(1 - nu) ((2/3) (1 - nu + nu^2) eta_1 + (1 - 2 nu)^2 eta_2)/Y, or 0. Or a spring and an
- * effective mass. */
+/* Computes m, K, A and R = 1/(1/R_1 + 1/R_2) of two bodies: K = (4/3) sqrt(R)/(c_1 + c_2) and A =
+ * (A_1 c_1 + A_2 c_2)/(c_1 + c_2), c_i = (1 - nu_i^2)/Y_i. m_i is given or (4/3) pi R_i^3 rho_i. A wall and a plate
+ * have 1/R = 1/m = 0. A plate of thickness h has A_2 = 0, and m/Z is added to A, Z = 4 h^2 sqrt(rho_2/(3 c_2)). A_i is
+ * given, or 0, or follows from viscosities as (1 + nu)/(1 - nu) ((2/3) (1 - nu + nu^2) eta_1 + (1 - 2 nu)^2 eta_2)/Y.
+ * Without bodies, m and K are the given effective mass and stiffness. */
 static void contact_of(arb_t m, arb_t K, arb_t A, arb_t R, const struct embed_request *request, slong prec)
 {
     const exact h = request->number[COR_SCENE_PLATE_THICKNESS].value, rho = number_of(request, COR_SCENE_DENSITY, 2);
@@ -63,8 +63,8 @@ static void contact_of(arb_t m, arb_t K, arb_t A, arb_t R, const struct embed_re
 
 /* ---- beta ---- */
 
-/* beta g^-q = g*^-q/|C_1|, from eps = 1 - (g/g*)^q + ... = 1 - |C_1| beta + ..., where |C_1| = (2/(a+1)) X_0^(b+1)
- * B((b+1)/(a+1), 3/2), X_0 = ((a+1)/2)^(1/(a+1)): docs/theory.md, 9. For spheres this is
+/* Computes beta g^-q = g*^-q/|C_1|, which follows from eps = 1 - (g/g*)^q + ... = 1 - |C_1| beta + ..., where |C_1| =
+ * (2/(a+1)) X_0^(b+1) B((b+1)/(a+1), 3/2), X_0 = ((a+1)/2)^(1/(a+1)): docs/theory.md, 9. For spheres |C_1| is
  * sqrt(pi) Gamma(3/5)/(2^(1/5) 5^(2/5) Gamma(21/10)), (29) to (31) of Ramirez et al. (1999). */
 static void beta_of_g_star(arb_t beta, exact g_star, const struct cor_exponents *law, slong prec)
 {
@@ -98,8 +98,8 @@ int embed_contact_eps(arb_t eps, const arb_t beta, const arb_t pressing, const s
     return status ? STATUS_FAILED : STATUS_OK;
 }
 
-/* Encloses the beta at which eps, which falls with it, is the restitution: secants until eps is above it at one end of
- * a narrow ball, and below at the other */
+/* Encloses the beta at which eps is the given restitution. Secant steps move a narrow ball until eps, which falls with
+ * beta, is above the restitution at its lower end and below it at its upper end. */
 static int beta_of_restitution(arb_t beta, const arb_t force, const struct embed_request *request,
                                const struct cor_scene_contact *contact, const struct cor_exponents *law)
 {
@@ -115,7 +115,7 @@ static int beta_of_restitution(arb_t beta, const arb_t force, const struct embed
     LET(pressing, 2 * SOLVE_BITS, "force*at^power", force, at, power);
     const slong half_width = arb_is_zero(pressing) ? SOLVE_HALF_WIDTH : SOLVE_HALF_WIDTH_PRESSED;
     for (int step = 0; step < SOLVE_STEPS && arb_is_positive(beta); step++) {
-        arb_get_mid_arb(beta, beta); /* an exact beta, with which eps has all of its bits */
+        arb_get_mid_arb(beta, beta); /* an exact beta, for which eps has all of its bits */
         arb_around(low, high, beta, half_width, SOLVE_BITS);
         if (embed_contact_eps(above, low, pressing, law, request->end, SOLVE_BITS) != STATUS_OK ||
             embed_contact_eps(below, high, pressing, law, request->end, SOLVE_BITS) != STATUS_OK)
@@ -140,7 +140,8 @@ void embed_elastic_plastic_eps(arb_t eps, const arb_t speed, const arb_t yield_s
     LET(eps, prec, "(108*t/((t^2 + 5)^2*(t + 2)))^(1/4)", t);
 }
 
-/* v_y between two speeds that the double determines, on whose sides eps(at) lies */
+/* Encloses v_y by bisection, starting close to `guess`, at both sides of the speed that gives the restitution at
+ * --at. */
 static int yield_speed_of_restitution(arb_t speed, const struct embed_request *request, double guess, slong prec)
 {
     LOCAL(arb, at, wanted, low, high, eps);

@@ -14,7 +14,7 @@ enum { LANDEN_STEPS = 12, CHECK_CELLS = 2048, NODE_BITS = 40 };
 
 /* ---- interpolation points ---- */
 
-/* jacobi_dn(u K, k') for the complementary modulus k, by descending Landen transformations. */
+/* Returns dn(u K, k') from the complementary modulus k, by descending Landen transformations. */
 static double jacobi_dn(double u, double k)
 {
     double a[LANDEN_STEPS + 1], c[LANDEN_STEPS + 1], b = k;
@@ -35,9 +35,9 @@ static double jacobi_dn(double u, double k)
     return fabs(divisor) > 1e-9 ? cos(phi) / divisor : k;
 }
 
-/* Point j of n between lo and hi. For a rational interpolant of a function with a cut along the negative axis, the best
- * points hi dn^2 follow from the Green function of the plane between the cut and [lo, hi]. Chebyshev points are best
- * for a polynomial, or if the cut is far. */
+/* Returns point j of n between lo and hi. Chebyshev points are best for a polynomial, or if eps has no cut near [lo,
+ * hi]. For a rational interpolant of a function with a cut along the negative axis, the best points are hi dn^2. They
+ * follow from Green's function of the plane between the cut and [lo, hi]. */
 static double fit_node(const struct embed_form *f, double lo, double hi, slong j, slong n)
 {
     const bool elliptic = f->denominator > 0 && f->variable <= FOURTH_ROOT_OF_SPEED;
@@ -53,7 +53,7 @@ static double fit_node(const struct embed_form *f, double lo, double hi, slong j
     return ldexp(nearbyint(ldexp(x, NODE_BITS)), exponent - NODE_BITS);
 }
 
-/* eps at the variable x; an x that rounding moved out of the range is moved back. */
+/* Computes eps at the variable x. */
 static void eps_at(arb_t eps, const struct embed_form *f, const struct embed_scene *s, const arb_t x)
 {
     LOCAL(arb, g);
@@ -63,7 +63,7 @@ static void eps_at(arb_t eps, const struct embed_form *f, const struct embed_sce
 
 /* ---- rounding ---- */
 
-/* Returns false if a number is out of the type's range, or near its ends. */
+/* Rounds coefficients to the type. Returns false if one is out of the type's range, or near its ends. */
 static bool round_numbers(struct embed_form *f, arb_srcptr exact, slong count)
 {
     const double least = 1e3 * (f->single ? (double)FLT_MIN : DBL_MIN),
@@ -79,8 +79,8 @@ static bool round_numbers(struct embed_form *f, arb_srcptr exact, slong count)
     return true;
 }
 
-/* Whether q > 0 on [lo, hi]. On each of many cells, the rising terms at one end and the falling terms at the other end
- * bound q from below. */
+/* True if q > 0 is shown on [lo, hi]. On each of CHECK_CELLS cells, the positive terms at its lower end and the
+ * negative terms at its upper end bound q from below. */
 static bool quotient_is_positive(const double *q, slong degree, double lo, double hi)
 {
     bool all = true;
@@ -104,8 +104,7 @@ static bool quotient_is_positive(const double *q, slong degree, double lo, doubl
     return true;
 }
 
-/* p_0, ..., p_m, q_0, ..., q_n in the unit 2^scale of the variable become coefficients in the variable itself, with q_n
- * = 1. */
+/* Converts p_0, ..., p_m, q_0, ..., q_n from the unit 2^scale of the variable to the variable itself, with q_n = 1. */
 static bool finish_quotient(struct embed_form *f, arb_ptr c, slong scale)
 {
     const slong m = f->numerator, n = f->denominator;
@@ -176,7 +175,7 @@ bool embed_fit_quotient(struct embed_form *f, const struct embed_scene *s, const
     return finish_quotient(f, c, 0);
 }
 
-/* Row by row the polynomial in its argument t through eps at Chebyshev points */
+/* Interpolates eps on each row at Chebyshev points, by a polynomial in the argument t of the row. */
 bool embed_fit_pieces(struct embed_form *f, const struct embed_scene *s)
 {
     const slong columns = f->numerator + 1;

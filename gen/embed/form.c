@@ -11,8 +11,8 @@ const char *const embed_operation_names[OPERATIONS] = {"mul+add", "mul",  "add",
                                                        "bits",    "load", "convert", "compare"};
 
 /* Nanoseconds of an operation, for double and float, measured once (docs/embed.md, "Costs"): in a scalar loop (-O2),
- * and in a vectorised loop (-O3 -mavx2 -mfma). A square root may set errno, so that a loop with a square root stays
- * scalar without -fno-math-errno. */
+ * and in a vectorised loop (-O3 -mavx2 -mfma). A square root may set errno, so a loop that contains one stays scalar
+ * without -fno-math-errno. */
 static const double nanoseconds[2][USES][OPERATIONS] = {
     {{0.27, 0.14, 0.14, 1.11, 1.67, 0.10, 0, 0.51, 0.15}, {0.03, 0.03, 0.03, 0.56, 1.67, 0.07, 0.18, 0.11, 0.14}},
     {{0.27, 0.14, 0.14, 0.84, 0.90, 0.10, 0, 0.51, 0.15}, {0.02, 0.02, 0.01, 0.17, 0.90, 0.02, 0.23, 0.03, 0.02}},
@@ -93,7 +93,7 @@ static int add_horner(struct embed_program *p, const char *name, int x, const do
     return p->count++;
 }
 
-/* r = g^(-1/5) in one step or two from the start, and g r^4 */
+/* Adds the steps of r = g^(-1/5), which refine the start value once or twice. Returns the step of g r^4 = g^(1/5). */
 static int add_fifth_root(struct embed_program *p, const struct embed_form *f, const char *name)
 {
     static const char *const names[2][5] = {{"square_1", "fourth_1", "g * guess", "off_1", "factor_1"},
@@ -110,7 +110,8 @@ static int add_fifth_root(struct embed_program *p, const struct embed_form *f, c
     return add_step(p, STEP_MUL, name, 0, add_step(p, STEP_MUL, "(square * square)", square, square, 0), 0);
 }
 
-/* Step x + 1 is x^2 if the degree is EMBED_SPLIT or more. names: the polynomial, its even part and its odd part */
+/* Adds a polynomial in step x; step x + 1 is x^2 if it is split. names: the polynomial, its even part and its odd
+ * part */
 static int add_polynomial(struct embed_program *p, const char *const names[3], int x, const double *c, slong degree)
 {
     if (degree < EMBED_SPLIT)
@@ -155,20 +156,21 @@ struct embed_program embed_program_of(const struct embed_form *f)
 
 /* ---- its values ---- */
 
-/* It counts its operations. */
+/* Counts the operations. */
 struct arithmetic {
     bool single, fused;
     int count[OPERATIONS];
 };
 
-/* For +, -, *, / and sqrt of floats, an intermediate rounding to double does not change the result. */
+/* Counts an operation and rounds its result. A float's + - * / or sqrt may be rounded to a double first: no bit
+ * changes. */
 static double round_result(struct arithmetic *a, enum embed_operation operation, double x)
 {
     a->count[operation]++;
     return a->single ? (double)(float)x : x;
 }
 
-/* x y + z */
+/* Returns x y + z */
 static double mul_add(struct arithmetic *a, double x, double y, double z)
 {
     if (!a->fused)
@@ -204,7 +206,7 @@ double embed_root_start(const struct embed_form *f, double g)
     return root_start(&(struct arithmetic){f->single, false, {0}}, f, g);
 }
 
-/* The value of a step from the values of those before it. A place in a table sets *row. */
+/* Computes a step from the values of the earlier steps. A step that finds a row of a table sets *row. */
 static double step_value(struct arithmetic *a, const struct embed_form *f, const struct embed_step *s,
                          const double *value, slong *row)
 {
@@ -304,7 +306,7 @@ void embed_form_price(struct embed_form *f)
         /* an operation that prevents vectorisation makes all other operations scalar */
         const int as = use == USE_ARRAY && (n[OP_SQRT] > 0 || f->knot) ? USE_SCALAR : use;
         const double *ns = nanoseconds[f->single][as];
-        /* division and square root have a separate unit, which works in parallel to the others */
+        /* division and square root have a separate unit, which works in parallel with the others */
         const double beside = n[OP_DIV] * ns[OP_DIV] + n[OP_SQRT] * ns[OP_SQRT];
         double sum = 0;
         for (int op = 0; op < OPERATIONS; op++)

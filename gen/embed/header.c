@@ -69,7 +69,7 @@ static bool proved_everywhere(const struct embed_proof *proof, const struct embe
     return proof->proved && !(proof->from > s->speed_min + s->origin);
 }
 
-/* The middle of a ball to 20 digits */
+/* Returns the middle of a ball to 20 digits */
 static struct bound_text middle_text(const arb_t x)
 {
     struct bound_text text;
@@ -180,7 +180,7 @@ static void append_provenance(FILE *t, const struct embed_scene *s, const struct
 
 /* ---- the function ---- */
 
-/* A variable of a type, whose text is that of emit_lines, with the bits of another */
+/* Writes a variable with the bits of another one. type: a text for emit_lines */
 static void emit_copy(struct emit *e, const char *type, const char *name, const char *from)
 {
     emit_lines(e, "    ");
@@ -188,9 +188,9 @@ static void emit_copy(struct emit *e, const char *type, const char *name, const 
     emit_lines(e, " $s;\n    memcpy(&$s, &$s, sizeof $s);\n", name, name, from, name);
 }
 
-/* Limits x to the range. Comparing real numbers is fastest for a single x. Comparing the bits as whole numbers lets
- * compilers vectorise; comparisons of real numbers that might trap become branches. A NaN becomes a number in the
- * range. */
+/* Writes lines that limit x to the range. For a single x, comparing real numbers is fastest. In loops the bits are
+ * compared as whole numbers, which compilers vectorise; comparisons of real numbers that might trap become branches. A
+ * NaN becomes a number in the range. */
 static void emit_clamped(struct emit *e, const struct embed_form *f, const char *x, bool vector)
 {
     if (!vector) {
@@ -236,7 +236,7 @@ static void emit_step(struct emit *e, const struct embed_form *f, const struct e
                                         [STEP_OFF] = "    const $T $s = 1.0$F - $s * $s;\n"};
     const char *const x = p->step[s->x].name, *const y = p->step[s->y].name;
     int half = 1;                                      /* the first step of a search */
-    if (strchr(s->name, ' ') || s->code == STEP_CLAMP) /* an expression, or emit_clamped */
+    if (strchr(s->name, ' ') || s->code == STEP_CLAMP) /* an expression, or written by emit_clamped */
         return;
     switch (s->code) {
     case STEP_START:
@@ -281,8 +281,8 @@ static void emit_step(struct emit *e, const struct embed_form *f, const struct e
     }
 }
 
-/* Returns the result, if the speed is not negative, otherwise NaN. Up to the onset eps is 1, where spheres begin to
- * yield, or 0, where bodies no longer stay together. */
+/* Writes the return of the result, or of NaN unless the speed is 0 or more. Up to the onset eps is 1, if spheres begin
+ * to yield there, or 0, if bodies stay together up to it. */
 static void emit_return(struct emit *e, const struct embed_form *f, const char *result, bool vector)
 {
     if (f->onset > 0) {

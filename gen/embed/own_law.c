@@ -88,8 +88,8 @@ static slong read_rows(fmpq *speed, fmpq *eps, char *text, const char *path)
     return rows < 2 ? 0 : rows;
 }
 
-/* The slope at the first row from the secants d of the two nearest intervals h, or at the last row, nearest first: of
- * the parabola through three rows, limited so that the cubic stays monotone */
+/* Computes the slope at the first or the last row from the secants d and the widths h of the two nearest intervals,
+ * nearest first. It is the slope of the parabola through three rows, limited so that the cubic stays monotone. */
 static void end_slope(fmpq_t slope, const fmpq_t d0, const fmpq_t d1, const fmpq_t h0, const fmpq_t h1)
 {
     LOCAL(fmpq, rest);
@@ -146,7 +146,7 @@ static int init_table(struct own_law *law, const char *path)
         return usage_error("--table: %s cannot be read: %s%s", path, strerror(errno),
                            errno == EFBIG ? "; allowed: less than 1 MiB" : "");
     }
-    static const char mark[] = "\xef\xbb\xbf"; /* of UTF-8 */
+    static const char mark[] = "\xef\xbb\xbf"; /* byte order mark of UTF-8 */
     fmpq *const number = _fmpq_vec_init(2 * OWN_ROWS_MOST);
     if (strlen(bytes) != size)
         usage_error("--table: %s has a zero byte; it is no csv file", path);

@@ -14,16 +14,16 @@
 enum { OWN_TEXT = 512 };
 
 struct own_law {
-    int law; /* of the request; 0: its law is one of cor/law.h, and all else is 0 */
+    int law; /* of the request; 0: a law of cor/law.h, and every other field is 0 */
     const char *formula;
     fmpq *number;       /* two: A and B, or E and V */
     double real[2];     /* the nearest doubles */
-    const double *part; /* speeds between which eps is smooth: rows; the kink at 1; multiples of V */
+    const double *part; /* speeds between which eps is smooth: the rows, the kink at eps = 1, or multiples of V */
     slong parts;
     double own_part[6];
     slong rows;                   /* of the table; 0: no table */
-    double *speed, *place, *near; /* their speeds, ln(speed), and the doubles nearest to `cubic` */
-    arb_ptr cubic; /* five for each row but the last: speed, then the coefficients of (v - speed)^k; else zeros */
+    double *speed, *place, *near; /* of the rows: speed and ln(speed); the doubles nearest to `cubic` */
+    arb_ptr cubic; /* five for each row except the last: speed, coefficients of (v - speed)^k; 0 without a table */
     char text[OWN_TEXT];
 };
 
@@ -33,19 +33,20 @@ int own_law_init(struct own_law *law, const struct embed_request *request);
 void own_law_clear(struct own_law *law);
 #define OWN_LAW(x) __attribute__((cleanup(own_law_clear))) struct own_law x = {0} /* cleared where its block ends */
 
-/* Refuses speeds that a table does not have. */
+/* Returns STATUS_OK, or STATUS_USAGE after a message if the table does not cover these speeds. */
 int own_law_check(const struct own_law *law, double speed_min, double speed_max);
 
-/* eps at a speed, at most 1: enclosed, and by doubles, with a relative error of 1e-12 or an
- * absolute one of 1e-300 */
+/* Compute eps at a speed, limited to 1: enclosed, or in doubles with a relative error of 1e-12 or an absolute one of
+ * 1e-300 */
 void own_law_eps(arb_t eps, const struct own_law *law, const arb_t speed, slong prec);
 double own_law_value(const struct own_law *law, double speed);
 
-/* The speed at which A v^-B is 1; not finite where no such speed exists */
+/* Computes the speed at which A v^-B is 1; not finite if no such speed exists */
 void own_law_onset(arb_t speed, const struct own_law *law, slong prec);
 
-/* The row of a table at x = ln(speed), and the x at which the next row begins; 0 and infinity without a table. And eps,
- * not limited to 1, as an enclosed function of x by the cubic of a row (enclosed_function.h). */
+/* own_law_row returns the row of a table at x = ln(speed); *end is the x at which the next row begins. Without a table
+ * they are 0 and infinity. own_law_function encloses eps, not limited to 1, as a function of x on a row
+ * (enclosed_function.h). */
 slong own_law_row(double *end, const struct own_law *law, double x);
 bool own_law_function(arb_poly_t eps, const arb_poly_t x, const struct own_law *law, slong row);
 

@@ -15,23 +15,23 @@ enum {
     DEPTH = 12,      /* halvings of a part, at most */
     HALVINGS = 2,    /* of polynomials on a part */
     POINTS = 6,      /* on each side of a part's middle, where the error is evaluated first */
-    FAR = -1         /* in place of an interval: beyond the last */
+    FAR = -1         /* instead of an interval: beyond the last one */
 };
 
 /* Longest part in ln(beta) */
 #define LOG_PART 0.5
-/* A bound is good enough within this factor of an error that is taken, or of the largest sampled error. */
+/* A bound suffices within NEAR_KNOWN times an error that occurs, or NEAR_SAMPLED times the largest sampled error. */
 #define NEAR_KNOWN 1.01
 #define NEAR_SAMPLED 1.005
-/* The error of the interpolant of another law may be this part of the form's error. */
+/* The error of the interpolant of another law may be this fraction of the form's error. */
 #define LAW_PART_OF_ERROR 1e-3
-/* Proofs begin at this times the sticking speed v_s, because their cost grows like 1/(v - v_s). */
+/* Proofs begin at this multiple of the sticking speed v_s, because their cost grows like 1/(v - v_s). */
 #define STICKING_PROVED 1.01
-/* More than the rounding of a few functions of libm */
+/* More than the rounding errors of a few functions of libm */
 #define SLACK 1e-13
 
-/* lo <= x <= hi, where x is the variable of an interval of the sphere's interpolant or ln(beta), the row of the table
- * there, and the bound of the error */
+/* Speeds with lo <= x <= hi, x being ln(beta) or the variable of an interval of the sphere's interpolant, the row of
+ * the table there, and the bound of the error */
 struct part {
     int interval;
     bool by_log;
@@ -56,8 +56,8 @@ struct prover {
 
 /* ---- a part ---- */
 
-/* x and eps as functions of t, and beta where x is not its logarithm. Of a closed form beta is the speed. Returns false
- * without a proof. */
+/* Encloses x and eps as functions of t, and beta if x is not its logarithm. For a closed form, beta is the speed.
+ * Returns false without a proof. */
 static bool part_functions(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const struct prover *w,
                            const struct part *part)
 {
@@ -89,8 +89,8 @@ static bool part_functions(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const 
     return true;
 }
 
-/* The variable of the polynomials. In a liquid v = v_d + s, where v_d is the dry speed, and eps becomes eps v = eps_d
- * v_d - s; under a constant force v is less by the origin. Then the variable is a root of v. */
+/* Encloses the variable of the polynomials, a root of v. In a liquid v = v_d + s, where v_d is the dry speed, and eps
+ * becomes eps v = eps_d v_d - s. Under a constant force, the origin is subtracted from v. */
 static bool part_variable(arb_poly_t y, arb_poly_t eps, arb_poly_t v, const arb_poly_t beta, const arb_poly_t x,
                           const struct prover *w, bool by_log)
 {
@@ -119,7 +119,7 @@ static bool part_variable(arb_poly_t y, arb_poly_t eps, arb_poly_t v, const arb_
     return done;
 }
 
-/* The polynomials of the program as functions of its variable y, in a row, without rounding */
+/* Encloses the polynomials of the program on a row, as functions of its variable y, without rounding. */
 static void part_polynomials(arb_poly_t p, arb_poly_t q, const arb_poly_t y, const struct prover *w, slong row)
 {
     const struct embed_form *const f = w->f;
@@ -150,7 +150,7 @@ static void part_polynomials(arb_poly_t p, arb_poly_t q, const arb_poly_t y, con
         arb_poly_set(q, value[w->program.q - first]);
 }
 
-/* Bound of |p/q - eps|/eps on a part; infinite where there is no proof */
+/* Returns a bound of |p/q - eps|/eps on a part; infinite without a proof */
 static double part_error(const struct prover *w, const struct part *part, int depth)
 {
     LOCAL(arb_poly, eps, beta, x, y, p, q, v);
@@ -195,7 +195,7 @@ static void add_parts(struct prover *w, struct part part, double longest)
     }
 }
 
-/* ln(beta) at a speed, as the nearest double below it or above it */
+/* Returns ln(beta) at a speed, as the nearest double below it or above it */
 static double place_of_speed(const struct prover *w, double speed, bool above)
 {
     LOCAL(arb, x);
@@ -205,15 +205,15 @@ static double place_of_speed(const struct prover *w, double speed, bool above)
     return ball_end(x, above);
 }
 
-/* A part from u = ln(beta) on, but for its end, in an interval that is proved up to *end. Returns false if there is
- * none. Parts of spheres begin a little earlier, but not before their interval, and end there, for u may be off by
+/* Makes a part that starts at u = ln(beta) in an interval that is proved up to *end, without the part's end. Returns
+ * false if no such interval exists. Parts of spheres begin a little earlier within it, because u may be off by
  * SLACK. */
 static bool part_from(struct part *part, double *end, const struct prover *w, double u)
 {
     const struct interpolant_layout *const layout = &interpolant_sphere_proof;
     *part = (struct part){.by_log = true, .lo = u};
     *end = HUGE_VAL;
-    if (w->s->own.law) /* beyond a knot by a few ulps the cubic of the row differs by the square of that */
+    if (w->s->own.law) /* a few ulps beyond a knot, the cubics of both rows differ by the square of that distance */
         part->interval = (int)own_law_row(end, &w->s->own, u);
     if (w->s->by_speed)
         return true;
@@ -302,7 +302,7 @@ int embed_prove(struct embed_proof *proof, const struct embed_form *f, const str
     if (!embed_rounding_bound(&rounding, f))
         return STATUS_OK;
     proof->rounding = rounding.error;
-    const bool overlap = s->end == COR_END_ZERO_OVERLAP || !law_force_ends(&s->law); /* otherwise the ends coincide */
+    const bool overlap = s->end == COR_END_ZERO_OVERLAP || !law_force_ends(&s->law); /* a <= b: the ends coincide */
     struct prover w = {.f = f,
                        .program = embed_program_of(f),
                        .s = s,
@@ -312,7 +312,7 @@ int embed_prove(struct embed_proof *proof, const struct embed_form *f, const str
     int status = STATUS_OK;
     if (!s->by_speed && (!law_is_sphere(&s->law) || s->pressed)) {
         double beta[2] = {s->beta_min, s->beta_max};
-        if (s->pressed) { /* from a speed on at which the cost of a proof is bounded, less the origin as every speed */
+        if (s->pressed) { /* begins where the proof's cost is bounded */
             const double speed = arf_get_d(arb_midref(s->sticking_speed), ARF_RND_UP) * STICKING_PROVED - s->origin;
             LOCAL(arb, x);
             w.from = fmax(s->speed_min, speed);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A scene as the subcommands embed, plan, contact, sample and fit read it: numbers with their texts, and the sentences
- * for those that are missing or contradict one another (cor/scene.h) */
+/* The request of corgen embed, plan, contact, sample and fit: the numbers of a scene (cor/scene.h) as written, and
+ * messages about missing or contradictory ones */
 #ifndef COR_GEN_EMBED_REQUEST_H
 #define COR_GEN_EMBED_REQUEST_H
 
@@ -9,8 +9,8 @@
 #include "series/series.h"
 #include "support/decimal.h"
 
-/* The numbers of cor/scene.h, of a range of speeds in m/s, and of laws of one's own (own_law.h). The tolerance is a
- * relative error of eps. */
+/* The numbers of a request: first the numbers of cor/scene.h, then the range of speeds in m/s, the tolerance, which is
+ * a relative error of eps, and the parameters of own laws (own_law.h) */
 enum {
     EMBED_SPEED_MIN = COR_SCENE_NUMBERS,
     EMBED_SPEED_MAX,
@@ -21,31 +21,32 @@ enum {
     EMBED_DECAY_SPEED,
     EMBED_NUMBERS
 };
-/* Laws of one's own, as --law has them; they follow the laws of cor/law.h */
+/* The own laws of --law (own_law.h), numbered after the laws of cor/law.h */
 enum { EMBED_LAW_POWER = COR_LAW_ELASTIC_PLASTIC + 1, EMBED_LAW_EXPONENTIAL, EMBED_LAW_TABLE };
 extern const char *const embed_law_names[]; /* ends with NULL */
 
-/* The purpose of a form: single calls, vectorised loops, or both; or single calls by REBOUND, with its callback */
+/* The use for which a form is cheapest: a mixture of single calls and vectorised loops, only one of these, or REBOUND,
+ * whose callback is called for one speed at a time */
 enum embed_purpose { PURPOSE_BALANCED, PURPOSE_SCALAR, PURPOSE_ARRAY, PURPOSE_REBOUND };
-extern const char *const embed_purpose_names[]; /* these two end with NULL */
+extern const char *const embed_purpose_names[]; /* ends with NULL, like the next arrays */
 
 enum embed_type { EMBED_DOUBLE, EMBED_FLOAT };
 extern const char *const embed_type_names[];
-extern const char *const embed_adhesion_names[]; /* of enum cor_adhesion, as options have them; ends with NULL */
+extern const char *const embed_adhesion_names[]; /* words of --adhesion-model by enum cor_adhesion; ends with NULL */
 
 struct embed_request {
-    struct decimal number[EMBED_NUMBERS]; /* text NULL: not given; none for viscosities */
+    struct decimal number[EMBED_NUMBERS]; /* text NULL: not given, or a viscosity */
     const char *viscosity[2];             /* "ETA1,ETA2" in Pa s of each body; NULL: not given */
-    int end;                              /* enum cor_end as an option has it, or COR_BOTH_ENDS */
+    int end;                              /* index of the word of --end; or COR_BOTH_ENDS */
     enum embed_purpose purpose;
     enum embed_type type;
-    int law;                       /* enum cor_law up to COR_LAW_ELASTIC_PLASTIC, or one's own */
+    int law;                       /* enum cor_law up to COR_LAW_ELASTIC_PLASTIC, or an own law */
     const char *table;             /* the file of EMBED_LAW_TABLE; NULL: not given */
-    const char *elastic, *damping; /* the exponents as written; NULL: those of the law */
-    bool wall;                     /* body 2 is flat and held fast */
+    const char *elastic, *damping; /* exponents as written; NULL: the exponents of the law */
+    bool wall;                     /* body 2 is flat and cannot move */
     const char *name;              /* name of the function; NULL: cor_scene_eps */
     int adhesion_model;            /* enum cor_adhesion */
-    int equivalent;                /* enum cor_equivalence; only corgen contact has it */
+    int equivalent;                /* enum cor_equivalence; set by corgen contact only */
 };
 
 bool embed_given(const struct embed_request *request, int number);
@@ -53,11 +54,10 @@ double embed_number(const struct embed_request *request, int number); /* the nea
 /* Reads "ETA1,ETA2", two numbers without a sign. */
 bool embed_viscosity(struct decimal eta[2], const char *text);
 
-/* The options of a request from " --speed-min 0.1" to " --law tsuji" as written, malloc'ed, without those of the header
- * alone. Lines of numbers that would be longer than `width` are continued as in a banner. */
+/* Returns the options of a request as written, from " --speed-min 0.1" to " --law tsuji", malloc'ed. Omits options that
+ * only a header has. Breaks lines of numbers that would be longer than `width`, as in a banner. */
 char *embed_options(const struct embed_request *request, int width);
-const char *
-embed_end_option(const struct embed_request *request); /* " --end zero-force"; empty for a law of one's own */
+const char *embed_end_option(const struct embed_request *request); /* " --end zero-force"; empty for an own law */
 
 #define EMBED_COARSEST 0.1 /* the coarsest tolerance of a header */
 
@@ -65,14 +65,14 @@ embed_end_option(const struct embed_request *request); /* " --end zero-force"; e
  * on stderr. */
 int embed_request_check(const struct embed_request *request);
 
-/* True if a constant force acts, of gravity or of DMT adhesion */
+/* True if a constant force acts, from gravity or DMT adhesion */
 bool embed_is_pressed(const struct embed_request *request);
 
-/* The scene of a request without a solver; its end is COR_END_ZERO_FORCE for the surface, too. Returns STATUS_OK, or
- * STATUS_USAGE after a message. A viscosity that cannot be read is negative. */
+/* Makes the scene of a request, without a solver. Its end is COR_END_ZERO_FORCE for the surface, too. A viscosity that
+ * cannot be read becomes -1. Returns STATUS_OK, or STATUS_USAGE after a message. */
 int embed_request_scene(struct cor_scene *scene, const struct embed_request *request);
 
-/* As cor_scene_of_body and cor_scene_mass_is_given, exactly as written */
+/* Like cor_scene_of_body and cor_scene_mass_is_given, for the numbers as written */
 const struct decimal *embed_number_of_body(const struct embed_request *request, int number, int body);
 bool embed_mass_is_given(const struct embed_request *request, int body);
 

@@ -18,10 +18,10 @@ enum {
     ROOT_HALVINGS = 12
 };
 
-/* More than the rounding of the few operations on bounds that are doubles. Bounds near 1e-16 are added, or pass through
- * expm1 and log1p: 1 + bound - 1 would lose them. */
+/* Covers the rounding errors of the few operations on doubles that compute a bound. Bounds near 1e-16 are added, or
+ * pass through expm1 and log1p, because 1 + bound - 1 would lose them. */
 #define RAISE (1 + 1e-12)
-/* Upper limit of |1 - g r^5| for the start of the fifth root; its series are of little use beyond. */
+/* Upper limit of |1 - g r^5| for the start of the fifth root. Beyond it the series are of little use. */
 #define SEED_LIMIT 0.2
 
 /* Half a unit in the last place of 1, half of the smallest positive number, and the largest one, of doubles and of
@@ -34,14 +34,14 @@ static const struct arithmetic {
 
 enum { NUMBER = EMBED_STEPS, NONE };
 
-/* All values of every step without rounding, and how far the computed value can be from them. NUMBER is a number. */
+/* Encloses each step without rounding, and bounds the errors of the computed values. Step NUMBER is a constant. */
 struct rounded {
     const struct arithmetic *arithmetic;
     arb_ptr exact;
     double error[EMBED_STEPS + 1];
 };
 
-/* (1 + x)(1 + y) - 1 and (1 + x)^n - 1 */
+/* Return (1 + x)(1 + y) - 1 and (1 + x)^n - 1. */
 static double add_relative(double x, double y)
 {
     return x + y + x * y;
@@ -52,20 +52,20 @@ static double power_of_error(double x, double n)
     return expm1(n * log1p(x));
 }
 
-/* |x| where the computed x may be */
+/* Returns a bound of |x| for the computed x. */
 static double rounded_size(const struct rounded *v, int x)
 {
     return (ball_magnitude(v->exact + x) + v->error[x]) * RAISE;
 }
 
-/* The error of one rounding; infinite where the result may overflow */
+/* Returns the error of one rounding; infinite if the result may overflow */
 static double rounding_of(const struct rounded *v, int x)
 {
     const double size = rounded_size(v, x);
     return size < v->arithmetic->most / 2 ? size * v->arithmetic->unit + v->arithmetic->least + DBL_MIN : HUGE_VAL;
 }
 
-/* z = x y + addend; the product and the sum are rounded each, which covers the fused operation. */
+/* Bounds z = x y + addend. The product and the sum are rounded separately, which covers the fused operation. */
 static void rounded_mul_add(struct rounded *v, int z, int x, int y, int addend)
 {
     const double error = ball_magnitude(v->exact + x) * v->error[y] + rounded_size(v, y) * v->error[x];
@@ -102,10 +102,10 @@ static void rounded_steps(struct rounded *v, const struct embed_program *p, int 
 
 /* ---- the fifth root ---- */
 
-/* Six steps of the program from `first` on make r S(1 - g r^5), S a polynomial, of an r with |1 - g r^5| <= e. Without
- * rounding, the relative distance of the result from g^(-1/5) is h with (1 + h)^5 = 1 + H(x), |x| <= e, where
- * H(x) = S(x)^5 (1 - x) - 1. Its rounding error is computed in units in which r = 1, so that g = 1 - x. Returns a bound
- * of the distance with rounding, infinite if |H| may reach 1/2, which it does not for e < SEED_LIMIT. */
+/* Bounds the error of one refinement: six steps from `first` onward, which compute r S(1 - g r^5) from an r with
+ * |1 - g r^5| <= e, where S is a polynomial. Without rounding, the relative distance h of the result from g^(-1/5)
+ * satisfies (1 + h)^5 = 1 + H(x), |x| <= e, H(x) = S(x)^5 (1 - x) - 1. The rounding error is computed in units in which
+ * r = 1, so g = 1 - x. Returns the bound with rounding; infinite if |H| may reach 1/2, which needs e >= SEED_LIMIT. */
 static double root_step(const struct embed_program *p, int first, double e, const struct arithmetic *a)
 {
     const struct embed_step *const factor = &p->step[first + 4];
@@ -136,9 +136,9 @@ static double root_step(const struct embed_program *p, int first, double e, cons
     return add_relative(exact, v.error[first + 5] / least) * RAISE;
 }
 
-/* Bound of |1 - g r^5| for the start r. The upper bits of r fall as those of g rise, so the ends of an interval of
- * speeds bound r. In half of an interval r falls by 400 units of 2^-20 or more, and a fused operation moves it by one:
- * whichever half g is in, the bound of the whole interval holds for that r, too. */
+/* Returns a bound of |1 - g r^5| for the start value r. Its upper bits fall as those bits of g rise, so the ends of an
+ * interval of speeds bound r. In half of an interval r falls by 400 units of 2^-20 or more, and a fused operation moves
+ * r by one unit. The bound of the whole interval therefore covers the fused operation in either half. */
 static double start_bound(const struct embed_form *f)
 {
     const uint64_t step = UINT64_C(1) << ((f->single ? 23 : 52) - 8), last = emit_bits_of(f->single, f->speed_max);
@@ -151,7 +151,7 @@ static double start_bound(const struct embed_form *f)
     return e * (1 + 1e-9) + 1e-12;
 }
 
-/* Relative error of the variable of the polynomials; `more` covers products of the errors of its roots. */
+/* Bounds the relative error of the variable of the polynomials. `more` covers products of the errors of its roots. */
 static double variable_bound(const struct embed_form *f, const struct embed_program *p, const struct arithmetic *a)
 {
     static const double more[] = {[FOURTH_ROOT_OF_SPEED] = 1e-6, [TENTH_ROOT_OF_SPEED] = 1e-4};
@@ -175,7 +175,7 @@ static double variable_bound(const struct embed_form *f, const struct embed_prog
 
 /* ---- polynomials on a cell ---- */
 
-/* p on the cell middle + radius t: its values, and those of its derivative */
+/* Encloses the values of p and of its derivative on the cell middle + radius t. */
 static void cell_values(arb_t value, arb_t slope, const double *c, slong degree, const arb_t middle, const arb_t radius)
 {
     LOCAL(arb_poly, p);
@@ -190,7 +190,7 @@ static void cell_values(arb_t value, arb_t slope, const double *c, slong degree,
     arb_div(slope, slope, radius, BITS);
 }
 
-/* Lower bound of |x| */
+/* Returns a lower bound of |x| */
 static double least_size(const arb_t x)
 {
     LOCAL(arf, least);
@@ -198,8 +198,8 @@ static double least_size(const arb_t x)
     return arf_get_d(least, ARF_RND_DOWN);
 }
 
-/* Relative rounding error of the result for arguments lo <= x <= hi of the polynomials, whose own error is at most
- * x_error, absolute. The cell is widened by that. */
+/* Bounds the relative rounding error of the result for arguments lo <= x <= hi of the polynomials. The absolute error
+ * of the argument is at most x_error, by which the cell is widened. */
 static double cell_bound(const struct embed_form *f, const struct embed_program *program, const double *c, double lo,
                          double hi, double x_error)
 {
@@ -273,7 +273,7 @@ bool embed_rounding_bound(struct embed_rounding *bound, const struct embed_form 
                       .bound = xmalloc((size_t)count * sizeof(double))};
     w.root = variable_bound(f, &w.program, a);
     if (f->family == FAMILY_PIECES_BETA) {
-        /* the place x slope + shift, which rounding keeps on its side of 0 and below the number of rows */
+        /* after rounding, the place x slope + shift must be above 0 and below the number of rows */
         const double most = (double)f->rows, end = most * (1 - a->unit);
         const double of_product = (w.root + a->unit * (1 + w.root)) * RAISE;
         const bool inside = HOLDS(ENCLOSED_BITS, "f->speed_min^(1/5)*f->slope*(1 - of_product) + f->shift > 0",

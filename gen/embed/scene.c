@@ -12,13 +12,13 @@
 #include "support/local.h"
 #include "support/parallel.h"
 
-/* From this beta on, eps at zero overlap is h*^5 beta^-5 with relative error EMBED_FAR_ERROR (form.h). The interpolant
- * ends at 8.25. */
+/* For this beta and above, eps at zero overlap is h*^5 beta^-5 with relative error EMBED_FAR_ERROR (form.h). The
+ * interpolant ends at 8.25. */
 #define OVERLAP_FAR 7.0
-/* At zero force the interpolant ends at 17. From exp(10) on three orders in beta^(-5/3) suffice. */
+/* At zero force the interpolant ends at 17. For beta = exp(10) and above, three orders in beta^(-5/3) suffice. */
 #define FORCE_FAR 16.9
 #define LOG_FAR 9.99
-/* smallest useful eps of a double and of a float */
+/* Smallest useful eps of a double and of a float */
 #define EPS_LEAST 1e-250
 #define EPS_LEAST_FLOAT 1e-30
 
@@ -29,8 +29,9 @@ double embed_rounded(const struct embed_scene *s, double x)
 
 /* ---- eps ---- */
 
-/* Of spheres. At zero force beyond ln(beta) = 10 eps beta^(5/3) = ((a_8 u + ...) mu + (a_4 u + ...)) mu + a_1 u + a_0.
- * The interpolant's samples are exact, so the radius covers the rounding errors of this evaluation only. */
+/* Computes eps of spheres. For u = ln(beta) > 10 at zero force and mu = beta^(-5/3), eps is mu (((a_8 u + ...) mu +
+ * (a_4 u + ...)) mu + a_1 u + a_0). The interpolant's samples are exact, so the radius covers only the rounding
+ * here. */
 static void eps_of_beta(arb_t eps, const struct embed_scene *s, const arb_t beta)
 {
     static const int first[] = {0, 2, 5, INTERPOLANT_FAR}; /* of a_0, ... */
@@ -94,7 +95,7 @@ void embed_scene_eps(arb_t eps, const struct embed_scene *s, const arb_t speed)
 
 /* ---- the scene ---- */
 
-/* Sample i: eps as a double and the remainder of that double */
+/* Computes sample i: eps as a double, and the rest of eps */
 static void take_sample(void *context, slong i)
 {
     struct embed_scene *const s = context;
@@ -126,7 +127,7 @@ static void take_samples(struct embed_scene *s)
                                        log(samples->speed[i] / samples->speed[i - step])));
 }
 
-/* Spheres without a constant force */
+/* Prepares spheres without a constant force. */
 static int scene_collide(struct embed_scene *s)
 {
     const bool overlap = s->end == COR_END_ZERO_OVERLAP;
@@ -145,33 +146,32 @@ static int scene_collide(struct embed_scene *s)
 
 /* ---- a constant force ---- */
 
-/* The interpolant begins where the distance to ln(beta) of the sticking speed is this part of q, so that there the
- * speed is above the sticking speed by this part of it. */
+/* The interpolant begins where the speed exceeds the sticking speed by this fraction. There, ln(beta) differs from its
+ * value at the sticking speed by this fraction of q. */
 #define STICKING_MARGIN 1e-10
-/* Intervals in ln(beta) are as long as their distance from the sticking speed, where eps has a branch point, but not
- * longer than this. */
+/* An interval in ln(beta) is as long as its distance from the sticking speed, where eps has a branch point, but at most
+ * this long. */
 #define LONGEST_PRESSED 0.5
-/* Nearer than this, where nothing is proved, they are three times as long, with more points. */
+/* Nearer than this, where nothing is proved, intervals are three times as long and have more points. */
 #define NEAR_STICKING 1e-3
 enum { PRESSED_POINTS = 30, NEAR_POINTS = 38, PRESSED_BITS = 76, STICKING_BITS = 100, MOST_PRESSED = 200 };
 
-/* The neighbour of a number of the scene's type, 0 or more, towards zero or away from it */
+/* Returns the neighbour of x >= 0 in the scene's type, in the direction of `towards`. */
 static double neighbour_of(const struct embed_scene *s, double x, double towards)
 {
     return s->single ? (double)nextafterf((float)x, (float)towards) : nextafter(x, towards);
 }
 
-/* The largest number of the scene's type that is not above x */
+/* Returns the largest number of the scene's type that is not above x */
 static double rounded_down(const struct embed_scene *s, double x)
 {
     const double y = embed_rounded(s, x);
     return y > x ? neighbour_of(s, y, 0) : y;
 }
 
-/* c of f = c beta^(-2a/n), and the sticking speed, from f_1: in units in which the force is 1 the law has the damping
- * B = beta_1 f_1^(n/(2a)), the same at every speed, and the unit of speed is f_1^((a+1)/(2a)). Then origin, onset and
- * the first speed: v - origin is exact for every v up to speed_max, because the origin is a multiple of the last place
- * of speed_max. */
+/* Sets c of f = c beta^(-2a/n) and the sticking speed from f_1. In units in which the force is 1, the damping is B =
+ * beta_1 f_1^(n/(2a)) at every speed, and the unit of speed is f_1^((a+1)/(2a)). Then sets origin, onset and the first
+ * speed. The origin is a multiple of the last place of speed_max, so v - origin is exact up to speed_max. */
 static int set_pressing(struct embed_scene *s, const arb_t force)
 {
     const struct ratio a = law_elastic(&s->law), n = law_fall_power(&s->law), q = law_speed_exponent(&s->law);
@@ -198,7 +198,7 @@ static int set_pressing(struct embed_scene *s, const arb_t force)
     return STATUS_OK;
 }
 
-/* Intervals in u = ln(beta) that begin at the end next to the sticking speed, at u_s, in ascending order */
+/* Sets the intervals in u = ln(beta), in ascending order, from or up to a place next to u_s, the sticking speed's u. */
 static void pressed_layout(struct embed_scene *s)
 {
     const bool force = s->end == COR_END_ZERO_FORCE && law_force_ends(&s->law),
@@ -207,7 +207,7 @@ static void pressed_layout(struct embed_scene *s)
     const double begin = rises ? log(s->beta_min) : log(s->beta_max), end = rises ? log(s->beta_max) : log(s->beta_min);
     struct interval *const list = xmalloc(MOST_PRESSED * sizeof *list);
     int count = 0;
-    /* a little of the distance before the first speed, and beyond the last */
+    /* from a little before the first speed to a little beyond the last */
     double distance = fabs(begin - u_s) * (1 - 1e-4);
     const double last = fabs(end - u_s) + beyond;
     while (distance < last && count < MOST_PRESSED) {
@@ -235,7 +235,7 @@ static void pressed_layout(struct embed_scene *s)
 
 /* ---- another law ---- */
 
-/* Relative error of the interpolant at places between its samples */
+/* Largest relative error of the interpolant between its samples */
 #define INTERPOLANT_LIMIT 1e-17
 enum { CHECK_POINTS = 4, ATTEMPTS = 3 };
 
@@ -254,7 +254,7 @@ static int scene_collide_law(struct embed_scene *s)
     else
         law_layout_restrict(&s->layout, quantity_of(s), s->beta_min);
     for (int attempt = 0; attempt < ATTEMPTS && error > INTERPOLANT_LIMIT; attempt++) {
-        interpolant_free(s->interpolant); /* while the layout is as it was */
+        interpolant_free(s->interpolant); /* before the layout changes */
         if (attempt > 0)
             law_layout_refine(&s->layout);
         s->interpolant = interpolant_new(&s->layout.interpolant, s->beta_min * (1 - 1e-9), s->beta_max * (1 + 1e-9));
@@ -264,7 +264,7 @@ static int scene_collide_law(struct embed_scene *s)
     return error <= INTERPOLANT_LIMIT ? STATUS_OK : fail("the interpolant of the collision is off by %.1e", error);
 }
 
-/* An eps that does not depend on the speed is that of --restitution as it is written. */
+/* Sets an eps that does not depend on the speed: the number of --restitution as written, or a computed one. */
 static int scene_collide_once(struct embed_scene *s, const struct embed_request *request)
 {
     if (!embed_given(request, COR_SCENE_RESTITUTION))
@@ -310,7 +310,7 @@ static void set_by_speed(struct embed_scene *s)
     arb_one(s->beta_enclosed);
 }
 
-/* Sets the forms of a scene in which eps is 1 up to the speed `below`. */
+/* Sets the onset and the first speed of a scene in which eps is 1 up to the speed `below`. */
 static int set_onset(struct embed_scene *s, double below)
 {
     s->constant = s->speed_max <= below;
@@ -323,7 +323,7 @@ static int set_onset(struct embed_scene *s, double below)
                : usage_error("--speed-max is next to the speed up to which eps is 1, %.17g m/s", below);
 }
 
-/* Of elastic-plastic spheres, and of a constant eps in a liquid, dry eps is a closed form of the speed. */
+/* Prepares elastic-plastic spheres, or a constant eps in a liquid: dry eps is a closed form of the speed. */
 static int scene_by_speed(struct embed_scene *s, const struct embed_request *request)
 {
     set_by_speed(s);

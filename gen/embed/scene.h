@@ -9,7 +9,7 @@
 
 struct interpolant;
 
-/* Speeds at equal distances of their logarithms, and eps as sums of two doubles */
+/* Speeds that are equally spaced in their logarithm, and eps as the sum of two doubles, eps + rest */
 struct embed_samples {
     double *speed, *eps, *rest;
 };
@@ -18,50 +18,50 @@ struct embed_scene {
     enum cor_end end;
     bool single; /* float */
     double speed_min, speed_max, tolerance;
-    struct cor_exponents law, named; /* of beta, and of the request: see by_speed */
+    struct cor_exponents law, named; /* the law of beta and the law of the request, see by_speed */
     bool plastic;
     struct own_law own; /* own.law 0: none */
-    double *knot;       /* of its table: where cubics begin, and the end of the last one; NULL: no table */
+    double *knot;       /* of its table: the starts of the cubics, and the end of the last one; NULL: no table */
     slong knots;
     bool by_speed;      /* dry eps is a closed form of the speed; law has q = 1, and beta is the speed in m/s */
     arb_t yield_speed;  /* of elastic-plastic spheres */
-    arb_t liquid_speed; /* what a liquid takes on each way; 0: a dry contact */
+    arb_t liquid_speed; /* the speed lost to a liquid on each way; 0: a dry contact */
     bool pressed;       /* by a constant force: f = press beta^(-2a/n), and eps = 0 up to sticking_speed */
     arb_t press, sticking_speed;
     double sticking_log; /* ln(beta) at that speed */
-    double origin;       /* every speed of the scene but the onset is less by this, a double below sticking_speed */
+    double origin;       /* a double below sticking_speed, subtracted from every speed of the scene except the onset */
     double onset;        /* eps is 1, or 0 if pressed, up to this speed; the forms begin above it; 0: no such speed */
     bool constant;       /* eps is the same at every speed: no damping, or q = 0 */
-    arb_t eps;           /* that eps */
+    arb_t eps;           /* the value of that eps */
     arb_t beta_per_root; /* beta = beta_per_root speed^q, q = 1/5 for spheres */
-    arb_t beta_enclosed; /* the same, where beta_per_root is the middle of a ball that eps determines */
+    arb_t beta_enclosed; /* its enclosure; beta_per_root is the middle of this ball if a restitution is given */
     double beta_min, beta_max;
     double slope; /* largest |d ln(eps)/d ln(speed^(1/5))|; for spheres |d ln(eps)/d ln(beta)| */
     struct embed_samples samples;
     struct interpolant *interpolant;
-    /* spheres without a constant force: eps at zero overlap falls as h_star_5 beta^-5, and in powers of
-     * beta^(1/series_root) is a series */
+    /* for spheres without a constant force: at zero overlap eps falls as h_star_5 beta^-5; the series of eps is in
+     * powers of beta^(1/series_root) */
     arb_t h_star_5;
     arb_poly_t series;
     slong series_root;
-    struct law_layout layout; /* of another law's interpolant */
+    struct law_layout layout; /* of the interpolant of another law */
 };
 
 enum { EMBED_SAMPLES = 4096, EMBED_BITS = 320, EMBED_SERIES = 40 /* order */ };
 
-/* `contact` is that of the request by cor_scene_contacts. Returns STATUS_OK, or STATUS_USAGE or STATUS_FAILED after a
- * message on stderr. */
+/* Prepares a scene. contact: by cor_scene_contacts. Returns STATUS_OK, or STATUS_USAGE or STATUS_FAILED after a
+ * message. */
 int embed_scene_init(struct embed_scene *s, const struct embed_request *request,
                      const struct cor_scene_contact *contact);
 void embed_scene_clear(struct embed_scene *s);
 
-/* beta at a speed; if `enclosed`, with the uncertainty of a beta that eps determines */
+/* Computes beta at a speed. enclosed: with the uncertainty of a beta that follows from a restitution */
 void embed_scene_beta(arb_t beta, const struct embed_scene *s, const arb_t speed, bool enclosed);
 
-/* eps at a speed in [speed_min, speed_max], shifted like these, as accurate as interpolant.h states */
+/* Computes eps at a speed in [speed_min, speed_max], which all have the origin subtracted. Accuracy: interpolant.h */
 void embed_scene_eps(arb_t eps, const struct embed_scene *s, const arb_t speed);
 
-/* x rounded to the scene's type */
+/* Returns x rounded to the scene's type */
 double embed_rounded(const struct embed_scene *s, double x);
 
 /* ---- the contact of a request, as exact as its numbers are written ----
@@ -80,12 +80,12 @@ double embed_rounded(const struct embed_scene *s, double x);
 int embed_contact_numbers(arb_t beta_per_root, arb_t force, arb_t yield_speed, arb_t liquid_speed,
                           const struct embed_request *request, const struct cor_scene_contact *contact, slong prec);
 
-/* eps of one collision, under a constant force that may be 0, enclosed to `bits` bits; `end` is the end of contact.
- * Returns STATUS_OK, or STATUS_FAILED after a message. */
+/* Encloses eps of one collision to `bits` bits, under a constant force that may be 0. end: the end of contact. Returns
+ * STATUS_OK, or STATUS_FAILED after a message. */
 int embed_contact_eps(arb_t eps, const arb_t beta, const arb_t force, const struct cor_exponents *law, int end,
                       slong bits);
 
-/* eps of elastic-plastic spheres above the yield speed */
+/* Computes eps of elastic-plastic spheres above the yield speed */
 void embed_elastic_plastic_eps(arb_t eps, const arb_t speed, const arb_t yield_speed, slong prec);
 
 #endif
