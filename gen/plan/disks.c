@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Elastic disks: models from rigid disks without vibrations to collisions of many modes, compared with a rigid wall and
- * all modes */
+/* Models of elastic disks, from disks without vibrations to collisions of many modes, compared with collisions of all
+ * modes with a rigid wall */
 #include <math.h>
 #include <stdlib.h>
 
@@ -12,7 +12,7 @@
 #include "support/parallel.h"
 #include "sweep/hard_wall.h"
 
-/* Collisions with a soft wall of alpha = hardness/v; hardness 0: the paper's wall */
+/* Collisions with a soft wall of alpha = hardness/v; hardness 0: alpha is PAPER_ALPHA */
 #define SOME "higher modes; some hardness of the wall"
 #define MUCH "higher modes; much hardness of the wall"
 static const struct {
@@ -24,8 +24,8 @@ static const struct {
                 {3600, 56, SOME}, {300, 11, MUCH},  {300, 22, MUCH},
                 {1800, 11, MUCH}, {1800, 22, MUCH}, {940, 0, "higher modes; the wall is soft to slow disks"}};
 #define PAPER_ALPHA 500.0
-/* Tolerances of the rigid wall on 1 - eps^2, and nanoseconds of a collision, modes included: the median of 60 scenes of
- * bench/run, measured once (docs/speed). */
+/* Rigid wall: tolerances of 1 - eps^2, and nanoseconds of a collision, including its modes: the median of 60 scenes of
+ * bench/run, measured once (docs/speed) */
 static const struct {
     double tolerance, cost;
 } rigid[] = {{1e-3, 7.3e6}, {1e-4, 1e7}, {1e-5, 3.9e7}, {1e-6, 9.8e8}};
@@ -35,11 +35,11 @@ enum {
     MOST_MODES = 3600,
     QUANTITIES = 3 /* enum plan_quantity */
 };
-/* The reference is a rigid wall with this part of the requested tolerance, limited by these bounds. */
+/* The tolerance of the reference, a rigid wall, is this fraction of the requested one, limited by these bounds. */
 #define TRUTH_SHARE 0.02
 #define FINEST_TRUTH 1e-6
 #define COARSEST_TRUTH 1e-4
-#define COARSEST_TRUTH_OF_OTHERS 1e-5 /* for quantities whose levels go beyond those of COARSE_TOLERANCE */
+#define COARSEST_TRUTH_OF_OTHERS 1e-5 /* for contact time and compression: more levels than with COARSE_TOLERANCE */
 /* The uncertainty of the contact time and of the largest compression is twice their change from a rigid wall with this
  * tolerance, because the contact time converges like 1/Omega. */
 #define COARSE_TOLERANCE 1e-3
@@ -71,7 +71,7 @@ struct disks {
 
 /* ---- the collisions ---- */
 
-/* The costliest first */
+/* Collides disks at a point with a soft wall; the costliest models come first. */
 static void collide_soft(void *context, slong i)
 {
     struct disks *const d = context;
@@ -90,7 +90,7 @@ static double quantity_of(const struct disks *d, double eps, double contact_time
     return value[d->quantity];
 }
 
-/* `uncertainty`: of eps */
+/* Collides a disk with the rigid wall. uncertainty: of eps */
 static int collide_rigid(struct disks *d, double *value, double *uncertainty, double tolerance, double speed)
 {
     struct cor_disk_hard_wall h;
@@ -118,7 +118,7 @@ static int find_truth(struct disks *d, slong i)
 
 /* ---- models ---- */
 
-/* C statements that define `modes` and `v` */
+/* Returns C statements that define `modes`. */
 static char *modes_text(const struct disks *d, size_t count)
 {
     const char *poisson = d->number[COR_SCENE_POISSON].text;
@@ -131,7 +131,7 @@ static char *modes_text(const struct disks *d, size_t count)
                    poisson, count);
 }
 
-/* A rigid wall: the error of eps is its promised bound, that of the other quantities the difference from the
+/* Adds a rigid wall. The error of eps is its promised bound; for other quantities it is the difference from the
  * reference. */
 static int add_rigid(struct disks *d, int k)
 {
@@ -190,7 +190,7 @@ static void add_rayleigh(const struct disks *d)
             struct cor_disk_rayleigh out;
             const int status =
                 cor_disk_rayleigh(&cut, taken[k], COR_DISK_DATUM_CENTRE_OF_MASS, plan->speed[i], &out, NULL);
-            /* beyond the contact law there is no result, beyond the theory more energy than before the collision */
+            /* beyond the contact law no result exists; beyond the theory the collision creates energy */
             if (status == COR_OK || status == COR_BEYOND_THEORY)
                 m->value[i] = sqrt(1 - (out.fraction + out.tail));
             m->outside = m->outside || status != COR_OK;
@@ -228,7 +228,7 @@ static void add_models_of_eps(const struct disks *d)
     add_constant(plan, "constant eps", middle, "how eps goes with the speed");
     add_rayleigh(d);
 
-    /* the error is the promised uncertainty, for what the table is compared with comes from the same collisions */
+    /* the error is the promised uncertainty, because the reference comes from the same collisions as the table */
     struct plan_model *const m = plan_add(plan, "table: cor_disk_eps");
     m->outside = !(d->modes.nu >= COR_DISK_EPS_MIN_NU && d->modes.nu <= COR_DISK_EPS_MAX_NU);
     for (slong i = 0; i < plan->points; i++) {

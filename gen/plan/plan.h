@@ -13,7 +13,7 @@
 enum plan_quantity { PLAN_EPS, PLAN_CONTACT_TIME, PLAN_COMPRESSION };
 extern const char *const plan_quantity_names[]; /* ends with NULL */
 
-/* The error between the points may be a little larger. */
+/* Fraction of the tolerance that a model may use: the error between the points may be a little larger. */
 #define PLAN_MARGIN 0.97
 
 enum {
@@ -51,12 +51,12 @@ struct plan {
     const char *argument; /* name of the points' argument: "beta" or "speed" */
     const char *quantity; /* "eps", "contact time", "largest compression" */
     char *title;          /* lines that end with \n */
-    bool relative;        /* errors and tolerance are */
+    bool relative;        /* errors and tolerance are relative */
     const char *note;     /* origin of errors and costs; lines that end with \n */
-    char *remark;         /* a remark beside the models; lines that end with \n; NULL: none */
+    char *remark;         /* a remark on other effects; lines that end with \n; NULL: none */
     double tolerance;
     slong points;
-    double *speed, *at;  /* speeds, and their arguments; one block with the next two */
+    double *speed, *at;  /* speeds, and their arguments; allocated with the next two */
     double *truth;       /* the quantity at each point */
     double *uncertainty; /* uncertainty of `truth`, in the unit of the errors */
     struct plan_model *model;
@@ -64,7 +64,7 @@ struct plan {
     int chosen; /* -1: none */
 };
 
-/* Sets points from speed_min to speed_max, both included, at equal distances of their logarithms. */
+/* Sets points from speed_min to speed_max, both included, equally spaced in their logarithm. */
 void plan_init(struct plan *plan, slong points, double speed_min, double speed_max);
 void plan_clear(struct plan *plan);
 
@@ -75,25 +75,23 @@ struct plan_model *plan_add(struct plan *plan, const char *format, ...) __attrib
  * every point. */
 void plan_model_is(const struct plan *plan, struct plan_model *model, double cost, const char *leaves_out, char *use);
 
-/* Sets worst and verdict of all models, and `chosen`. Among the models that meet the tolerance at every point, with the
- * uncertainty of the reference added, the cheapest is chosen, and among equally cheap ones the one with the smallest
- * error. */
+/* Sets worst and verdict of all models, and `chosen`: of the models that meet the tolerance at every point, with the
+ * uncertainty of the reference added, the cheapest one. Of equally cheap ones it is the one with the smallest error. */
 void plan_choose(struct plan *plan);
 
-/* FORMAT_TEXT, FORMAT_CSV or FORMAT_JSON */
+/* Prints a plan in any format. */
 void plan_print(const struct plan *plan, enum output_format format, FILE *file);
 
-/* Each returns STATUS_OK, or another status after a message on stderr. The caller clears the plan in either case. The
- * request must last as long as the plan is made, and so must its contact. with_force and pressed: the same with the
- * constant force; without one they are request and contact. The request of disks has both speeds, in sqrt(E/rho),
- * tolerance and Poisson's ratio. points = 0 means the default number. */
+/* Fill a plan. Return STATUS_OK, or another status after a message; the caller clears the plan in either case. request,
+ * contact: the scene without its constant force. with_force, pressed: the scene with it, or the same two. points: 0 for
+ * the default number. The request of disks has both speeds, in sqrt(E/rho), tolerance and Poisson's ratio. */
 int plan_spheres(struct plan *plan, const struct embed_request *request, const struct cor_scene_contact *contact,
                  const struct embed_request *with_force, const struct cor_scene_contact *pressed, slong points);
 int plan_disks(struct plan *plan, const struct embed_request *request, enum plan_quantity quantity, slong points);
 
-/* A sentence, malloc'ed, about the energy that elastic waves alone take, as cor_contact_wave_loss computes it, from a
- * sphere that hits a massive wall, a half-space with the density of the sphere, at the scene's largest speed. There eps
- * is the restitution from the scene's dissipation time. NULL for a scene without a wall or without materials */
+/* Returns a malloc'ed sentence about the energy lost to elastic waves (cor_contact_wave_loss) if the sphere hits a
+ * massive wall of its own density. speed: the largest speed; eps: the restitution there from the scene's dissipation
+ * time. NULL for a scene without a wall or without materials */
 char *plan_wave_remark(const struct embed_request *request, double speed, double eps);
 
 #endif

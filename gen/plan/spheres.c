@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Viscoelastic spheres, or bodies of another law: models of eps, from formulas that simulations use to corgen's
- * headers, compared with collisions */
+/* Models of eps for viscoelastic spheres and bodies of other laws, from published formulas to corgen's headers,
+ * compared with enclosed collisions */
 #include <float.h>
 #include <limits.h>
 #include <math.h>
@@ -21,16 +21,16 @@
 #include "support/local.h"
 #include "support/parallel.h"
 
-/* From this beta on, eps at zero overlap is h*^5 beta^-5 with relative error 2^-60. */
+/* For this beta and above, eps at zero overlap is h*^5 beta^-5 with relative error 2^-60. */
 #define OVERLAP_FAR 7.0
 #define BETA_LIMIT 1e6
 #define LEAST_TOLERANCE 1e-15
 enum { TRUTH_BITS = 64, PADE_BITS = 320, PADE_POINTS = 4096, ROOT_REFINEMENT = 2, TEXT = 1024 };
-/* half ulps of beta where a caller writes factor * pow(speed, q) */
+/* Half ulps of error of beta if a caller writes factor * pow(speed, q) */
 #define ROUNDINGS_OF_BETA 2.0
 
-/* Nanoseconds of a call and of a number in a loop, measured once: published formulas and the library by bench/run
- * spheres, the others as in docs/plan.md. */
+/* Nanoseconds of a single call, and of an element in a loop, measured once: published formulas and the library by
+ * bench/run spheres, the others as in docs/plan.md */
 static const double cost_published[USES] = {14.6, 14.6}, cost_mueller[USES] = {12.3, 12.3}, cost_power[USES] = {11, 11},
                     cost_simple[USES] = {66, 66}, cost_library[USES] = {4.4, 2.2}, cost_constant[USES] = {0, 0},
                     cost_crossley[USES] = {32, 19}, cost_function[USES] = {17, 17}, cost_pressed[USES] = {5e4, 5e4};
@@ -39,7 +39,7 @@ struct spheres {
     struct plan *plan;
     const struct embed_request *request, *with_force;
     const struct cor_scene_contact *contact, *pressed;
-    struct embed_scene scene, pressed_scene; /* without the constant force, of the models, and with it, of the header */
+    struct embed_scene scene, pressed_scene; /* without the constant force, for the models; with it, for the header */
     struct embed_form form[FAMILIES];
     arb_t h_star;        /* of spheres */
     arb_t force, damped; /* at 1 m/s: the force in units of m g/T, and beta with it */
@@ -78,7 +78,7 @@ static int press_point(struct collision *c, const struct spheres *s, double spee
     return collision_solve_pressed(c, beta, force, law, COR_BOTH_ENDS, TRUTH_BITS);
 }
 
-/* eps at one point, for both ends of contact */
+/* Computes eps at one point, for both ends of contact. */
 static void collide_point(void *context, slong i)
 {
     struct spheres *const s = context;
@@ -138,7 +138,7 @@ static double eps_horner(const double *c, slong degree, double z)
     return y;
 }
 
-/* The quotient of polynomials of degrees m and n */
+/* Returns the quotient of polynomials of degrees m and n. */
 static double eps_quotient(const double *c, slong m, slong n, double z)
 {
     return eps_horner(c, m, z) / eps_horner(c + m + 1, n, z);
@@ -168,7 +168,8 @@ static void model_is(const struct spheres *s, struct plan_model *m, const double
     model_takes_force(s, m, cost, is_pressed(s) ? "the constant force" : leaves_out, use);
 }
 
-/* The library, which is not called: its error is its promise, or under a constant force the effect of the force. */
+/* Sets values and error of a library function, without a call. The error is its bound, or the effect of a constant
+ * force. */
 static void model_promise(const struct spheres *s, struct plan_model *m, double error)
 {
     for (slong i = 0; i < s->plan->points; i++) {
@@ -178,7 +179,7 @@ static void model_promise(const struct spheres *s, struct plan_model *m, double 
     m->promised = !is_pressed(s);
 }
 
-/* x rounded to ten digits, so that the evaluated number is the printed one */
+/* Returns x rounded to ten digits, so that the evaluated number is the printed one. */
 static double ten_digits(double x)
 {
     char text[DECIMAL_TEXT];
@@ -212,8 +213,8 @@ static void add_constants(const struct spheres *s)
     }
 }
 
-/* eps = a g^-b, where b is the slope of ln eps between the ends. It is the best slope, because ln eps is a concave
- * function of ln g. With eps g^b from e^low to e^high, their harmonic mean as a has the smallest relative error. */
+/* Adds eps = a g^-b, where b is the slope of ln eps between the ends: the best slope, because ln eps is a concave
+ * function of ln g. eps g^b is from e^low to e^high; their harmonic mean a gives the smallest relative error. */
 static void add_power_law(const struct spheres *s)
 {
     struct plan *const plan = s->plan;
@@ -237,7 +238,7 @@ static void add_power_law(const struct spheres *s)
                       xprintf("double eps = fmin(1, %.10g * pow(speed, %.10g));\n", a, -b));
 }
 
-/* C statements that define `contact` */
+/* Returns C statements that define `contact`. */
 static char *contact_text(const struct spheres *s)
 {
     const struct embed_request *const scene = s->request;
@@ -268,7 +269,7 @@ static char *contact_text(const struct spheres *s)
                    body[0], body[1]);
 }
 
-/* `after`: lines behind the call */
+/* Returns C statements that compute eps by a call. after: lines after the call */
 static char *call_of_beta(const struct spheres *s, const char *call, const char *after)
 {
     char *contact = contact_text(s);
@@ -302,7 +303,7 @@ static void add_published(const struct spheres *s)
     }
 }
 
-/* Adds f in doubles, if its denominator is shown to keep its sign over the range. */
+/* Adds f in doubles. It is `outside` unless its denominator is positive at PADE_POINTS + 1 points of the range. */
 static void add_pade(const struct spheres *s, const struct pade *f, slong root, bool two_point)
 {
     struct plan *const plan = s->plan;
@@ -390,8 +391,8 @@ static void add_library(const struct spheres *s)
     model_is(s, m, cost_library, "nothing; good at every speed", call_of_beta(s, call, ""));
 }
 
-/* A function of beta, which the caller makes of the speed: its promise, and what roundings of beta make of eps.
- * cor_law_value of the laws that have a name, for other laws the header of corgen law. */
+/* Adds a function of beta: cor_law_value for the Hertz dashpot and Hunt-Crossley's law, otherwise the header of corgen
+ * law. The error is its bound plus the effect of rounding beta, which the caller computes from the speed. */
 static void add_function_of_beta(const struct spheres *s)
 {
     struct plan *const plan = s->plan;
@@ -425,7 +426,7 @@ static void add_function_of_beta(const struct spheres *s)
     flint_free(beta);
 }
 
-/* The library under the constant force, which it integrates. Its error of eps^2 is absolute. */
+/* Adds the library under the constant force, where it integrates collisions. It bounds the absolute error of eps^2. */
 static void add_pressed(const struct spheres *s)
 {
     const struct cor_scene_contact *const c = s->pressed;
@@ -455,11 +456,11 @@ static void add_other_end(const struct spheres *s)
     m->shown = true;
 }
 
-/* ---- remarks on effects beside the models: lines that end with \n, malloc'ed ---- */
+/* ---- remarks on effects outside the models: lines that end with \n, malloc'ed ---- */
 
 enum { SCAN = 200, BISECTIONS = 30 };
 
-/* Whether the force changes eps by less than the tolerance; a collision that cannot be solved counts as changed. */
+/* True if the force changes eps by the tolerance at most; false if a collision cannot be solved */
 static bool may_go(const struct cor_scene_contact *pressed, int end, double tolerance, double speed)
 {
     struct cor_scene_contact without_force = *pressed;
@@ -470,8 +471,8 @@ static bool may_go(const struct cor_scene_contact *pressed, int end, double tole
            fabs(with / without - 1) <= tolerance;
 }
 
-/* For a contact with force_n > 0: from which speed on gravity and adhesion may be left out. Sampled at 201 speeds of
- * the range, from above. */
+/* Returns a remark on the speed above which gravity and adhesion may be omitted, for force_n > 0. Samples 201 speeds of
+ * the range, from the largest down. */
 static char *pressing_remark(const struct spheres *s)
 {
     const struct cor_scene_contact *const contact = s->pressed;
@@ -555,7 +556,7 @@ static char *spheres_remark(const struct spheres *s)
     return both;
 }
 
-/* Adds all models after the reference and the series are known. `header` is the tolerance of the header. */
+/* Adds all models; needs the reference and the series. header: the tolerance of the header */
 static void add_models(struct spheres *s, const char *header)
 {
     const bool sphere = law_is_sphere(&s->scene.law);

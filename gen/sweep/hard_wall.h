@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Tables of modes for collisions with the hard wall, which the threads of a sweep share. Each collision uses as many
- * modes as it needs. */
+/* Tables of modes for collisions with the hard wall, shared by the threads of a sweep. Each collision uses the number
+ * of modes that it needs. */
 #ifndef COR_GEN_SWEEP_HARD_WALL_H
 #define COR_GEN_SWEEP_HARD_WALL_H
 
@@ -8,8 +8,8 @@
 
 #include "cor/disk.h"
 
-/* Number of tables of one material, each for more levels of the sequence than the one before. Every collision tries the
- * tables in this order, so that its results do not depend on other collisions. */
+/* Number of tables of one material, each with the modes of more levels of the sequence than the one before. Every
+ * collision tries the tables in this order, so that its results do not depend on other collisions. */
 enum { HARD_WALL_TABLES = 4 };
 struct hard_wall_tables { /* begins as {0} */
     double nu;

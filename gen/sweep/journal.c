@@ -42,7 +42,7 @@ int journal_add(struct journal *journal, const char *line)
 
 /* ---- opening ---- */
 
-/* Opens and locks the file, to write or, a part, to read; without a lock on a file system that has none. */
+/* Opens and locks the file: a part for reading, a journal for writing. A file system without locks is accepted. */
 static int journal_open_locked(struct journal *journal, bool part)
 {
     struct flock region = {.l_type = part ? F_RDLCK : F_WRLCK, .l_whence = SEEK_SET};
@@ -199,7 +199,7 @@ int journal_read(struct journal *journal, void (*visit)(void *context, const cha
     uint64_t rows = 0;
     uint32_t check = COR_MODE_FILE_CHECK_START;
     bool damaged;
-    fflush(journal->stream); /* what was read before may have changed */
+    fflush(journal->stream); /* discards its buffer: the file may have changed since */
     rewind(journal->stream);
     if (read_line(journal, &line))
         check_line(&check, line);

@@ -18,13 +18,13 @@
 /* Rows of one parallel loop, whose results are held in memory */
 enum { ROWS_AT_A_TIME = 1 << 14 };
 
-/* More cannot be told from one another. */
+/* More curves cannot be distinguished in a picture. */
 enum { MOST_CURVES = 12, CURVE_TITLE = 3 * DECIMAL_TEXT };
 
 struct collide {
     struct sweep sweep;
     struct cor_disk_modes modes;    /* soft walls: modes of the present material */
-    struct hard_wall_tables tables; /* the hard wall: modes of the present material, as many as the rows need */
+    struct hard_wall_tables tables; /* the hard wall: modes of the present material, the number that the rows need */
 
     struct journal journal; /* lines go there if it has a path, otherwise to the printer */
     struct sweep_printer printer;
@@ -85,7 +85,8 @@ static int refuse_corners(const struct sweep *s, const struct cor_disk_modes *mo
 
 /* ---- rows ---- */
 
-/* The number in the sweep of a row of the part, and the number of rows of the part before a row of the sweep */
+/* number_of returns the number in the sweep of row i of the part. rows_before returns the number of rows of the part
+ * before row `number` of the sweep. */
 static uint64_t number_of(const struct sweep *sweep, uint64_t i)
 {
     return i * (uint64_t)sweep->parts + (uint64_t)sweep->part - 1;
@@ -129,7 +130,7 @@ static int row_finished(void *context, slong i)
     return ferror(run->printer.file) ? STATUS_FAILED : STATUS_OK; /* output_commit reports the reason */
 }
 
-/* The time left, if a row takes as long as one of this run; not known before the first */
+/* Prints the time left, if further rows last as long as the rows of this run; unknown before the first row */
 static void sweep_tick(void *context)
 {
     const struct collide *const run = context;
@@ -139,7 +140,7 @@ static void sweep_tick(void *context)
                   run->done == 0 ? -1 : rows + run->modes_seconds * (double)run->materials_left);
 }
 
-/* Collides all rows from `first` on. */
+/* Collides all rows from `first` onward. */
 static int collide_all(struct collide *run, uint64_t first)
 {
     const uint64_t each = sweep_rows_of_material(&run->sweep);
@@ -186,7 +187,7 @@ static int report_rows(const struct sweep_printer *p)
                       beyond ? "are beyond Rayleigh's theory" : "did not reach the tolerance", p->failed);
 }
 
-/* The line that identifies a sweep by its command, malloc'ed */
+/* Returns the line that identifies a sweep by its command, malloc'ed. */
 static char *title_of_whole(const struct sweep *s)
 {
     char tolerance[DECIMAL_TEXT];
@@ -202,7 +203,7 @@ static char *title_of_whole(const struct sweep *s)
                    s->poisson.text, s->alpha.text, s->modes.text, tolerance, (long)s->phi_points);
 }
 
-/* The same with the part, and with the check of the files of lists as a comment */
+/* Returns the title of a whole sweep with the part, and with the check of the files of lists as a comment. */
 static char *title_of(const struct sweep *s, const struct sweep_request *request)
 {
     const uint32_t check = s->speed.check ^ 3 * s->poisson.check ^ 5 * s->alpha.check ^ 7 * s->modes.check;
@@ -216,13 +217,13 @@ static char *title_of(const struct sweep *s, const struct sweep_request *request
     return title;
 }
 
-/* The name of the journal of a part without its .part, malloc'ed */
+/* Returns the name of the journal of a part without its .part, malloc'ed. */
 static char *part_file(const struct sweep *s, const struct sweep_request *request)
 {
     return xprintf("%s.%ld-of-%ld", request->output, (long)s->part, (long)s->parts);
 }
 
-/* Computes a part into its journal, which stays. */
+/* Computes a part into its journal, which is not removed. */
 static int collide_part(struct collide *run, const struct sweep_request *request)
 {
     char *const title = title_of(&run->sweep, request), *const file = part_file(&run->sweep, request);
@@ -262,7 +263,7 @@ static int join_parts(struct collide *run, const struct sweep_request *request)
     return status;
 }
 
-/* A file is written from its finished journal, all other outputs row by row. */
+/* Writes a file from its finished journal, and all other outputs row by row. */
 static int collide_to_output(struct collide *run, const struct sweep_request *request)
 {
     const bool kept = !output_is_direct(request->output) && !request->joins;
@@ -332,7 +333,7 @@ static int draw_rows(const struct sweep *sweep, const char *path)
 int sweep_run(const struct sweep_request *request)
 {
     struct collide run = {.sweep = request->sweep};
-    /* one plausible mode stands for those that are not found yet, since no refusal depends on the modes */
+    /* one plausible mode instead of the modes, which are not computed yet: no refusal depends on them */
     static const struct cor_disk_mode mode = {2, 0, 1.4, 1, 0};
     const struct cor_disk_modes modes = {run.sweep.poisson.nearest[0], 1, &mode};
     parallel_use((int)request->threads);

@@ -31,21 +31,21 @@ const struct values_rule sweep_modes = {
 
 /* ---- rows ---- */
 
-/* The kinds of columns */
+/* Kinds of columns */
 enum column_kind {
     COLUMN_LIST = 'l',   /* a number of a list, unchanged */
     COLUMN_COUNT = 'c',  /* number of modes, also from a list */
     COLUMN_PLACES = 'p', /* a result, up to the second digit of its error */
-    COLUMN_DIGITS = 'd', /* a result taken during the contact: as many digits as eps has decimals */
+    COLUMN_DIGITS = 'd', /* a result during the contact: as many significant digits as eps has decimals */
     COLUMN_WHOLE = 'w',  /* a result with all digits */
     COLUMN_SMALL = 's',  /* a result of which SMALL_DIGITS suffice */
     COLUMN_STEPS = 'n',
-    COLUMN_ERROR = 'e', /* of eps or 1 - eps^2: SMALL_DIGITS, rounded up; the last but one */
-    COLUMN_STATUS = 't' /* the last one */
+    COLUMN_ERROR = 'e', /* the error of eps or 1 - eps^2: SMALL_DIGITS, rounded up; the last column but one */
+    COLUMN_STATUS = 't' /* the last column */
 };
 enum { SMALL_DIGITS = 2, LEAST_DIGITS = 4 };
 
-/* The columns of each kind of sweep, of which the first are those of its lists */
+/* The columns of each kind of sweep. The first ones are the columns of its lists. */
 static const struct layout {
     const char *header, *kinds;
     size_t lists;
@@ -60,7 +60,7 @@ static const struct layout *layout_of(const struct sweep *sweep)
     return sweep->hard_wall ? &hard_layout : sweep->rayleigh ? &rayleigh_layout : &soft_layout;
 }
 
-/* The list of a column */
+/* Returns the list of a column. */
 static const struct values *list_of(const struct sweep *sweep, size_t column)
 {
     const struct values *const list[] = {&sweep->speed, &sweep->poisson,
@@ -89,7 +89,7 @@ uint64_t sweep_rows_of_material(const struct sweep *sweep)
     return sweep->rows / sweep->poisson.count;
 }
 
-/* The number of a list that belongs to the row; the rest of its number counts the combinations of the other lists. */
+/* Returns the value of a list in row *number, which becomes the row's number in the combinations of the later lists. */
 static double next_of(const struct values *list, uint64_t *number)
 {
     const double value = list->nearest[*number % list->count];
@@ -153,7 +153,7 @@ static const char *status_word(char text[DECIMAL_TEXT], int status)
     return text;
 }
 
-/* A number with so many decimals, or significant digits, or a shorter text that reads back to the same double */
+/* Returns x with this number of decimals or of digits, or a shorter text that reads back as the same double. */
 static const char *known_text(char text[DECIMAL_TEXT], bool decimals, int digits, double x)
 {
     char whole[DECIMAL_TEXT];
@@ -188,7 +188,7 @@ void sweep_line(char line[SWEEP_LINE], const struct sweep *sweep, const struct s
     char text[DECIMAL_TEXT];
     const char *const kinds = layout_of(sweep)->kinds;
     const double error = result->value[strlen(kinds) - 2];
-    /* decimals up to the second digit of the error; all where it is not known */
+    /* decimals up to the second digit of the error, or all if it is unknown */
     const int all = DECIMAL_TEXT / 2, decimals = error > 0 ? (int)fmin(fmax(1 - floor(log10(error)), 1), all) : all;
     size_t at = 0;
     for (int j = 0; kinds[j] != COLUMN_STATUS; j++)
@@ -210,7 +210,7 @@ static int column_width(const char *name, const struct values *values)
     return (int)width;
 }
 
-/* A cell of the text format: results with as many digits as the tolerance justifies. The status ends the line. */
+/* Prints a cell of the text format, a result with the digits that the tolerance justifies. The status ends the line. */
 static void print_text(const struct sweep_printer *p, int j, const char *text)
 {
     const char kind = p->table.kinds[j];

@@ -24,19 +24,19 @@ struct sweep {
     struct values speed, poisson, alpha, modes;
     bool hard_wall, rayleigh;
     double tolerance;  /* of eps; for the hard wall of 1 - eps^2 */
-    slong phi_points;  /* 0: as many as the tolerance needs */
+    slong phi_points;  /* 0: the number that the tolerance needs */
     slong part, parts; /* computes the rows part - 1, part - 1 + parts, ...; 1 of 1: all */
     uint64_t rows;
     double *eps; /* NULL, or an element for each row that is printed */
 };
 
 struct sweep_row {
-    double speed, nu, alpha; /* alpha: infinite if there is no list */
+    double speed, nu, alpha; /* alpha: infinite without a list */
     size_t modes;
 };
 
-/* The numbers of a row in the order of its columns, all but the status; NaN and 0 where it says that there is no
- * result */
+/* The numbers of a row in the order of its columns, without the status; NaN and 0 if the status means that no result
+ * exists */
 struct sweep_result {
     double value[SWEEP_COLUMNS];
     int status;
@@ -44,7 +44,7 @@ struct sweep_result {
 
 extern const struct values_rule sweep_speed, sweep_poisson, sweep_alpha, sweep_modes;
 
-/* Computes the rows from the lists. STATUS_OK, or STATUS_USAGE after a message if there are too many rows. */
+/* Computes the number of rows. Returns STATUS_OK, or STATUS_USAGE after a message if there are too many. */
 int sweep_count(struct sweep *sweep);
 
 void sweep_row(struct sweep_row *row, const struct sweep *sweep, uint64_t number);
@@ -85,9 +85,8 @@ struct sweep_request {
 /* Returns STATUS_OK, or another status after a message. */
 int sweep_run(const struct sweep_request *request);
 
-/* ---- journal.c: the rows of an unfinished sweep, kept in FILE.part until FILE can be written (docs/disks.md): a line
- * that identifies the sweep, then its first rows, each with a check of all lines up to it; only the last line may be
- * incomplete ---- */
+/* ---- journal.c: FILE.part has the rows of an unfinished sweep until FILE is written (docs/disks.md). Its first line
+ * identifies the sweep. Each row has a check of all lines up to it. Only the last line may be incomplete. ---- */
 
 struct journal {
     FILE *stream; /* locked against other processes; writes go to its end */
@@ -95,21 +94,21 @@ struct journal {
     uint64_t lines;    /* rows, without the title */
     uint32_t check;    /* of the title and these rows */
     char *last;        /* the last row that journal_open found; NULL if it found none */
-    char *interrupted; /* what SIGINT, SIGTERM and SIGHUP print while the journal is open */
+    char *interrupted; /* the text that SIGINT, SIGTERM and SIGHUP print while the journal is open */
 };
 
-/* Opens or creates FILE.part, whose first line is `title` (given without its line end), "corgen ...: COMMAND". A file
- * with another title is refused. Of the right file, up to `most` correct rows are kept, and everything after them
- * is cut off, with a message if a row is complete but not correct. Until the journal is closed, signals that end the
- * program say how to continue. Returns STATUS_OK, or STATUS_FAILED after a message. */
+/* Opens or creates FILE.part, whose first line is `title` (given without its line end), "corgen ...: COMMAND". Refuses
+ * a file with another title. Otherwise keeps up to `most` correct rows and cuts off everything after them, with a
+ * message if a row is complete but wrong. Until the journal is closed, signals that end the program print how to
+ * continue. Returns STATUS_OK, or STATUS_FAILED after a message. */
 int journal_open(struct journal *journal, const char *file, const char *title, uint64_t most);
 
-/* Opens the rows of a finished part for journal_next. The file must have this title and `rows` correct rows, and stays
- * as it is. Returns STATUS_OK, or STATUS_FAILED after a message. */
+/* Opens the rows of a finished part for journal_next. The file must have this title and `rows` correct rows. It is not
+ * changed. Returns STATUS_OK, or STATUS_FAILED after a message. */
 int journal_open_part(struct journal *journal, const char *file, const char *title, uint64_t rows);
 bool journal_next(struct journal *journal, char **line); /* *line: NULL or the last row; malloc'ed */
 
-/* Adds a row, given without its line end. It is then safe from the end of this process. */
+/* Adds a row, given without its line end. The file then has it even if this process is killed. */
 int journal_add(struct journal *journal, const char *line);
 
 /* Calls visit() for every row. */

@@ -50,7 +50,7 @@ static int value_read(fmpq_t x, const struct values_rule *rule, const char *text
     return STATUS_OK;
 }
 
-/* x = A + i (B - A)/n, or A (B/A)^(i/n); rounded to a whole number if the list consists of whole numbers. */
+/* Computes x = A + i (B - A)/n, or A (B/A)^(i/n); rounded to a whole number if the list consists of whole numbers. */
 static void value_between(fmpq_t x, const struct values_rule *rule, bool geometric, const fmpq_t a, const fmpq_t b,
                           slong i, slong n)
 {
@@ -141,7 +141,7 @@ static int values_add_member(struct values *values, const struct values_rule *ru
     return status;
 }
 
-/* Of places in a list: by value, and equal values in their order */
+/* Compares places in a list by value, and equal values by place. */
 static int compare_places(const void *a, const void *b)
 {
     const double *const *x = a, *const *y = b;
@@ -176,8 +176,8 @@ static void values_drop_repeated(struct values *values)
     free(repeated);
 }
 
-/* Reads the list of a file with commas between its members, which a comma, white space or a comment may end. Returns
- * NULL after a message; otherwise free it. */
+/* Reads the list of a file, where a comma, white space or a comment ends a member. Returns a text with commas between
+ * the members, malloc'ed, or NULL after a message. */
 static char *read_list(uint32_t *check, const struct values_rule *rule, const char *path)
 {
     enum { MOST_BYTES = 1 << 26 };
@@ -198,7 +198,7 @@ static char *read_list(uint32_t *check, const struct values_rule *rule, const ch
         comment = c == '#' || (comment && c != '\n');
         const bool ends = comment || c == ',' || isspace(c);
         if (!ends || (length > 0 && list[length - 1] != ','))
-            list[length++] = ends ? ',' : c ? byte : '?'; /* no number has it */
+            list[length++] = ends ? ',' : c ? byte : '?'; /* a '?' is in no number */
     }
     if (file)
         fclose(file);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Lists of exact numbers on a command line or in a file, the LIST of corgen disk-collide --help. A value that
- * occurs again is left out. Values count as equal if their nearest doubles are. */
+/* Lists of exact numbers on a command line or in a file, the LIST of corgen disk-collide --help. A repeated value is
+ * omitted. Values are equal if their nearest doubles are equal. */
 #ifndef COR_GEN_SWEEP_VALUES_H
 #define COR_GEN_SWEEP_VALUES_H
 
