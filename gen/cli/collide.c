@@ -10,8 +10,8 @@
 #include "support/formula.h"
 #include "support/local.h"
 
-/* The columns: names of the dimensionless collision and in SI units, NULL: none; the end at which the number holds.
- * Under a constant force the surface is in the place of zero force. */
+/* The columns. name: for the dimensionless collision and in SI units, NULL: no such column; end: where the number
+ * holds. Under a constant force the surface replaces zero force. */
 enum { BETA, FORCE_MAX = 9, STICKING, COLUMNS = STICKING + 2 };
 static const struct {
     const char *name[2], *meaning;
@@ -44,14 +44,14 @@ static bool in_si(const struct collide_arguments *o)
     return o->stiffness.text != NULL;
 }
 
-/* A force of 0 is none. */
+/* A force of 0 counts as no force. */
 static bool is_pressed(const struct collide_arguments *o)
 {
     return o->threshold || (o->force.text && !fmpq_is_zero(o->force.value));
 }
 
-/* Whether column i is printed: those of an end that is not asked for are not even computed. Under a constant force the
- * one peak of the force is not proved. */
+/* True if column i is printed. Columns of an end that is not requested are not computed. Under a constant force the
+ * force is not proved to have only one maximum, so the largest force is omitted. */
 static bool is_printed(int i, const struct collide_arguments *o)
 {
     const int end = column[i].end;
@@ -60,8 +60,8 @@ static bool is_printed(int i, const struct collide_arguments *o)
            (end == OPTIONS_NOT_GIVEN || o->end == OPTIONS_NOT_GIVEN || o->end == end);
 }
 
-/* beta as a number of every format: a decimal as given, with a digit before its point and one behind; a ratio rounded
- * to the digits of the table, or to one more where it lies in the middle of two. */
+/* Returns beta as a number that every format accepts: a decimal as given, with a digit before and after its point; a
+ * ratio rounded to the digits of the table, or to one more if it is the middle of two such numbers. */
 static char *beta_text(const struct collide_arguments *o, const arb_t beta)
 {
     const char *given = o->beta.text;
@@ -81,7 +81,7 @@ static char *beta_text(const struct collide_arguments *o, const arb_t beta)
     return text;
 }
 
-/* In SI units: beta, and what times of the scaled collision are multiplied by */
+/* Computes, in SI units, beta and the factor from times of the scaled collision to seconds. */
 static void set_scales(arb_t beta, arb_t time_unit, const struct collide_arguments *o, slong prec)
 {
     const fmpq *const K = o->stiffness.value, *const C = o->damping_coefficient.value,

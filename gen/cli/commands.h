@@ -26,7 +26,7 @@ struct series_arguments {
 
 struct pade_arguments {
     struct option_common common;
-    struct pade_request request; /* without kind and law; degrees OPTIONS_NOT_GIVEN if so */
+    struct pade_request request; /* without kind and law; a degree that is not given is OPTIONS_NOT_GIVEN */
     slong digits;
     bool two_point, as_published, force;
     const char *header; /* file of the C header, or NULL */
@@ -35,9 +35,8 @@ struct pade_arguments {
 
 struct collide_arguments {
     struct option_common common;
-    struct decimal beta, stiffness, effective_mass, damping_coefficient,
-        speed;            /* of beta and the others, one is given */
-    struct decimal force; /* text NULL: none */
+    struct decimal beta, stiffness, effective_mass, damping_coefficient, speed; /* beta, or the others */
+    struct decimal force;                                                       /* text NULL: no force */
     bool threshold;
     int end; /* enum cor_end; OPTIONS_NOT_GIVEN: both */
     slong digits;
@@ -83,7 +82,7 @@ struct contact_arguments {
     struct values speed, angle, tangential_speed;
     struct decimal steps, time_step, step_tolerance, friction, tangential, tangential_stiffness, tangential_damping;
     struct decimal erp, cfm;
-    int integrator; /* enum cor_integrator; OPTIONS_NOT_GIVEN: that of the simulator */
+    int integrator; /* enum cor_integrator; OPTIONS_NOT_GIVEN: the integrator of the simulator */
     bool step_corrected, walton;
     const char *simulator, *plot, *model; /* NULL: not given */
     const char *version;                  /* of the simulator; NULL: any */

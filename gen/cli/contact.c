@@ -16,7 +16,7 @@ _Static_assert(OPTIONS_NOT_GIVEN == COR_NO_INTEGRATOR, "--integrator that is not
 
 #define DEFAULT_STEPS "50"
 
-/* The simulator, if one is asked for, the speeds and the time step. `contacts` NULL: a list */
+/* Returns the request for the simulator, or without one for the speeds and the time step. contacts NULL: for a list */
 static struct cor_simulator_request request_of(const struct contact_arguments *o, const struct contacts *contacts)
 {
     const bool default_integrator = o->integrator == OPTIONS_NOT_GIVEN && !o->simulator;
@@ -36,7 +36,7 @@ static struct cor_simulator_request request_of(const struct contact_arguments *o
                                           .integrator = default_integrator ? COR_VERLET_HALF_STEP : o->integrator};
 }
 
-/* Refuses a step in seconds of a contact that has none, a correction for two ends, and friction without bodies. */
+/* Refuses a step in seconds without a unit of time, a correction for two ends, and friction without bodies. */
 static int check_options(const struct contact_arguments *o, const struct contacts *contacts)
 {
     const struct cor_scene_contact *const c = &contacts->contact[0];
@@ -157,7 +157,7 @@ static int print_tables(const struct contact_arguments *o, const struct contacts
 
 enum { CURVE_POINTS = 201 };
 
-/* eps at speeds whose logarithms are equally far apart; a single speed lies in the middle of two decades */
+/* Draws eps at speeds that are equally spaced in their logarithm. A single speed is in the middle of two decades. */
 static int draw_eps(const struct contact_arguments *o, const struct contacts *contacts)
 {
     char title[COR_SCENE_ENDS][64];
@@ -188,9 +188,9 @@ static int draw_eps(const struct contact_arguments *o, const struct contacts *co
     return eps_plot(o->plot, heading, "impact speed (m/s)", 0, curve, curves);
 }
 
-/* ---- a law of one's own ---- */
+/* ---- an own law ---- */
 
-/* eps at the speeds, and a picture of it; or lines for a simulator */
+/* Prints eps at the speeds and draws a picture of it, or prints lines for a simulator. */
 static int print_own(const struct contact_arguments *o, const struct own_law *law)
 {
     const enum output_format format = (enum output_format)o->common.format;
@@ -232,7 +232,7 @@ static int print_own(const struct contact_arguments *o, const struct own_law *la
 
 /* ---- the command ---- */
 
-/* Lines of several materials, of a contact, or a list */
+/* Prints the lines of several materials or of a contact, or a list. */
 static int print_for_simulator(const struct contact_arguments *o, const struct contacts *contacts)
 {
     struct cor_simulator_request request = request_of(o, contacts);
@@ -253,7 +253,7 @@ static int print_for_simulator(const struct contact_arguments *o, const struct c
     return status;
 }
 
-/* Sets stiffness and damping of a contact of ERP and CFM: K = ERP/(h CFM), C = (1 - ERP)/CFM */
+/* Sets stiffness and damping of a contact from ERP and CFM: K = ERP/(h CFM), C = (1 - ERP)/CFM */
 static void set_engine(struct contact_arguments *o, struct decimal *stiffness, struct decimal *damping)
 {
     const fmpq *const erp = o->erp.value, *const cfm = o->cfm.value, *const h = o->time_step.value;

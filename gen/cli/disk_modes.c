@@ -26,7 +26,7 @@ static void spell_mode(void *context, slong i)
     text[2] = digits_of_ball(mode->s, work->digits);
 }
 
-/* The digits are decided at once. */
+/* Fills the table. Its digits are always decided. */
 static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
 {
     (void)undecided;

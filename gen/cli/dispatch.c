@@ -9,7 +9,7 @@
 
 enum { SUBCOMMANDS_MOST = 32 };
 
-/* The subcommand of that name. Returns NULL after a message if `name` is NULL or not a subcommand. */
+/* Returns the subcommand of that name, or NULL after a message if `name` is NULL or not a subcommand. */
 static const struct subcommand *subcommand_named(const struct subcommand *const *table, const char *name)
 {
     for (const struct subcommand *const *row = table; name && *row; row++)
@@ -76,7 +76,7 @@ static int run_word(const struct subcommand *const *table, const char *version, 
     const struct subcommand *const cmd = subcommand_named(table, argc < 2 ? NULL : name);
     if (!cmd)
         return STATUS_USAGE;
-    struct option_common *const common = xmalloc(cmd->size); /* and what follows in its struct of arguments */
+    struct option_common *const common = xmalloc(cmd->size); /* and the further members of its struct of arguments */
     memcpy(common, cmd->defaults, cmd->size);
     bool help;
     progress_start(cmd->name);

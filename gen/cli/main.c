@@ -4,7 +4,7 @@
 #include "cli/commands.h"
 #include "support/console.h"
 
-/* The subcommands in the order of corgen --help. A new subcommand needs a file beside this one and a line here. */
+/* The subcommands in the order of corgen --help. A new subcommand needs a file in this folder and a line here. */
 static const struct subcommand *const subcommands[] = {&command_trajectory, &command_series,
                                                        &command_pade,       &command_collide,
                                                        &command_disk_modes, &command_disk_collide,
@@ -18,7 +18,7 @@ static const struct subcommand *const subcommands[] = {&command_trajectory, &com
 #endif
                                                        &command_tables,     NULL};
 
-/* Subcommands of another program, the command cor of the Python package */
+/* Refuses subcommands of another program, the command cor of the Python package. */
 static int refuse_moved(const char *name)
 {
     if (strcmp(name, "audit") == 0)

@@ -66,7 +66,7 @@ int options_check_real(const char *name, const struct option_numbers *numbers, c
                : refuse_real(name, numbers, NULL, value->text);
 }
 
-/* Whether a text of that length is this unit with a prefix such as G, and the power of ten of the prefix */
+/* True if a text of that length is this unit with a prefix such as G. power: the power of ten of the prefix */
 static bool is_unit(int *power, const char *text, size_t length, const char *unit)
 {
     static const struct {
@@ -81,7 +81,7 @@ static bool is_unit(int *power, const char *text, size_t length, const char *uni
         if (strlen(whole) == length && strncmp(whole, text, length) == 0)
             return true;
     }
-    *power = 3; /* of a density */
+    *power = 3; /* g/cm^3 in kg/m^3 */
     return strcmp(unit, "kg/m^3") == 0 &&
            ((length == 6 && strncmp(text, "g/cm^3", 6) == 0) || (length == 5 && strncmp(text, "g/cm3", 5) == 0));
 }
@@ -106,7 +106,7 @@ struct option_numbers options_numbers(const struct option_rule *rule)
         scene->least < 0 ? DECIMAL_SIGN : DECIMAL_PLAIN};
 }
 
-/* Refuses a number that its unit follows, and prints the number without it. A list counts by its first number. */
+/* Refuses a number with its unit, and prints the number without it. For a list only the first number is checked. */
 static int check_unit(const struct option_rule *rule, const char *text)
 {
     const char *const unit = unit_of(rule);
@@ -132,7 +132,7 @@ static int parse_value(void *field, const struct option_rule *rule, const char *
 {
 #define LETTERS "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_"
     const char *const name = rule->name, *const *const words = rule->range.words;
-    const size_t length = text ? strlen(text) : 0; /* a flag has none */
+    const size_t length = text ? strlen(text) : 0; /* a flag has no text */
     if (check_unit(rule, text) != STATUS_OK)
         return STATUS_USAGE;
     switch (rule->kind) {
@@ -163,7 +163,7 @@ static int parse_value(void *field, const struct option_rule *rule, const char *
         return refuse_word(text, words, "", "--%s: '%s' is not %s", name, text, rule->why);
     case OPTION_LIST:
         return values_parse(field, rule->range.values, text);
-    case OPTION_C_NAME: /* free in C and C++ */
+    case OPTION_C_NAME: /* no keyword or reserved name of C and C++ */
         if (strspn(text, LETTERS) == 0 || strspn(text, LETTERS "0123456789") != length || length > OPTIONS_MAX_NAME)
             return usage_error("--%s: '%s' is not a name for a function of C: letters, digits and _, %d at most", name,
                                text, OPTIONS_MAX_NAME);
@@ -182,7 +182,7 @@ static int parse_value(void *field, const struct option_rule *rule, const char *
 #undef LETTERS
 }
 
-/* Whether a number, a constant of the program, is in the range */
+/* True if a number, a constant of the program, is in the range */
 static bool accepts_number(const struct decimal_range *range, const char *text)
 {
     struct decimal number = {0};
@@ -192,7 +192,8 @@ static bool accepts_number(const struct decimal_range *range, const char *text)
     return inside;
 }
 
-/* ", as --NAME VALUE" with a value that the option accepts; empty where only the user can know one. Not to be freed. */
+/* Returns ", as --NAME VALUE" with a value that the option accepts; empty if only the user can choose one. Static
+ * text */
 static const char *example_of(const struct option_rule *rule)
 {
     static char text[3 * OPTIONS_MAX_NAME];
@@ -275,7 +276,7 @@ static int check_given(const struct option_rule *rules, const bool *given, const
     return STATUS_OK;
 }
 
-/* Refuses two names of one file, where one would replace the other, and an output that cannot be written. */
+/* Refuses an output that cannot be written, and two names of one file, because one output would replace the other. */
 static int check_files(const void *arguments, const struct option_rule *rules, const bool *given)
 {
     for (size_t i = 0; rules[i].name; i++)

@@ -24,7 +24,7 @@ enum option_kind {
     OPTION_REAL,   /* a number in the range `number`; struct decimal */
     OPTION_WORD,   /* one of `words`; the field is the index as an int, or an enum of that size */
     OPTION_LIST,   /* a list according to `values`; struct values */
-    OPTION_TEXT,   /* any nonempty text; const char *. range.words: texts that a shell offers, or NULL */
+    OPTION_TEXT,   /* any nonempty text; const char *. range.words: words that a shell completes, or NULL */
     OPTION_FILE,   /* the name of an output; const char * */
     OPTION_FOLDER, /* the name of a folder; const char * */
     OPTION_C_NAME, /* an identifier of C; const char * */
@@ -49,11 +49,11 @@ struct option_rule {
         const char *const *words; /* ends with NULL */
         const struct values_rule *values;
     } range;
-    const struct cor_scene_option *scene; /* a number of a scene, which has unit and range; NULL: another number */
+    const struct cor_scene_option *scene; /* a number of a scene, with its unit and range; NULL: another number */
     const char *unit;                     /* of a number, "Pa"; NULL: none */
-    const char *why;      /* reason for the upper limit; for words: their meaning, "an end of contact" */
-    const char *excludes; /* options that contradict this one, space separated, or NULL */
-    const char *needs;    /* the option that this one requires, or NULL */
+    const char *why;                      /* reason for the upper limit; for words: their kind, "an end of contact" */
+    const char *excludes;                 /* options that contradict this one, space separated, or NULL */
+    const char *needs;                    /* the option that this one requires, or NULL */
 };
 
 /* Arguments of every subcommand; the first member of its struct of arguments */
@@ -64,15 +64,15 @@ struct option_common {
     bool profile;
 };
 
-/* A rule, with further members of option_rule, and one without. ARGUMENTS is the struct of arguments of the subcommand,
- * whose first member is `common`. */
+/* OPTION is a rule with further members of option_rule, OPTION_PLAIN one without. ARGUMENTS is the struct of arguments
+ * of the subcommand, whose first member is `common`. */
 #define OPTION(NAME, KIND, FIELD, ...)                                                                                 \
     {                                                                                                                  \
         .name = (NAME), .kind = OPTION_##KIND, .offset = offsetof(ARGUMENTS, FIELD), __VA_ARGS__                       \
     }
 #define OPTION_PLAIN(NAME, KIND, FIELD) OPTION(NAME, KIND, FIELD, .why = NULL)
 
-/* Rules that several subcommands share; those of all end the list. */
+/* Rules that several subcommands share. OPTION_COMMON and OPTION_LAST end the list. */
 #define OPTION_COMMON OPTION_PLAIN("output", FILE, common.output), OPTION_LAST
 #define OPTION_LAST                                                                                                    \
     OPTION_PLAIN("profile", FLAG, common.profile),                                                                     \
@@ -97,7 +97,7 @@ extern const struct option_numbers option_positive, option_not_negative, option_
     option_own_eps;
 extern const struct values_rule option_speeds; /* m/s */
 
-/* The texts of the two exponents of a law; NULL: those of the sphere; and the law that options_parse makes of them */
+/* The texts of the two exponents of a law, NULL: the sphere's, and the law that options_parse makes of them */
 struct option_law {
     const char *elastic, *damping;
     struct cor_exponents exponents;
@@ -109,19 +109,19 @@ struct option_law {
 int options_parse(void *arguments, const struct option_rule *rules, int argc, char **argv, bool *help);
 void options_clear(void *arguments, const struct option_rule *rules);
 
-/* The range of a number, OPTION_REAL or OPTION_LIST; its texts are valid until the next call */
+/* Returns the range of a number, OPTION_REAL or OPTION_LIST. Its texts are valid until the next call. */
 struct option_numbers options_numbers(const struct option_rule *rule);
 
-/* The words that a shell offers for the value of an option, or NULL */
+/* Returns the words that a shell completes for an option, or NULL. */
 const char *const *options_words(const struct option_rule *rule);
 
-double options_number(const struct decimal *given, double otherwise); /* the nearest double of what is given */
+double options_number(const struct decimal *given, double otherwise); /* nearest double of `given`, or `otherwise` */
 
-/* These return STATUS_OK, or STATUS_USAGE after a message. */
+/* Return STATUS_OK, or STATUS_USAGE after a message. */
 int options_check_real(const char *name, const struct option_numbers *numbers, const struct decimal *value);
 int options_disk_poisson(const struct decimal *poisson); /* not too near to -1 or 1 */
 
-/* ---- a subcommand of corgen, as a row of the table in main.c, and what chooses and runs it ---- */
+/* ---- subcommands of corgen, which are the rows of the table in main.c ---- */
 
 struct subcommand {
     const char *name;
@@ -133,7 +133,7 @@ struct subcommand {
     int (*run)(const void *arguments); /* exit status */
 };
 
-/* The subcommand of a file that defines ARGUMENTS, help, options and run_NAME; then the defaults of its options */
+/* The subcommand of a file that defines ARGUMENTS, help, options and run_NAME. ...: the defaults of its options */
 #define SUBCOMMAND(NAME, WORD, SUMMARY, ...)                                                                           \
     const struct subcommand command_##NAME = {                                                                         \
         WORD, SUMMARY, help, options, sizeof(ARGUMENTS), &(const ARGUMENTS){__VA_ARGS__}, run_##NAME}
@@ -153,16 +153,16 @@ extern const char help_contact[];
 /* Chooses a subcommand from a table that ends with NULL, and runs it. Returns the exit status. */
 int subcommand_run(const struct subcommand *const *table, const char *version, int argc, char **argv);
 
-/* corgen --help: the subcommands by the task of a user, and the terms of all help texts. Lines of subcommands that are
- * not in the table, and their examples, are left out. */
+/* Prints corgen --help: the subcommands by the task of a user, and the terms of all help texts. Omits subcommands that
+ * are not in the table, and their examples. */
 void overview_print(const struct subcommand *const *table, FILE *file);
 
-/* Writes a script that a shell, bash or zsh, reads from its folder of completions, from the tables of subcommands and
- * options. Returns false for another shell. */
+/* Writes the script of completions for a shell, bash or zsh, from the tables of subcommands and options. Returns false
+ * for another shell. */
 bool completion_print(const char *shell, const struct subcommand *const *table, FILE *file);
 
-/* A table of proved digits, filled with more and more bits until every digit is decided, and then printed. A table of
- * exact numbers is filled once. */
+/* A table of proved digits. It is filled with more and more bits until every digit is decided, and then printed. A
+ * table of exact numbers is filled once. */
 enum { PROVED_TABLE_NAME = 64 };
 
 struct proved_table {

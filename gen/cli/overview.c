@@ -6,10 +6,10 @@
 enum { MOST_ROWS = 5 };
 
 struct overview_row {
-    const char *name, *use; /* a subcommand, and what it does for this task */
+    const char *name, *use; /* a subcommand, and its use for this task */
 };
 
-/* What a user has or needs, the subcommands for it, and one command that runs as it is shown */
+/* A need of a user, the subcommands for it, and one command that runs as shown */
 struct overview_task {
     const char *title;
     struct overview_row row[MOST_ROWS]; /* ends with a NULL name */

@@ -52,7 +52,7 @@ static int write_header(const struct problem *problem)
     const slong beta_max = two_point ? HEADER_BETA_MAX_TWO_POINT : HEADER_BETA_MAX;
     char exponents[TEXT_MAX] = "sphere", options[TEXT_MAX] = "", z[32] = "";
     struct references references;
-    /* Table I has another variable and other numbers, so that no comparison is possible. */
+    /* Table I has another variable and other numbers, so no comparison is possible. */
     const bool assessed = sphere && !printed;
     if (assessed && references_init(&references, law, beta_max, HEADER_EVEN, HEADER_SMALL))
         return STATUS_FAILED;
@@ -128,7 +128,7 @@ static void print_text(FILE *file, const struct table *table, const void *argume
                   "corgen series has the right ones.\n");
 }
 
-/* Rows of the coefficients, up to the first that is undecided */
+/* Adds the coefficients as rows, up to the first that is undecided. */
 static void add_polynomial(struct table *t, char undecided[PROVED_TABLE_NAME], const char *name, const arb_poly_t p,
                            slong degree, slong digits)
 {
@@ -145,7 +145,7 @@ static void add_polynomial(struct table *t, char undecided[PROVED_TABLE_NAME], c
     }
 }
 
-/* Once all digits are decided, the header is written, too. */
+/* Fills the table. Once all digits are decided, also writes the header. */
 static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
 {
     const struct problem *const problem = arguments;

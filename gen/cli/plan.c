@@ -5,8 +5,8 @@
 #include "cli/scene_options.h"
 #include "support/console.h"
 
-/* Removes the force from a request. A restitution that was measured under it becomes the damping of the contact, which
- * `damping` holds. */
+/* Removes the force from a request. A restitution measured under the force is replaced by the contact's damping, which
+ * `damping` owns. */
 static void remove_force(struct embed_request *request, struct decimal *damping, const struct contacts *pressed)
 {
     const struct cor_scene_contact *const contact = &pressed->contact[0];
@@ -27,7 +27,7 @@ static void remove_force(struct embed_request *request, struct decimal *damping,
 
 static int plan_of_spheres(struct plan *plan, const struct plan_arguments *o)
 {
-    /* formulas know no constant force: their contact is without it */
+    /* formulas have no constant force, so their contact has none */
     struct embed_request scene = o->scene;
     struct contacts contacts, pressed;
     struct decimal damping = {0};

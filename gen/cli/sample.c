@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* corgen sample: eps of a contact over a range of speeds as the fewest points. */
+/* corgen sample: eps of a contact over a range of speeds with as few points as possible. */
 #include <math.h>
 
 #include "cli/commands.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The options that describe one contact, as rows of a table of options of contact, sample, embed and plan. ARGUMENTS
- * has a member `scene`. APART lists options that contradict all of them, or is NULL. POISSON and POISSON_APART are
- * range (NULL: of spheres) and contradiction of --poisson. */
+/* The options of one contact, as rows of a table of options of contact, sample, embed and plan. ARGUMENTS has a member
+ * `scene`. APART: options that contradict all of them, or NULL. POISSON and POISSON_APART: the range of --poisson
+ * (NULL: for spheres) and the options that contradict it. */
 #ifndef COR_GEN_CLI_SCENE_OPTIONS_H
 #define COR_GEN_CLI_SCENE_OPTIONS_H
 
@@ -16,7 +16,7 @@
 #define HELP_END_PRESSED                                                                                               \
     "  --end E          the contact ends at zero-overlap (default) or zero-force; under a constant force, at\n"        \
     "                   zero-overlap or, limited to pushing, at the surface\n"
-#define HELP_CONTACT "\f" /* where help_contact (options.h) is printed: a literal has at most 4095 characters */
+#define HELP_CONTACT "\f" /* help_contact (options.h) is printed here: a literal has at most 4095 characters */
 #define HELP_CONTACT_TEXT                                                                                              \
     "\nBodies, SI units; the second like the first where not given:\n"                                                 \
     "  --young Y, --poisson NU   Young's modulus (Pa), Poisson's ratio\n"                                              \
@@ -46,7 +46,7 @@
     "  --gravity G      m/s^2, on a ball above a --wall or a plate\n"                                                  \
     "  --adhesion W --adhesion-model M   J/m^2; dmt: the force 2 pi W R; jkr: columns _tail, _largest_pull\n"
 
-/* The options of one contact except its law and end; and all that a law of one's own contradicts */
+/* The options of one contact except its law and end, and all options that contradict an own law */
 #define SCENE_NUMBERS_APART                                                                                            \
     " young poisson radius density mass young-2 poisson-2 radius-2 density-2 mass-2 wall plate-thickness gravity "     \
     "adhesion yield-stress viscosity-liquid gap-outer gap-inner stiffness effective-mass duration dissipation-time "   \
@@ -58,7 +58,7 @@
 #define SCENE_OWN(NAME, NUMBER, NUMBERS, APART)                                                                        \
     OPTION(NAME, REAL, scene.number[NUMBER], .range.number = (NUMBERS), .excludes = SCENE_OWN_APART APART)
 
-/* A number of cor/scene.h, which has range and unit; NUMBERS, if not NULL, is another range */
+/* A number of cor/scene.h with its range and unit. NUMBERS: another range, or NULL */
 #define SCENE_NUMBER_OF(NAME, NUMBER, NUMBERS, APART)                                                                  \
     OPTION(NAME, REAL, scene.number[NUMBER], .scene = &cor_scene_options[NUMBER], .range.number = (NUMBERS),           \
            .excludes = (APART))

@@ -33,7 +33,7 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
     return STATUS_OK;
 }
 
-/* The rows without their vanishing terms; dots stand for the terms beyond the requested ones. */
+/* Prints the rows without their vanishing terms. Dots replace the terms beyond the requested ones. */
 static void print_rows(FILE *file, const struct table *table, const void *arguments)
 {
     const struct trajectory_arguments *const o = arguments;
@@ -56,7 +56,7 @@ static void print_rows(FILE *file, const struct table *table, const void *argume
                 fprintf(file, latex ? "\\frac{%s}{%s}" : "%s/%s ", numerator, cell[3]);
             else if (strcmp(numerator, "1") != 0)
                 fprintf(file, latex ? "%s\\," : "%s ", numerator);
-            /* t to the exponent of term j of row k */
+            /* the power of t in term j of row k */
             const struct ratio e = RATIO("1 + k*(law->b + 1) + j*(law->a + 1)", k, law, j);
             const char *const open = latex ? "{" : e.den != 1 ? "(" : "";
             const char *const close = latex ? "}" : e.den != 1 ? ")" : "";
