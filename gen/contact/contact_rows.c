@@ -23,7 +23,7 @@ const char *contact_end_text(const struct cor_scene_contact *contact, int end)
     return contact->force_n > 0 && end == COR_END_ZERO_FORCE ? "the surface" : cor_end_names[end];
 }
 
-/* The name of an end, as columns have it */
+/* Returns the name of an end as it occurs in columns. */
 static const char *end_of(const struct contacts *contacts, int end)
 {
     return cor_scene_end_name(&contacts->contact[0], end);
@@ -56,7 +56,7 @@ void contact_print_ranges(FILE *file, const struct contacts *contacts, bool rows
                 tabor, COR_TABOR_DISTANCE_M, COR_TABOR_JKR, COR_TABOR_DMT);
 }
 
-/* Adds a quantity that is no quantity of cor/scene.h, for each contact, unless it is NaN. */
+/* Adds a quantity that cor/scene.h does not have, for each contact, unless it is NaN. */
 static void add_number(struct table *table, const struct contacts *contacts, const char *name,
                        const double value[COR_SCENE_ENDS], const char *unit, int digits)
 {
@@ -127,7 +127,7 @@ int contact_end(const struct contacts *contacts, int contact)
     return cor_scene_ends_differ(&contacts->contact[0]) ? COR_BOTH_ENDS : COR_END_ZERO_OVERLAP;
 }
 
-/* A row, in seconds, or in a unit of its own where mass and stiffness are not known */
+/* A row, in seconds, or in a unit of its own if mass and stiffness are unknown */
 struct row {
     struct cor_scene_contact contact;
     double speed_m_s, elastic_duration_s;
@@ -140,8 +140,7 @@ static bool is_end(const struct row *row, int end)
     return row->end == COR_BOTH_ENDS || row->end == end;
 }
 
-/* The largest step for a tolerance, in three digits, of which the last is rounded down: cor_scene_step_for has no more.
- */
+/* Sets the largest step for a tolerance, rounded down to the three digits that cor_scene_step_for has. */
 static int step_for(double *time_step, const struct row *row, size_t rows, const struct cor_simulator_request *request)
 {
     double least = INFINITY, n;
@@ -166,7 +165,7 @@ static int step_for(double *time_step, const struct row *row, size_t rows, const
 
 /* ---- the impacts ---- */
 
-/* The quantity that is corrected; NULL: a contact without damping */
+/* Returns the quantity that is corrected; NULL: a contact without damping */
 static const struct cor_scene_quantity *corrected_quantity(const struct contacts *contacts)
 {
     static const int wanted[] = {COR_SCENE_ZETA, COR_SCENE_DISSIPATION_TIME, COR_SCENE_DAMPING_COEFFICIENT,
@@ -203,7 +202,7 @@ static int add_hertz(struct table *table, const struct contacts *contacts, int k
 
 enum { STEP_DIGITS = 4, CORRECTED_DIGITS = 6 };
 
-/* Bias and scatter of a row, and its corrected damping; NaN where the step is too long or too short */
+/* Adds bias and scatter of a row, and its corrected damping; NaN if the step is too long or too short. */
 static int add_step(struct table *table, const struct row *row, double time_step,
                     const struct cor_simulator_request *request, const struct cor_scene_quantity *quantity)
 {
@@ -235,10 +234,10 @@ int contact_rows(struct table *table, const struct contacts *contacts, const str
                  int digits)
 {
     const size_t speeds = request->speeds, rows = (size_t)contacts->count * speeds;
-    const bool spheres = !isnan(contacts->contact[0].radius_m) && !is_jkr(contacts); /* by Hertz */
+    const bool spheres = !isnan(contacts->contact[0].radius_m) && !is_jkr(contacts); /* of Hertz */
     const double known = isnan(contacts->contact[0].mass_kg) ? (double)NAN : 1;
     struct row *const row = xmalloc(rows * sizeof *row);
-    double least = INFINITY; /* the shortest duration, of the ends that are known */
+    double least = INFINITY; /* the shortest known duration */
     int status = STATUS_OK;
     for (size_t i = 0; i < rows && status == STATUS_OK; i++) {
         struct row *const r = &row[i];

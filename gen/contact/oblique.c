@@ -10,7 +10,7 @@
 #define DEGREE 0.017453292519943295
 enum { NAMES = 512 };
 
-/* The model of a name, or the one of a simulator that suits the spring of the contact; -1 after a message */
+/* Returns the model of a name, or the simulator's model for the spring of the contact; -1 after a message */
 static int model_of(const char *name, const struct cor_scene_contact *contact)
 {
     const struct cor_simulator *const simulator = cor_simulator_named(name);
@@ -32,7 +32,8 @@ static int model_of(const char *name, const struct cor_scene_contact *contact)
            -1;
 }
 
-/* Spring and damper of a contact at an end, in SI units. Returns STATUS_OK, or STATUS_USAGE after a message. */
+/* Computes spring and damper of a contact at an end, in SI units. Returns STATUS_OK, or STATUS_USAGE after a
+ * message. */
 static int spring_of(double *spring, double *damper, const struct contacts *contacts, int k, int end, int id,
                      const struct oblique_request *request)
 {
@@ -56,7 +57,7 @@ static int spring_of(double *spring, double *damper, const struct contacts *cont
     return STATUS_OK;
 }
 
-/* The impact of one speed and tangent */
+/* Computes the impact of one speed and tangent. */
 static int impact_of(struct cor_oblique_impact *impact, const struct contacts *contacts, int k, int end, int id,
                      const struct oblique_request *request, double speed, double tangent)
 {
@@ -92,8 +93,8 @@ static double largest_error(double *mean, const double *tangent, const double *r
     return largest;
 }
 
-/* Searches both numbers on grids that shrink around the best place. Where one angle decides the largest error for many
- * frictions, the mean error, with a small weight, chooses among them. Returns the largest error. */
+/* Searches both numbers on grids that shrink around the best place. If one angle decides the largest error for many
+ * frictions, the mean error with a small weight chooses among them. Returns the largest error. */
 static double fit_walton(double *slip, double *beta_0, const double *tangent, const double *restitution, size_t n)
 {
     enum { GRID = 40, ROUNDS = 12 };

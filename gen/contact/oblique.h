@@ -5,9 +5,9 @@
 
 #include "contact/contact.h"
 
-/* model: a name of cor_tangential_models or of a simulator, NULL: displacement. given: angles in degrees, or tangential
- * speeds. stiffness, damping_ratio, restitution: NaN if not given; stiffness is then the one of Mindlin. damping_ratio:
- * the tangential damper over the normal one. walton: a row for each speed with Walton's numbers */
+/* model: a name of cor_tangential_models or of a simulator; NULL: displacement. given: angles in degrees, or tangential
+ * speeds. stiffness, damping_ratio, restitution: NaN if not given; stiffness is then Mindlin's. damping_ratio:
+ * tangential damper over normal damper. walton: only a row for each speed, with Walton's numbers */
 struct oblique_request {
     const char *model;
     double friction, stiffness, damping_ratio, restitution;
@@ -16,12 +16,12 @@ struct oblique_request {
     bool angles, walton;
 };
 
-/* A row for each speed with each angle, and for each end where that matters and is not given. Returns STATUS_OK, or
+/* Adds a row for each speed and angle, and for each end if the end matters and is not given. Returns STATUS_OK, or
  * another status after a message. */
 int contact_oblique(struct table *table, const struct contacts *contacts, const struct oblique_request *request,
                     int digits);
 
-/* Sets what the lines of a simulator need of it. Returns STATUS_OK, or STATUS_USAGE after a message. */
+/* Sets the fields that the lines of a simulator need. Returns STATUS_OK, or STATUS_USAGE after a message. */
 int contact_oblique_lines(struct cor_simulator_request *lines, const struct contacts *contacts,
                           const struct oblique_request *request);
 

@@ -8,15 +8,15 @@
 #include "support/decimal.h"
 #include "support/parallel.h"
 
-/* ---- eps and duration as functions of x = speed or x = ln(speed), quick for every law: laws that take an enclosed
- * collision for each speed are interpolated between Chebyshev points ---- */
+/* ---- eps and duration as functions of x = speed or x = ln(speed). They are quick for every law: laws whose collisions
+ * have to be enclosed are interpolated between Chebyshev points ---- */
 
-/* Step of the difference in ln(speed), and how many steps it reaches on either side */
+/* Largest and smallest step of a difference in ln(speed), and the number of steps on either side */
 #define SLOPE_STEP 0.01
 #define SLOPE_LEAST 1e-5
 enum { SLOPE_REACH = 3 };
 
-/* Chebyshev points of a piece, and the error of the interpolation that ends its division */
+/* Chebyshev points of a piece; pieces are divided until the error of interpolation is below PIECE_ERROR */
 enum { PIECE_POINTS = 24, PIECES_MOST = 512 };
 #define PIECE_ERROR 1e-13
 
@@ -53,14 +53,14 @@ static int value_direct(double value[SAMPLE_QUANTITIES], const struct sampler *c
     return contact_status(status);
 }
 
-/* Chebyshev points of the second kind */
+/* Returns Chebyshev point i of the second kind. */
 static double piece_point(const struct piece *piece, int i)
 {
     const double angle = 3.14159265358979323846 * i / (PIECE_POINTS - 1);
     return (piece->low + piece->high) / 2 - (piece->high - piece->low) / 2 * cos(angle);
 }
 
-/* The barycentric formula for these points */
+/* Interpolates between these points by the barycentric formula. */
 static double piece_value(const struct piece *piece, int quantity, double u)
 {
     double above = 0, below = 0;
@@ -75,7 +75,7 @@ static double piece_value(const struct piece *piece, int quantity, double u)
     return above / below;
 }
 
-/* Point i of the piece after the last. Durations are divided by their scale, so that they vary slowly. */
+/* Computes point i of the piece after the last one. Durations are divided by their scale, so that they vary slowly. */
 static void fill_point(void *context, slong i)
 {
     const struct sampler *const c = context;
@@ -89,8 +89,8 @@ static void fill_point(void *context, slong i)
         piece->value[1][i] = value[1] / duration_scale(c->request->contact, speed_m_s);
 }
 
-/* Divides [low, high] of ln(speed) until every piece is accurate: between the points next to both ends and in the
- * middle, relative to the value. */
+/* Divides [low, high] of ln(speed) until every piece is accurate. The relative error is measured next to both ends and
+ * near the middle. */
 static int fill_pieces(struct sampler *c, double low, double high)
 {
     static const double place[] = {0.004, 0.31, 0.52, 0.995};
@@ -157,9 +157,9 @@ static double function_value(const struct sampler *c, int quantity, double x)
     return function_at_speed(c, quantity, function_speed(c, x));
 }
 
-/* d value/dx at a speed, by a central difference of order 6 in ln(speed); relative error below 1e-12. It does not reach
- * beyond the onset of yield, where the second derivative jumps; next to it the slope is off by SLOPE_LEAST times that
- * jump. */
+/* Returns d value/dx at a speed by a central difference of order 6 in ln(speed); relative error below 1e-12. The
+ * difference does not cross the onset of yield, where the second derivative jumps. Next to the onset the slope is off
+ * by SLOPE_LEAST times that jump. */
 static double function_slope(const struct sampler *c, int quantity, double speed_m_s)
 {
     static const double weight[SLOPE_REACH] = {3.0 / 4, -3.0 / 20, 1.0 / 60};
@@ -186,7 +186,7 @@ struct segment {
     double x[2], value[2], slope[2];
 };
 
-/* The error of the interpolant between the ends of the segment, at the fraction t of its length */
+/* Returns the error of the interpolant at the fraction t of the segment's length. */
 static double error_at(const struct sampler *c, const struct segment *s, int quantity, double t)
 {
     const double width = s->x[1] - s->x[0], rest = 1 - t, exact = function_value(c, quantity, s->x[0] + t * width);
@@ -196,8 +196,8 @@ static double error_at(const struct sampler *c, const struct segment *s, int qua
     return fabs((c->request->cubic ? cubic : linear) / exact - 1);
 }
 
-/* The largest error of a quantity between two fractions of a segment: the largest of evenly spaced places, and the
- * vertex of the parabola through it and its neighbours */
+/* Returns the largest error of a quantity between two fractions of a segment: the largest at evenly spaced places and
+ * at the vertex of the parabola through the worst of them and its neighbours. */
 static double largest_error(const struct sampler *c, const struct segment *s, int quantity, double from, double to,
                             int places)
 {
@@ -218,7 +218,7 @@ static double largest_error(const struct sampler *c, const struct segment *s, in
     return most;
 }
 
-/* The largest error in a segment, of every quantity; of a law of one's own in each of its parts */
+/* Returns the largest error of every quantity in a segment. For an own law each smooth part is searched separately. */
 static double segment_error(const struct sampler *c, double left, double right, int places)
 {
     const struct own_law *const own = c->request->own;
@@ -242,14 +242,13 @@ static double segment_error(const struct sampler *c, double left, double right, 
 
 /* ---- the farthest next point ---- */
 
-/* The farthest place to which a segment from `left` has at most this error. `length` is a first guess of its length. */
+/* Returns the farthest end of a segment from `left` with at most this error. length: a first guess of its length */
 static double reach_right(const struct sampler *c, double left, double error, double length)
 {
     if (segment_error(c, left, c->high, SEARCH_PLACES) <= error)
         return c->high;
     double good = left, bad = c->high;
-    /* Near an inflection point a longer segment may have a smaller error: of a few long segments, the farthest counts.
-     */
+    /* Near an inflection point a longer segment may have a smaller error, so the longest segments are tried first. */
     if (length > (c->high - c->low) / (double)SCAN_PLACES)
         for (int i = 1; i < SCAN_PLACES && good == left; i++) {
             const double place = c->high - (c->high - left) * i / (double)SCAN_PLACES;
@@ -276,7 +275,7 @@ static double reach_right(const struct sampler *c, double left, double error, do
             bad = guess;
         if (got <= error && got > error * (1 - 1e-7))
             break;
-        /* a little short of the root, so that both sides of the bracket move */
+        /* a little before the root, so that both sides of the bracket move */
         guess = left + (guess - left) * pow(error / fmax(got, 1e-30), 1 / power) * (got > error ? 1 - 1e-8 : 1 - 2e-8);
         if (!(guess > good && guess < bad))
             guess = (good + bad) / 2;
@@ -286,8 +285,8 @@ static double reach_right(const struct sampler *c, double left, double error, do
 
 /* ---- all points ---- */
 
-/* Places points with at most this error until the end of the range or `most` segments are reached, which `x` can hold.
- * Returns the number of segments, and in *last_error the error of the last one if it has to reach the end. */
+/* Places points with at most this error until the end of the range or until `x` has `most` segments. Returns the number
+ * of segments, and in *last_error the error of the last one if it was extended to the end. */
 static size_t place_points(const struct sampler *c, double *x, size_t most, double error, double *last_error)
 {
     double length = (c->high - c->low) / 2;
@@ -310,8 +309,8 @@ static size_t place_points(const struct sampler *c, double *x, size_t most, doub
     return n;
 }
 
-/* Moves the points of `segments` segments until all have the same error; returns it. The error of the last segment
- * falls while that of the others rises, so that both meet once. */
+/* Moves the points of `segments` segments until all have the same error, and returns it. The error of the last segment
+ * falls as the error of the others rises, so they are equal at one point. */
 static double equalise_errors(const struct sampler *c, double *x, size_t segments, double upper)
 {
     double low = 0, high = upper, last;
@@ -325,7 +324,7 @@ static double equalise_errors(const struct sampler *c, double *x, size_t segment
             high = guess;
         else
             low = guess;
-        /* the length of the last segment is that of its power of the error */
+        /* the error of the last segment is a power of its length */
         const double mean = used == segments && last > 0 ? guess * pow(last / guess, 1.0 / (double)segments) : 0;
         guess = mean > low && mean < high && k % 3 != 2 ? mean : (low + high) / 2;
     }
@@ -335,12 +334,12 @@ static double equalise_errors(const struct sampler *c, double *x, size_t segment
 
 /* ---- tables ---- */
 
-/* All numbers of the points are in one block, which begins with the speeds. */
+/* Fills the points. All their numbers are in one block, which begins with the speeds. */
 static void points_fill(struct sample_points *p, const struct sampler *c, const double *x, size_t count)
 {
     double *next = xrealloc(p->speed_m_s, (1 + 2 * SAMPLE_QUANTITIES) * count * sizeof(double));
     *p = (struct sample_points){.count = count, .speed_m_s = next};
-    /* speeds inside the range as they are printed, and the values of these speeds */
+    /* speeds inside the range are rounded to their printed digits before values are computed */
     for (size_t i = 1; i + 1 < count; i++) {
         char text[DECIMAL_TEXT];
         snprintf(text, sizeof text, "%.12g", function_speed(c, x[i]));
@@ -368,7 +367,7 @@ int sample_choose(struct sample *sample, const struct sample_request *request)
     *sample = (struct sample){.error_of_fewer = INFINITY};
     c.low = function_place(&c, request->speed_min);
     c.high = function_place(&c, request->speed_max);
-    /* eps and duration are monotonic, so that their values at both ends of the range bound them */
+    /* eps and duration are monotonic, so their values at both ends of the range bound them */
     for (int q = 0; q < c.quantities; q++) {
         const double low = function_value(&c, q, c.low), high = function_value(&c, q, c.high);
         if (!(fmin(low, high) > 1e-280 && fmax(low, high) < 1e280))
@@ -397,7 +396,7 @@ int sample_choose(struct sample *sample, const struct sample_request *request)
         for (size_t i = 0; i <= segments; i++)
             x[i] = c.low + (c.high - c.low) * (double)i / (double)segments;
         points_fill(&sample->even, &c, x, segments + 1);
-        /* a few long segments over an inflection point may do better where they lie evenly */
+        /* evenly spaced points may be better if a few long segments cross an inflection point */
         if (sample->even.error < sample->best.error)
             points_fill(&sample->best, &c, x, segments + 1);
     }

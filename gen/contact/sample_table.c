@@ -57,7 +57,7 @@ static void print_number(FILE *file, const struct column *column, int k, size_t 
     fprintf(file, "%.*g", k == 0 ? SPEED_DIGITS : VALUE_DIGITS, column[k].number[i]);
 }
 
-/* "before NAME after" and the numbers of each column, four a line */
+/* Prints "before NAME after" and the numbers of each column, four in a line. */
 static void print_lists(FILE *file, const struct column *column, int columns, size_t rows, const char *before,
                         const char *open, const char *close)
 {
@@ -99,7 +99,7 @@ void sample_print(FILE *file, const struct sample *sample, const struct sample_r
                 request->own ? "" : ", contact ends at ",
                 request->own ? "" : contact_end_text(request->contact, (int)request->end), close);
     switch (format) {
-    case SAMPLE_TEXT: /* and beside it the evenly spaced table */
+    case SAMPLE_TEXT: /* also compares it with the evenly spaced table */
         column[columns++] = (struct column){"even_speed_m_s", sample->even.speed_m_s};
         column[columns++] = (struct column){"even_eps", sample->even.value[0]};
         fprintf(file, "As many evenly spaced points: %.4g.", sample->even.error);
