@@ -196,8 +196,8 @@ static double error_at(const struct sampler *c, const struct segment *s, int qua
     return fabs((c->request->cubic ? cubic : linear) / exact - 1);
 }
 
-/* Returns the largest error of a quantity between two fractions of a segment: the largest at evenly spaced places and
- * at the vertex of the parabola through the worst of them and its neighbours. */
+/* Returns the largest error of a quantity between two fractions of a segment. It is measured at evenly spaced places,
+ * and at the vertex of the parabola through the worst place and its neighbours. */
 static double largest_error(const struct sampler *c, const struct segment *s, int quantity, double from, double to,
                             int places)
 {

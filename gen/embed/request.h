@@ -9,8 +9,8 @@
 #include "series/series.h"
 #include "support/decimal.h"
 
-/* The numbers of a request: first the numbers of cor/scene.h, then the range of speeds in m/s, the tolerance, which is
- * a relative error of eps, and the parameters of own laws (own_law.h) */
+/* The numbers of a request: the numbers of cor/scene.h, the range of speeds in m/s, the tolerance and the parameters of
+ * own laws (own_law.h). The tolerance is a relative error of eps. */
 enum {
     EMBED_SPEED_MIN = COR_SCENE_NUMBERS,
     EMBED_SPEED_MAX,
@@ -25,8 +25,8 @@ enum {
 enum { EMBED_LAW_POWER = COR_LAW_ELASTIC_PLASTIC + 1, EMBED_LAW_EXPONENTIAL, EMBED_LAW_TABLE };
 extern const char *const embed_law_names[]; /* ends with NULL */
 
-/* The use for which a form is cheapest: a mixture of single calls and vectorised loops, only one of these, or REBOUND,
- * whose callback is called for one speed at a time */
+/* The use for which a form is cheapest: single calls, vectorised loops, or a mixture. REBOUND makes single calls of its
+ * callback. */
 enum embed_purpose { PURPOSE_BALANCED, PURPOSE_SCALAR, PURPOSE_ARRAY, PURPOSE_REBOUND };
 extern const char *const embed_purpose_names[]; /* ends with NULL, like the next arrays */
 
