@@ -54,7 +54,7 @@ as_root() {
     fi
 }
 
-# Installs the packages that want() found missing. Fails after it has named those to be installed by hand.
+# Installs the packages that want() found missing. If some must be installed by hand, names them and fails.
 install_missing() {
     [ ${#missing[@]} -eq 0 ] && return 0
     local packages=("${missing[@]}")
@@ -119,14 +119,14 @@ build() {
     cmake --build "$1" --parallel "$jobs" "${@:2}"
 }
 
-# msvc_reads FILE LANGUAGE: clang accepts it in MSVC's language, with mingw-w64's headers in place of MSVC's own.
+# msvc_reads FILE LANGUAGE: true if clang accepts FILE in MSVC's mode, with the headers of mingw-w64 instead of MSVC's.
 msvc_reads() {
     clang --target=x86_64-pc-windows-msvc -fms-compatibility-version=19.30 -fsyntax-only -x "$2" -Wall -Wextra -Wpedantic \
         -Wno-pragma-once-outside-header -Wno-unused-function $(cmake/werror clang) -nostdinc -Iinclude -Igenerated \
         -isystem "$(clang -print-resource-dir)/include" -isystem /usr/share/mingw-w64/include "$1"
 }
 
-# turn_of N: prints which of N parts of a long test a short run does: the first, or another with tests/run --turn K.
+# turn_of N: prints the number of the part, of N parts of a long test, that a short run does (tests/run --turn K).
 turn_of() {
     echo $((${COR_TEST_TURN:-0} % $1))
 }
@@ -138,14 +138,14 @@ some_in_turn() {
 }
 
 # builds_whole CC [--long]: true if a test run builds everything with this compiler: always with gcc, with others in
-# long runs and in every fifth turn. In that turn tests/hygiene/run does valgrind, its shortest part. Otherwise
+# long runs and in every fifth turn. In that turn tests/hygiene/run only runs valgrind. Otherwise
 # build_tested builds the library and its tests, and parses the rest.
 builds_whole() {
     [ "$1" = gcc ] || [ "${2-}" = --long ] || [ "$(turn_of 5)" -eq 2 ]
 }
 
-# parse_rest DIR: parses a fifth in turn, with all warnings, of the sources that the target unit_tests does not need.
-# Skips those that a build writes.
+# parse_rest DIR: parses, with all warnings, one fifth of the sources that the target unit_tests does not need.
+# Skips generated sources.
 parse_rest() {
     sed -n 's/^ *"command": "\(.*\)",\{0,1\}$/\1/p' "$1/compile_commands.json" | sed 's/\\"/"/g; s/\\\\/\\/g' |
         grep -vE " [^ ]*/(runtime|tests/unit|$1)/[^ ]*\$" |
