@@ -337,8 +337,8 @@ WEB_EXPORT(web_simulators) const char *web_simulators(void)
     return text;
 }
 
-/* Returns the requested eps, its speed and end; then for each model of the simulator its name, version, law, end, the
- * realised eps, and the e that gives the requested eps. Columns have tabs. */
+/* Returns the requested eps, its speed and end; then for each model of the simulator its number, name, version, law,
+ * end, the realised eps, and the e that gives the requested eps. Columns have tabs. */
 WEB_EXPORT(web_models) const char *web_models(int digits)
 {
     const struct asked asked = find_asked(&web_now);
@@ -346,10 +346,10 @@ WEB_EXPORT(web_models) const char *web_models(int digits)
     put_number(asked.eps, digits);
     put_cell('\t', asked.speed_m_s, digits);
     put("\t%s\n", cor_end_names[asked.end]);
-    int next = 0;
+    int next = 0, row = 0;
     for (const struct cor_simulator_model *model; (model = next_model(&web_now, &next));) {
         enum cor_simulator_status status;
-        put("%s\t%s\t%s\t%s", model->model, model->version ? model->version : "", cor_law_name(model->law),
+        put("%d\t%s\t%s\t%s\t%s", ++row, model->model, model->version ? model->version : "", cor_law_name(model->law),
             cor_end_names[model->end]);
         put_cell('\t', find_realised(model, &web_now, asked.speed_m_s), digits);
         put_cell('\t', cor_simulator_e(model, asked.eps, &status), digits);
@@ -382,13 +382,13 @@ static const char *put_lines(const struct cor_simulator_request *lines)
     return text;
 }
 
-/* Returns the text of corgen contact --for, or NULL with the reason in web_wrong_text. */
-WEB_EXPORT(web_lines) const char *web_lines(void)
+/* Returns the text of corgen contact --for, or NULL with the reason in web_wrong_text. step_errors: as with --steps */
+WEB_EXPORT(web_lines) const char *web_lines(int step_errors)
 {
     struct cor_simulator_request lines = request_of(&web_now.scene);
     lines.contacts = web_now.contact;
     lines.count = web_now.count;
-    lines.step_errors = web_now.steps_given;
+    lines.step_errors = step_errors || web_now.steps_given;
     return put_lines(&lines);
 }
 

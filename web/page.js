@@ -94,17 +94,16 @@ function element(name, text, more = {}) {
 
 // Makes label, input, unit and the place of a message of an element with data-field.
 function makeField(place) {
-    const { field: id, list, word, lines } = place.dataset, label = place.textContent, unit = unitOf(id);
+    const { field: id, list, word, lines, empty = "" } = place.dataset, label = place.textContent, unit = unitOf(id);
     const inline = place.tagName === "SPAN", full = unit === "" ? label : `${label}, ${unit}`;
-    const input = element(lines === undefined ? "input" : "textarea", "", { id, spellcheck: false });
+    const input = element(lines === undefined ? "input" : "textarea", "", { id, spellcheck: false, placeholder: empty });
     if ([list, word, lines].every((other) => other === undefined))
         input.inputMode = "decimal";
     if (inline)
         input.setAttribute("aria-label", full);
     place.replaceChildren(inline ? "" : element("label", full, { htmlFor: id }), input,
-        inline ? element("span", unit && ` ${unit}`, { className: "unit" }) : "",
         element("span", "", { className: "as", id: `${id}-as` }));
-    addField(input, label, { list: list !== undefined, word: word !== undefined || lines !== undefined });
+    addField(input, label, { inline, list: list !== undefined, word: word !== undefined || lines !== undefined });
 }
 function addField(input, label, more) {
     input.parentElement.append(element("span", "", { className: "error", id: `${input.id}-wrong` }));
@@ -112,16 +111,20 @@ function addField(input, label, more) {
     fields.set(input.id, { input, label, ...more });
 }
 
-// Adds a button that explains a term of the glossary.
+// Adds a button that explains terms of the glossary.
 function addHelp(place) {
-    const term = place.dataset.term, text = `${term}: ${TERMS.get(term)}`;
+    const terms = place.dataset.term.split("|"), term = terms.join(" and ");
+    const text = terms.map((each) => `${each}: ${TERMS.get(each)}`).join(". ");
     const button = element("button", "?", { type: "button", className: "term" });
     const help = element("span", text, { className: "help", hidden: true });
-    Object.assign(button, { ariaLabel: `What is ${term}?`, ariaExpanded: "false", onclick() {
+    Object.assign(button, { ariaLabel: `Meaning of ${term}`, ariaExpanded: "false", onclick() {
         help.hidden = !help.hidden;
         button.ariaExpanded = String(!help.hidden);
     } });
-    (place.tagName === "LABEL" ? place : place.querySelector(".as")).after(button, help);
+    if (place.tagName === "P")
+        place.append(button, help);
+    else
+        (place.tagName === "LABEL" ? place : place.querySelector(".as")).after(button, help);
 }
 
 function showFields() {
@@ -154,11 +157,12 @@ function stateOf(input) {
         : `${fields.get(input.id).label} ${input.value} ${/[a-z%]$/i.test(input.value) ? "" : unitOf(input.id)}`.trim();
 }
 
-// Returns the number in SI units of a field with a unit, a percent sign or a comma.
+// Returns the number in SI units of a field with a unit, a percent sign or a comma; otherwise the unit of a field that
+// does not have it in its label.
 function converted(name) {
-    const { input, word } = fields.get(name);
+    const { input, word, inline } = fields.get(name);
     if (word || !/[a-z%,\u00b5\u03bc]/i.test(input.value.replace(/\de[-+]?\d/gi, "")))
-        return "";
+        return inline ? unitOf(name) : "";
     try {
         const plain = valueOf(name, input.value).split(",").map((number) => String(Number(number))).join("; ");
         return plain.includes("NaN") ? "" : `= ${plain} ${unitOf(name)}`;
@@ -243,11 +247,13 @@ function showWrong(error) {
 
 // ---- the answer ----
 
-// Returns a number with the prefix of its unit: 3.72e-5 s is 37.2 µs.
+const shortOf = (text, digits = SHOWN) => text === "nan" ? text : Number(text).toPrecision(digits);
+
+// Returns a number with the prefix of its unit: 3.72e-5 s is 37.20 µs.
 function withUnit(text, unit) {
     const x = Number(text), at = Math.max(-3, Math.min(3, Math.floor(Math.log10(Math.abs(x)) / 3)));
     return Number.isFinite(at) && x > 0 && x < Infinity
-        ? `${Number((x / 1000 ** at).toPrecision(SHOWN))} ${["n", "\u00b5", "m", "", "k", "M", "G"][at + 3]}${unit}`
+        ? `${(x / 1000 ** at).toPrecision(SHOWN)} ${["n", "\u00b5", "m", "", "k", "M", "G"][at + 3]}${unit}`
         : `${text} ${unit}`;
 }
 
@@ -258,7 +264,7 @@ function answers() {
     for (const row of rows) {
         const of = (name) => row[head.indexOf(name)], here = of("measured_end")?.replace("-", "_") ?? chosen;
         for (const end of ends.filter((end) => here === "" || here === end))
-            found.set(row[0], [...found.get(row[0]) ?? [], { end: end.replace("_", " "), eps: of(`eps_${end}`),
+            found.set(row[0], [...found.get(row[0]) ?? [], { end: end.replace("_", " "), eps: shortOf(of(`eps_${end}`)),
                 duration: of(`duration_s_${end}`), force: of("max_force_n") }]);
     }
     return [...found];
@@ -278,6 +284,7 @@ function showAnswer() {
             force && `largest force ${force}`].filter((text) => text).join(", ") ||
             "Duration and force need spheres or a spring: choose them as the first word of the question.")];
     });
+    $("two-ends").hidden = !lines.some((line) => /at zero force/.test(line.textContent));
     $("answer").replaceChildren(...(lines.length > 0 ? lines : [element("p", "Enter an impact speed.")]));
 }
 
@@ -289,7 +296,7 @@ const COLOURS = [["#0060ad", "#6cb4f5"], ["#b83a14", "#ff8a5c"], ["#2f7029", "#7
 const rules = (mode, text, page, grid, axis) => `.b,.p{fill:${page}}.t{fill:${text};font:13px system-ui,sans-serif}` +
     `.g{stroke:${grid}}.a{stroke:${axis}}.l{paint-order:stroke;stroke:${page};stroke-width:4px}` +
     COLOURS.map((pair, i) => `.c${i}{stroke:${pair[mode]}}.t${i}{fill:${pair[mode]}}`).join("");
-const STYLE = "<style>path,circle{fill:none}.c{stroke-width:2}.m{stroke-dasharray:2 4;stroke-linecap:round}" +
+const STYLE = "<style>path,circle{fill:none}.c,.k{stroke-width:2}.m{stroke-dasharray:2 4;stroke-linecap:round}" +
     `${rules(0, "#222", "#fff", "#ddd", "#555")}@media screen and (prefers-color-scheme:dark){` +
     `${rules(1, "#ddd", "#16181d", "#3a3d44", "#aaa")}}</style>`;
 const escaped = (text) => text.replace(/[<&"]/g, (c) => `&#${c.charCodeAt(0)};`);
@@ -299,7 +306,8 @@ function addCurves(curves, speeds, label, other = false) {
     const own = curves.length, ends = tabs(cor.page.text("curves")).flat();
     const [[asked], ...models] = tabs(cor.page.text("models", 3));
     const names = [...ends.map((end) => end === "both_ends" ? "eps" : end.replace("_", " ")),
-        ...models.map((row) => `${$("for").selectedOptions[0].text}: asked ${asked}, gives ${row[4]}`)];
+        ...models.map(([number, , , , , gives]) =>
+            `${$("for").selectedOptions[0].text} ${number}: asked ${asked}, gives ${shortOf(gives, 3)}`)];
     for (const [i, name] of names.entries()) {
         const eps = [...cor.page.curve(speeds, i)], here = eps.pop(), model = i >= ends.length;
         const unlike = (curve) => eps.some((e, k) => Math.abs(e - curve.eps[k]) > 2e-4);
@@ -343,8 +351,9 @@ function speedTicks(least, most, width) {
 
 function showPicture() {
     const { speeds, least, most, curves, points } = drawn, width = Math.max($("picture").clientWidth, 280);
-    const height = Math.min(Math.max(0.55 * width, 240), 400), wide = width > 640, at = (v) => v.toFixed(1);
-    const box = { left: 46, right: width - (wide ? 250 : 14), top: 34, bottom: height - 42 };
+    const below = Math.min(Math.max(0.55 * width, 240), 400), wide = width > 640, at = (v) => v.toFixed(1);
+    const box = { left: 46, right: width - (wide ? 250 : 14), top: 34, bottom: below - 42 };
+    const height = below + (wide ? 0 : 18 * curves.length);
     const values = [...curves.flatMap(({ eps }) => eps), ...points.flatMap(([, eps, u = 0]) => [eps - u, eps + u])]
         .filter((eps) => !Number.isNaN(eps));
     let low = Math.min(...values), high = Math.max(...values);
@@ -362,7 +371,7 @@ function showPicture() {
         out.push(`<path class="g" d="M${box.left} ${at(y(eps))}H${box.right}"/>`,
             text(box.left - 6, y(eps) + 4, eps, "end"));
     out.push(`<path class="a" d="M${box.left} ${at(y(high))}V${box.bottom}H${box.right}"/>`,
-        text(4, 14, "eps", "start"), text((box.left + box.right) / 2, height - 6, "impact speed, m/s"));
+        text(4, 14, "eps", "start"), text((box.left + box.right) / 2, below - 6, "impact speed, m/s"));
     const labels = [];
     for (const curve of curves) {
         const known = curve.eps.map((eps) => !Number.isNaN(eps)), last = known.lastIndexOf(true);
@@ -375,13 +384,14 @@ function showPicture() {
     for (const [speed, eps, u = 0] of points)
         out.push(u > 0 ? `<path class="a" d="M${at(x(speed))} ${at(y(eps - u))}V${at(y(eps + u))}"/>` : "",
             `<circle class="a p" cx="${at(x(speed))}" cy="${at(y(eps))}" r="4"/>`);
-    // Labels are to the right of the curves on a wide screen, otherwise above them. They do not overlap.
+    // Labels are next to the ends of the curves on a wide screen, otherwise below the picture. They do not overlap.
     labels.sort((a, b) => a.y - b.y).forEach((label, i) => {
-        label.at = Math.max(wide ? label.y + 4 : label.y - 6, i > 0 ? labels[i - 1].at + 15 : 28);
+        label.at = wide ? Math.max(label.y + 4, i > 0 ? labels[i - 1].at + 15 : 28) : below + 14 + 18 * i;
     });
-    labels.reduceRight((end, label) => (label.at = Math.min(label.at, end)) - 15, box.bottom - 2);
-    for (const label of labels)
-        out.push(text(label.x + (wide ? 8 : 0), label.at, label.label, wide ? "start" : "end", ` l t${label.colour}`));
+    labels.reduceRight((end, label) => (label.at = Math.min(label.at, end)) - 15, wide ? box.bottom - 2 : height);
+    for (const { x, at: y, label, colour, model } of labels)
+        out.push(wide ? "" : `<path class="k c${colour}${model ? " m" : ""}" d="M${box.left} ${at(y - 4)}h30"/>`,
+            text(wide ? x + 8 : box.left + 38, y, label, "start", ` l t${colour}`));
     const title = escaped(`eps over the impact speed: ${curves.map(({ label, eps }) =>
         `${label} from ${eps[0].toPrecision(3)} to ${eps.at(-1).toPrecision(3)}`).join("; ")}`);
     $("picture").innerHTML = `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" ` +
@@ -442,15 +452,15 @@ function listenToMark() {
 function showSimulator() {
     const [[eps, speed, end], ...models] = tabs(cor.page.text("models", TEXT_DIGITS));
     const short = (text) => Number(Number(text).toPrecision(3)), title = $("for").selectedOptions[0].text;
-    const [model, , , , gives, set] = models[0] ?? [], same = short(gives) === short(eps) || set === "nan";
+    const [, model, , , , gives, set] = models[0] ?? [], same = short(gives) === short(eps) || set === "nan";
     $("gives").textContent = !model ? `No model of ${title} takes a restitution e: the lines set the damping itself.`
         : gives === "nan" ? `${title}, ${model}, refuses e = ${short(eps)}.`
             : `${title}, ${model}: asked e = ${short(eps)}, gives ${short(gives)} at ${speed} m/s` +
                 (same ? "." : `; for ${short(eps)} at ${end} set e = ${short(set)}.`);
-    table("models", ["model", "version", "law", "contact ends at", `gives, asked ${eps}`, "e to set"], models);
+    table("models", ["number", "model", "version", "law", "contact ends at", `gives, asked ${eps}`, "e to set"], models);
     let lines = "", why = "";
     try {
-        lines = $("materials").value.trim() === "" ? cor.page.text("lines") : blockOf($("materials").value);
+        lines = $("materials").value.trim() === "" ? cor.page.text("lines", 1) : blockOf($("materials").value);
     } catch (error) {
         why = error.message;
     }
@@ -462,13 +472,9 @@ function showSimulator() {
 function showResults() {
     const [head, ...rows] = csv(cor.page.text("table", TEXT_DIGITS, 1)), end = head.indexOf("measured_end");
     const order = (row) => end < 0 ? row : [row[end], ...row.filter((_, i) => i !== end)];
-    const of = (start) => rows[0]?.[head.findIndex((name) => name.startsWith(start))] ?? "nan";
-    const bias = of("step_bias"), integrator = cor.page.text("integrator");
+    const integrator = cor.page.text("integrator");
     showAnswer();
     table("impacts", order(head), rows.map(order));
-    $("step").textContent = of("time_step") === "nan" ? "The time step needs spheres or a spring."
-        : `Time step ${withUnit(of("time_step"), "s")}` + (bias === "nan" ? "."
-            : `: it changes eps by ${bias} on average, with a scatter of ${of("step_scatter")}.`);
     $("step-error").textContent = integrator === "" ? "cor does not know the error of this simulator's time step."
         : `The error of eps by the time step is for ${integrator}: mean and standard deviation over the phases of ` +
             "the first step. nan: not known, or over 20,000 steps in the contact.";
