@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* An elastic disk against a rigid wall: how long a slow one touches and how far it is compressed; eps to the first
- * order in its vibrations, which leaves out that they push back on the contact, and eps of all modes; and faster disks,
- * with all modes and with some modes at a softer wall. */
+/* Elastic disks against a rigid wall. Slow ones: contact time, compression, eps without the reaction of the vibrations
+ * on the contact (first order), and eps with all modes. Faster ones: eps with all modes, and with some modes at a
+ * softer wall. */
 #include <cor/disk.h>
 #include <cor/status.h>
 #include <math.h>
@@ -22,7 +22,7 @@ int main(void)
                cor_disk_max_compression(speed, 0.33, datum), sqrt(1 - r.fraction - r.tail), modes);
         if (speed >= COR_DISK_EPS_MIN_SPEED) {
             printf("%.6f +- %.0e\n", cor_disk_eps(speed, 0.33), cor_disk_eps_uncertainty(speed, 0.33));
-        } else { /* the table has ended: the collision itself */
+        } else { /* beyond the table: computes the collision */
             const struct cor_disk_hard_wall_options options = {.tolerance = 1e-5};
             struct cor_disk_hard_wall wall;
             const int solved = cor_disk_hard_wall_nu(0.33, &options, speed, &wall);

@@ -43,7 +43,7 @@ int main()
     for (std::size_t i = 0; i < eps.size(); i++)
         std::printf("%5.2f m/s: eps = %.6f\n", speed_m_s[i], eps[i]);
 
-    // a scalar function is a function as any other for algorithms
+    // algorithms accept scalar functions
     std::vector<double> loss;
     const std::span all(speed_m_s);
     std::transform(all.begin(), all.end(), std::back_inserter(loss),

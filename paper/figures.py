@@ -535,7 +535,7 @@ def oscillation():
     """Not in the paper: energy left in the modes at small speed, from the full dynamics, against Rayleigh's curve"""
     limits = [limit_of(NU, v) for v in SLOW_SPEEDS]
     uncertain = [limit.uncertainty / limit.one_minus_eps2 for limit in limits]
-    # the first speed from which on every limit has an uncertainty of at most 6 %
+    # at this speed and above, every limit has an uncertainty of at most 6 %
     first = max(i + 1 for i in range(len(limits)) if not uncertain[i] <= 0.06)
     dynamic = [wall_line(NU, SIZES[-1], v).at_zero for v in SLOW_SPEEDS]
     theory = [of_all_modes(v) for v in SLOW_SPEEDS]
@@ -576,8 +576,8 @@ def rigid_wall():
         rows += ["", ""] if nu == NU else []
 
     def miss(nu, speeds, limit=limit_of):
-        """Returns the largest distance of the extrapolations from the limit, its speed, and its part of the
-        limit. Also returns how many exceed their uncertainty plus that of the limit, and the number of all."""
+        """Returns the largest distance of the extrapolations from the limit, its speed, and its part of the limit.
+        Also returns the number of distances above the uncertainties of both, and the number of all."""
         walls = [hard_wall(nu, v) for v in speeds]
         limits = [limit(nu, v) for v in speeds]
         off = [one.one_minus_eps2 - wall.one_minus_eps2 for one, wall in zip(limits, walls)]

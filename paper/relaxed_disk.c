@@ -174,8 +174,8 @@ static int newton_step(struct relaxed_disk *disk)
     return 1;
 }
 
-/* Adds the Newton step to ln f. If f grows, Newton in ln f overshoots, but Newton in f, ln f + ln(1 + d), does not. It
- * is slow while f is so small that the point itself bends the disk by less than 1/alpha: so far f may rise freely. */
+/* Adds the Newton step to ln f. If f grows, Newton in ln f overshoots, but Newton in f, ln f + ln(1 + d), does not. The
+ * latter is slow for a tiny f, so f may rise freely until the point itself bends the disk by 1/alpha. */
 static void advance(struct relaxed_disk *disk)
 {
     for (size_t i = 0; i < disk->points; i++) {

@@ -87,7 +87,7 @@ static double formula_thornton(double e)
     return sqrt(1.2) * cor_thornton_gamma(e);
 }
 
-/* Returns the damping between 0 and 16, halved this number of times. */
+/* Returns the damping by bisection of [0, 16]. times: number of halvings */
 static double bisected(double e, int times)
 {
     double low = 0, high = 16;
@@ -178,7 +178,7 @@ static long double exact_oblique(long double tangent)
     return oblique((double)tangent); /* within COR_OBLIQUE_ERROR */
 }
 
-/* The same by velocity Verlet, as LAMMPS, with 1000 steps */
+/* Integrates that impact by velocity Verlet, like LAMMPS, with 1000 steps. */
 static double formula_oblique(double tangent)
 {
     const double h = 3.218e-3;

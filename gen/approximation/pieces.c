@@ -54,7 +54,7 @@ struct cell pieces_cell(const struct pieces *p, slong row)
     }
     cell.lo = cell.node - step / 2;
     cell.hi = cell.node + step / 2;
-    if (p->floats) /* in beta, not beta 2^-octave */
+    if (p->floats) /* y is beta, not beta 2^-octave */
         return (struct cell){ldexp(cell.node, (int)cell.octave), ldexp(cell.lo, (int)cell.octave),
                              ldexp(cell.hi, (int)cell.octave), 0, true};
     if (!by_octaves(p) && p->variable != VARIABLE_LOG_BETA)

@@ -77,7 +77,7 @@ void emit_lines(struct emit *e, const char *text, ...);
 uint64_t emit_bits_of(bool single, double x); /* for $b */
 
 /* Define `name` as a polynomial in a variable by Horner's rule: of c[0], c[step], ... up to c[degree], or of a row of a
- * table. Every product is added, so that compilers differ only by fused products. */
+ * table. An addition follows every product, so compilers differ only if they fuse the two. */
 void emit_let_polynomial(struct emit *e, const char *name, const char *x, const double *c, slong degree, slong step);
 void emit_let_row_polynomial(struct emit *e, const char *name, const char *table, const char *row, const char *t,
                              slong degree);

@@ -27,7 +27,7 @@ struct cor_rim {
     size_t used_terms;      /* the largest k with a cosine, plus 1 */
     size_t terms, points;   /* cos(k phi_j), k < terms, j < points: multiples of COR_PANEL */
     const double *by_point; /* [(j / COR_PANEL) terms + k][j % COR_PANEL] = cos(k phi_j) */
-    const double *by_term;  /* [(k / COR_PANEL) points + j][k % COR_PANEL], the same */
+    const double *by_term;  /* [(k / COR_PANEL) points + j][k % COR_PANEL] = cos(k phi_j) */
 };
 
 /* Arrays over n have blocks times COR_LANES elements, arrays over terms at least two more, arrays over angles
@@ -116,7 +116,7 @@ struct cor_collision_state {
 };
 
 enum cor_collision_outcome {
-    COR_RUN_ENDED,      /* for a kick: it was made */
+    COR_RUN_ENDED,      /* the run ended, or the kick was made */
     COR_RUN_TOO_STIFF,  /* the step is too large */
     COR_RUN_TOO_NARROW, /* the window omitted a significant pressure */
     COR_RUN_TOO_LONG    /* more than COR_DISK_COLLISION_MAX_STEPS or the call's budget */
@@ -169,8 +169,8 @@ double cor_collision_results(const struct cor_motion *m, const struct cor_collis
 /* Sets the mean energies from m->average, or NaN if no run has them. */
 void cor_collision_averages(const struct cor_motion *m, const struct cor_collision_run *run, int levels,
                             double *energy_average);
-/* Return how far the last run moved the extrapolated result, and the difference between the last two runs. Each is the
- * larger of two numbers: the change of eps, and half the norm of the energy changes in units of (pi/2) v^2. */
+/* Return the change of the extrapolated result by the last run, and the difference between the last two runs. Each is
+ * the larger of two numbers: the change of eps, and half the norm of the energy changes in units of (pi/2) v^2. */
 double cor_collision_movement(const struct cor_motion *m, const struct cor_collision_run *run, int levels);
 double cor_collision_difference(const struct cor_motion *m, const struct cor_collision_run *run, int levels);
 

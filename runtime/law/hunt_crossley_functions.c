@@ -213,8 +213,8 @@ static void crossley_rule_make(struct crossley_rule *rule, double a)
     }
 }
 
-/* Returns the beginning of the panel that ends at w. It is 0, or about as far from the singularity of w^-k as the panel
- * is long, or farther. */
+/* Returns the beginning of the panel that ends at w. It is 0, or its distance from the singularity of w^-k is about the
+ * length of the panel or more. */
 static double crossley_panel(const struct crossley_side *side, double w)
 {
     const double tau = side->end * w, least = 0x1p-52 * side->end; /* shorter panels are negligible */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Vectors of VECTOR doubles for loops that are compiled once for every instruction set. No set may fuse a
- * multiplication with an addition, and sums must have the same parts for all widths. All sets then give the same
- * bits. */
+ * multiplication with an addition, and sums must be split into the same parts for all widths. All sets then give the
+ * same bits. */
 #ifndef COR_RUNTIME_KERNEL_VECTOR_H
 #define COR_RUNTIME_KERNEL_VECTOR_H
 

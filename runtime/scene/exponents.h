@@ -51,7 +51,7 @@ COR_INLINE int cor_law_is_hunt_crossley(const struct cor_exponents *law)
     return law->elastic == law->damping;
 }
 
-/* True if every number of a contact is in range, 0 where it may be, or NaN where it may be unknown (contact.c) */
+/* True if every number of a contact is in range, or is an allowed 0 or NaN (contact.c) */
 int cor_contact_is_sound(const struct cor_scene_contact *contact);
 int cor_law_is_sound(const struct cor_exponents *law);
 

@@ -85,7 +85,7 @@ struct text {
     const struct cor_simulator *simulator;
     int commented; /* each line becomes a comment */
     int at_start;  /* the next character begins a line */
-    int known;     /* all numbers since this became 1 were known */
+    int known;     /* 1: no unknown number was written since this was set */
 };
 
 static void put_raw(struct text *t, const char *from)
@@ -207,7 +207,8 @@ static const struct cor_material *material_of(const struct cor_simulator_request
     return m;
 }
 
-/* Returns the contact of two types in any order. Two walls never touch: the first ball and the second wall. */
+/* Returns the contact of two types in any order. For two walls, which never touch: of the first ball and the second
+ * wall. */
 static struct cor_material_contact *contact_of(const struct cor_simulator_request *request, size_t i, size_t j)
 {
     const size_t first = i < j ? i : j, last = i < j ? j : i;
@@ -311,7 +312,7 @@ static int model_suits(const struct cor_simulator_model *model, const struct tas
                     : cor_simulator_has_one_eps(model, task->request->contacts));
 }
 
-/* True for a sphere with Hertz's force at a wall that makes it softer */
+/* True for a sphere with Hertz's force at a wall, if the simulator reduces the stiffness at walls */
 static int has_soft_wall(const struct task *task)
 {
     return task->simulator->wall_divides > 0 && task->request->scene->wall &&
@@ -381,7 +382,7 @@ static double step_of(const struct cor_scene_contact *c, const struct task *task
         own = NAN;
     if (pair == PAIR)
         *steps = own;
-    if (c->force_n > 0 && tolerance == 0) { /* under a force bodies stay in contact, or fly before they part */
+    if (c->force_n > 0 && tolerance == 0) { /* a force may hold the bodies, or they fly before they part */
         struct cor_scene_impact bounce = impact;
         struct cor_scene_contact undamped = *c;
         undamped.damping = 0;
@@ -881,7 +882,7 @@ static void put_realised(struct text *t, const struct block *block, const struct
     const size_t speeds = request->speeds > 0 ? request->speeds : (size_t)!isnan(*speed);
     for (size_t i = 0; i < speeds; i++) {
         const double eps = realised_eps(block, task, speed[i]);
-        /* An implicit method damps much even with a 50th of the contact, so its error is printed without a request. */
+        /* Implicit methods damp strongly even with 50 steps in a contact, so their error is always printed. */
         const int implicit = integrator_of(task) == COR_IMPLICIT_EULER && !isnan(block->time_step_s);
         if (!isnan(eps) && (request->step_errors || implicit) && block->model->law != COR_LAW_IMPULSE)
             put_stepped(t, block, task, speed[i], eps);
@@ -1013,7 +1014,7 @@ static void put_yielding(struct text *t, struct task *task)
         put_comment(t, "%s", task->simulator->yielding);
     else if (task->simulator->luding)
         put_luding(t, task, task->target[PAIR].speed_m_s, task->target[PAIR].eps);
-    else if (!task->has_law) /* by a function of the speed */
+    else if (!task->has_law) /* lines that call a function of the speed */
         put_comment(t, "cor knows no model of %s for spheres that yield.", task->simulator->title);
 }
 
@@ -1493,7 +1494,7 @@ static void put_largest(struct text *t, const struct block *block, const struct 
     if (!needs_mass(block, own) || !isgreater(c.mass_kg, small.mass_kg) || !model->damping_of_number)
         return;
     struct cor_scene_contact made = c;
-    if (model->id == COR_CHRONO_HERTZ) { /* one radius of curvature, from its lines, for every contact */
+    if (model->id == COR_CHRONO_HERTZ) { /* its lines contain one radius for all contacts */
         made.stiffness = small.stiffness;
         made.radius_m = small.radius_m;
     }

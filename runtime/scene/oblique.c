@@ -72,7 +72,7 @@ static double first_fall(const double *series, double end)
     const double level = -TOLERANCE * size;
     if (c[0] < level)
         return 0;
-    if (2 * c[0] > size) /* no other terms outweigh the first */
+    if (2 * c[0] > size) /* the other terms cannot change the sign */
         return INFINITY;
     for (int i = 1; i <= PARTS; i++) {
         double low = (double)(i - 1) / PARTS, high = (double)i / PARTS, middle;

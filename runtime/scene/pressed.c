@@ -269,8 +269,7 @@ double cor_pressed_sticking_speed(const struct cor_exponents *law, double dampin
     double x = fmin(cor_quiet_power(START / fmax(damping, 1), 1 / (b + 0.5)), cor_quiet_power(START, 1 / a));
     m.loss[0] = -cor_quiet_product(cor_quiet_product(sqrt(2), damping), cor_quiet_power(x, b + 1.5)) / (b + 1.5);
     m.v[0] = sqrt(2 * (x - m.loss[0] - cor_quiet_power(x, a + 1) / (a + 1)));
-    if (end == COR_END_ZERO_FORCE &&
-        2 * (a - b) > 1) { /* the force vanishes with just the speed of the flight to x = 0 */
+    if (end == COR_END_ZERO_FORCE && 2 * (a - b) > 1) { /* at the speed of a flight that just reaches x = 0 */
         x = cor_quiet_power(cor_quiet_product(cor_quiet_product(2, damping), damping), 1 / (2 * (a - b) - 1));
         m.loss[0] = 0;
         m.v[0] = sqrt(2 * x);

@@ -222,7 +222,7 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
                 "zplane 0 NULL") "wfix cor_wall_{i}_{j} cor_{i} wall/gran granular " spring                            \
                                  " {n} tangential linear_nohistory 0 0 damping " damping " {plane}\n",                 \
     .pairs = COR_PAIRS_LINES
-/* The plane of a wall of a material, which a user may define before */
+/* The plane of a material's wall. Users may define the variable before these lines. */
 #define WALL_PLANE(plane)                                                                                              \
     "v# the plane of wall {j}: for another one define this variable before these lines\n"                              \
     "vvariable cor_wall_{j} index \"" plane "\"\n"

@@ -17,7 +17,7 @@ struct cor_contact_function {
     double (*of_eps)(const struct cor_sphere_contact *contact, double speed, double eps);
 };
 
-/* The loop of a set; Only CONTACT_DISSIPATION uses the argument `eps`. */
+/* The loop of a set. Only CONTACT_DISSIPATION uses the argument `eps`. */
 struct cor_contact_loops {
     void (*run)(const struct cor_contact_function *f, const struct cor_sphere_contact *contact, const double *speed,
                 const double *eps, double *out, size_t n);

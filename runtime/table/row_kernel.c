@@ -66,7 +66,7 @@ COR_KERNEL size_t whole_blocks(size_t m)
 
 /* ---- first loop: numbers in the table ---- */
 
-/* True if the table contains x, which may be `also`. */
+/* True if the table contains x, or if x is `also`. */
 COR_KERNEL mask table_has(const struct cor_row_table *table, double x)
 {
     return is_between(x, table->least, table->end) | is_same(x, table->also);

@@ -128,7 +128,7 @@ static void motion_expand(void)
         arb_div_si(m.w + n + 1, m.v + n, 2 * (n + 1), m.bits);
         arb_div_si(m.s + n + 1, m.w + n, n + 1, m.bits);
     }
-    /* f passes zero where mu^2 w^2 dominates, w where the speed does */
+    /* scales for the errors of f and w near their zeros: there mu^2 w^2 and the speed are the large terms */
     const double scale_f = fmax(log2_size(m.f), log2_size(m.square) + 2 * log2_size(m.mu));
     const double scale_w = fmax(log2_size(m.w), log2_size(m.v));
     arb_set_d(m.step, exp2(fmin(step_log2(m.f, scale_f), step_log2(m.w, scale_w))));

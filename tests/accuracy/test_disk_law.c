@@ -46,7 +46,8 @@ static double random_nu(void)
 #define COMPRESSION "load/pi*(log(4*pi/load) + b)"
 #define ENERGY "load^2/(2*pi)*(log(4*pi/load) + b - 1/2)"
 
-/* The tested functions of x. With a z, w = -W_-1(-z) gives the load, which inserted into the law must give x again. */
+/* The tested functions of x. If z is given, the load follows from w = -W_-1(-z); inserted into the law it must give
+ * x. */
 static const struct disk_function {
     const char *name;
     double (*value)(double argument, double nu, enum cor_disk_datum datum);

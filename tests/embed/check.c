@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* An embedded scene header, included twice beside another one, against libcor: prints the largest relative error over
- * the range and fails where it is above the tolerance or a special value is wrong.
- * tests/embed/run writes files that include this one after the macros HEADER, OTHER, FUNCTION, OTHER_FUNCTION,
- * SPEED_MIN, SPEED_MAX, TOLERANCE, LIBRARY, REAL, and CONTACT, which fills `contact`. */
+/* Compares an embedded scene header, included twice together with another one, with libcor. Prints the largest relative
+ * error over the range. Fails if it exceeds the tolerance or a special value is wrong. tests/embed/run writes files
+ * that define the macros HEADER, OTHER, FUNCTION, OTHER_FUNCTION, SPEED_MIN, SPEED_MAX, TOLERANCE, LIBRARY, REAL, and
+ * CONTACT, which fills `contact`, and then include this one. */
 #include HEADER
 #include HEADER
 #include OTHER
@@ -12,7 +12,7 @@
 #include <cor/cor.h>
 
 #ifdef __CUDACC__
-/* the same on the device, if there is one; compiled in any case */
+/* computes eps on the device, if it exists; always compiled */
 __global__ void on_device(const REAL *speed, REAL *eps, int n)
 {
     const int i = (int)(blockIdx.x * blockDim.x + threadIdx.x);
@@ -48,10 +48,10 @@ int main(void)
     if (!(worst <= TOLERANCE))
         return 1;
 
-    /* volatile, for a compiler may fuse products where it computes constants and not in the program */
+    /* volatile, because compilers may fuse products only where they compute constants */
     const volatile REAL ends[] = {(REAL)low, (REAL)high};
     const double first = (double)FUNCTION(ends[0]), last = (double)FUNCTION(ends[1]);
-    const REAL infinity = (REAL)INFINITY, nan = (REAL)NAN; /* casts, for NAN is a float */
+    const REAL infinity = (REAL)INFINITY, nan = (REAL)NAN; /* casts, because NAN is a float */
     const volatile REAL below[] = {0, -(REAL)0.0, (REAL)(low / 2), (REAL)(low / 1e30)},
                         above[] = {(REAL)(high * 2), infinity};
     for (int i = 0; i < 4; i++)

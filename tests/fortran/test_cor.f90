@@ -133,7 +133,7 @@ contains
     call expect('datum', all(cor_disk_load(0.1_c_double, 0.33_c_double, [0_c_int, 1_c_int, 2_c_int]) > 0.07_c_double))
   end subroutine
 
-  ! Every one of them, left out and given: tests/fortran/run counts those of the module.
+  ! Calls with and without each optional argument; tests/fortran/run counts the optional arguments of the module.
   subroutine optional_arguments()
     character(kind=c_char), target, save :: room(2**22)
     type(c_ptr) :: at

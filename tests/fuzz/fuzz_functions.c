@@ -9,7 +9,7 @@
 
 enum { REFUSED = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW, FEW = 4 };
 
-/* Bits from the input, and then random numbers that all of it determines */
+/* Bits of the input. When it ends, random numbers follow, whose seed depends on the whole input. */
 struct input_bits {
     struct bit_source source;
     struct input in;

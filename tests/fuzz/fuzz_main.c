@@ -38,7 +38,7 @@ size_t LLVMFuzzerMutate(uint8_t *data, size_t size, size_t max_size)
         case 1:
             data[at] = (uint8_t)any_below(256);
             break;
-        case 2: /* a piece of it, elsewhere */
+        case 2: /* copies another byte of the input */
             data[at] = data[any_below(size)];
             break;
         case 3:

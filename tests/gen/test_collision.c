@@ -551,7 +551,7 @@ TEST(test_sticking_force)
     assert_int_equal(collision_sticking_force(force, beta, &constant, 0, 30), 0);
     assert_true(arb_is_one(force));
     assert_int_equal(collision_sticking_speed(force, beta, &constant, 0, 30), 1);
-    for (int k = 0; k < 2; k++) { /* never turns; under the force 1 the speed 1 is used up at 1 = beta x^2/2 */
+    for (int k = 0; k < 2; k++) { /* never turns; a force of 1 leaves beta x^2/2 = 1, the impact speed */
         arb_set_si(force, 1 + k);
         assert_int_equal(collision_solve_pressed(c, beta, force, &constant, -1, 30), 0);
         assert_true(arb_is_zero(c->eps_zero_overlap) && arb_is_zero(c->eps_zero_force) && !arb_is_finite(c->t_max));

@@ -227,7 +227,7 @@ TEST(any_two_give_the_rest)
             check_near(got[0].stiffness, value[K], error);
             check_near(cor_scene_damping(&got[0], C), value[C], error);
         }
-    /* without damping, and without --end: a contact for each end, which lasts as long at its own */
+    /* without damping and without --end: a contact for each end, which lasts for the given time at that end */
     const double a = 1.5, elastic = cor_hunt_crossley_duration(0, a);
     const struct contacts tsuji =
         contacts_of(COR_LAW_TSUJI, COR_BOTH_ENDS, GIVEN({COR_SCENE_EFFECTIVE_MASS, 2e-3}, {T, 1e-3}),
@@ -316,7 +316,7 @@ TEST(other_laws)
 
 /* ---- a constant force: enclosed collisions against the integration in doubles ---- */
 
-static int stuck, held, parted; /* counts: bodies that stay together at zero overlap, at zero force; that part */
+static int stuck, held, parted; /* counts: bodies together at zero overlap, at zero force; bodies that part */
 
 static void check_pressed(const struct cor_exponents *exponents, double damping, double force_n, double speed)
 {

@@ -310,7 +310,7 @@ TEST(test_constant)
     }
 }
 
-/* Laws of one's own: proofs of the forms; a table against values of SciPy 1.10's PchipInterpolator; the ranges that are
+/* Own laws: proofs of the forms; a table against values of SciPy 1.10's PchipInterpolator; the ranges that are
  * refused. tests/python/test_own_law.py compares the headers with formulas. */
 TEST(test_own_laws)
 {

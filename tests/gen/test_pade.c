@@ -144,7 +144,7 @@ TEST(test_published)
     assert_null(pade_defects(a));
     assert_string_equal(f->variable, "x");
     assert_near(coefficient(f->p, 0), 1, 0);
-    for (int k = 0; k <= 4; k++) { /* the print, up to the six decimals of a_3 and a_4 */
+    for (int k = 0; k <= 4; k++) { /* the printed values, up to the six decimals of a_3 and a_4 */
         const double computed = k == 0 ? coefficient(f->p, 1) : coefficient(f->q, k);
         assert_near(computed, d[k], 5e-5);
         assert_near(computed, atof(published_d[k]), 2e-4);

@@ -436,7 +436,7 @@ TEST(test_hard_wall)
 
 /* ---- Rayleigh's energy ---- */
 
-/* A row has the numbers of the library's table, restricted to its modes, for every table of the sweep. */
+/* For every table of the sweep, a row has the results of the library's table cut to the number of modes of the row. */
 TEST(test_rayleigh)
 {
     struct sweep sweep = sweep_of("1e-3,0.05,0.4", "0.33", "100", "100");

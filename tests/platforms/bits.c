@@ -16,7 +16,7 @@ int main(int argc, char **argv)
     if (file == NULL)
         return 2;
     for (size_t f = 0; f < public_function_count; f++) {
-        /* the same arguments for each, so that none depends on how many results another has */
+        /* each function starts with the same seed, so no arguments depend on other functions */
         struct random_bits random = {{random_bits_next}, random_seeded(36)};
         struct results r = {NULL, 0, 0};
         for (int draw = atoi(argv[2]); draw > 0; draw--) {

@@ -398,7 +398,7 @@ struct gappa {
         expect(fits(id, at, names), pattern);
     }
 
-    /* Does the same, but names may get new operations, except `known` ones. */
+    /* Matches like match(), but a name may get another operation than before, unless it is one of the `known` names. */
     void match_anew(term id, const char *pattern, std::initializer_list<std::pair<std::string, term>> known)
     {
         gappa other;
@@ -952,7 +952,7 @@ static void write_rounding(const std::string &name, number error, number ulp)
     g.write(name + "_above", {"S >= 2"}, goal);
 }
 
-/* Gives the head of a root, of which only `interval` is assumed. */
+/* Gives the head of a root. The only assumption about the head is that it is in `interval`. */
 static void give_head(gappa &g, term id, const char *of, const std::string &interval)
 {
     g.call({{"r", id}});

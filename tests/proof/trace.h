@@ -52,7 +52,7 @@ struct node {
 
 static std::vector<node> nodes;
 static word path;
-static bool recording = true; /* otherwise only decisions: the search for pieces needs no operations */
+static bool recording = true; /* false: records only decisions, because the search for pieces needs no operations */
 
 inline const node &of(int id)
 {
@@ -154,7 +154,7 @@ inline Real variable(const std::string &name, number value)
 inline Real result_of(operation what, Real x, number value, const Real *y = nullptr)
 {
     if (x.constant() &&
-        (!y || y->constant())) /* the compiler computes it; each double of it is exact or rounded alike */
+        (!y || y->constant())) /* compilers compute it; each double is exact, or rounded as at run time */
         return Real(value);
     return recording ? Real(value, node_of(what, x.node(), y ? y->node() : -1, value)) : Real(value, 0);
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Laws of one's own: corgen's numbers and compiled headers, C and C++, against NumPy's long doubles and SciPy's PCHIP."""
+"""Own laws: corgen's numbers and compiled headers, C and C++, against NumPy's long doubles and SciPy's PCHIP."""
 
 import ctypes
 import os

@@ -335,7 +335,7 @@ def yade_gravity(work):
 
 def yade_vn(work):
     """The spheres' law: YADE finds A from en at vn by its Pade approximant. With en = eps the result differs from
-    eps by the error of the approximant, mirrored, and by nothing else."""
+    eps only by the error of the approximant, with the opposite sign."""
     rights = [exact("zero_force", beta_at(speed)) for speed in SPEEDS]
     pades = [yade_pade(beta_at(speed)) for speed in SPEEDS]
     found = yade_eps(work, 1.5, [yade_sphere(MINDLIN % "en=%.17g, vn=%s" % (en, speed), speed, YADE_STEPS)
@@ -478,8 +478,8 @@ def unlike(host, work, seed):
 
 
 def several(host, work, seed):
-    """Measured contacts realise their eps; others the eps of the dissipation times, which like contacts give. The
-    comment on larger balls of one material is right."""
+    """Measured contacts have their eps. Other contacts have the eps that follows from the dissipation times of equal
+    bodies. The comment on larger balls of one material is right."""
     draw, end = random.Random(seed + 1), "zero-force" if host == "yade" else "zero-overlap"
     low, high, names = (1e7, 0.1, 2e-3, 1000), (1e9, 0.45, 6e-3, 8000), ["young", "poisson", "radius", "density"]
     balls = [["%.6g" % draw.uniform(*bounds) for bounds in zip(low, high)] for _ in "12"]

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Two equal spheres meet head-on under the callback that corgen contact --for rebound prints, at each of the given
- * speeds in m/s. callback.inc has those lines. The program prints for each speed
+ * speeds in m/s. callback.inc has the lines of the callback. The program prints for each speed
  *     eps SPEED VALUE
- * With COR_REBOUND defined REBOUND finds and resolves the collision. Otherwise a struct with the callback alone stands
- * for REBOUND's, and the speeds follow the formula of its src/collision.c. */
+ * If COR_REBOUND is defined, REBOUND finds and resolves the collision. Otherwise a struct that has only the callback
+ * replaces REBOUND's struct, and the speeds follow the formula of its src/collision.c. */
 #include <stdio.h>
 #include <stdlib.h>
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Rewording every label, sentence and template of runtime/scene changes no number. In a test build their letters are
-other letters; it prints the same lines and the same maps of every model, except for letters. A build in which a label
-decides a number does not.
+"""Rewording labels, sentences and templates of runtime/scene changes no number. A test build replaces their letters by
+other letters. It must print the same lines and the same maps of every model, except for letters. If a label decided a
+number, they would differ.
 
     tests/simulators/reworded.py    CORGEN names the program, next to libcor_scene.a
 """

@@ -216,7 +216,7 @@ static void disk_draw(struct arguments *a, struct bit_source *source, size_t i)
     a->tolerance[i] = draw_below(source, 4) ? draw_size(source, 1e-6, 1) : any_number(source);
 }
 
-/* Copies a table of the library and replaces some entries by numbers out of place, or that no mode has. */
+/* Copies a table of the library. Replaces some entries by other entries, or numbers in them by numbers of no mode. */
 static void harm_modes(struct cor_disk_mode *mode, struct bit_source *source)
 {
     memcpy(mode, cor_disk_modes_nu033.mode, PUBLIC_MODES * sizeof *mode);

@@ -23,7 +23,7 @@ static struct cor_sphere_contact contact_of_g_star(double g_star)
     return c;
 }
 
-/* Some contacts have a wall or a rigid partner as either body. It neither deforms nor dissipates. */
+/* Some contacts have a wall or a rigid partner as either body. This body neither deforms nor dissipates. */
 TEST(against_long_double)
 {
     const long double c1 = 1.15344885809528879913L;
@@ -173,7 +173,7 @@ static void all_nan(const struct cor_sphere_contact *c)
     special_speeds(c, 0);
 }
 
-/* Puts a wrong value into one member of a good body, which is then the first or the second. */
+/* Puts a wrong value into one member of a good body, and uses it as the first and as the second body. */
 static void refused(size_t member, double value, int status)
 {
     struct cor_body wrong = glass;

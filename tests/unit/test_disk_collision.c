@@ -170,8 +170,8 @@ static struct cor_disk_modes modes_cut(const struct cor_disk_modes *modes, const
     return (struct cor_disk_modes){modes->nu, count, some};
 }
 
-/* The modes with listed n and those below a frequency; all modes without a list. Tolerances fall from `from` by
- * `ratio`. If `from` is 0: only 1e-11, and all numbers of a reference. */
+/* Each scene has the modes with n in of_n and the modes below a frequency, or all modes if of_n is NULL. Tolerances
+ * decrease from `from` by `ratio`. `from` = 0: only 1e-11, and compares all numbers with a reference. */
 TEST(reference)
 {
     const struct {

@@ -66,7 +66,7 @@ TEST(drift)
 
 /* ---- kick ---- */
 
-enum { MODES = 34 }; /* at most: n up to 13, in one or two blocks of lanes */
+enum { MODES = 34 }; /* largest number; then n is at most 13, in one or two blocks of lanes */
 
 /* The potential of (15.1), U = V - (h^2/24) |grad V|^2/m, with V = (1/alpha) int exp(alpha x(phi)) dphi by the rule of
  * phi angles. Its gradient in x_0 and Q is from central differences. *fastest: the largest acceleration of the rim */
@@ -128,7 +128,7 @@ TEST(kick)
         COR_CLEAR_DOUBLES(m->size.cells, m->p);
         stage.now.depth = random_uniform(&draw, -1, 0.5) / p.alpha;
         stage.now.v = 0;
-        cor_collision_drift(m, 0, &stage.now); /* with time 0 and angles for h: only sums up the turned modes */
+        cor_collision_drift(m, 0, &stage.now); /* time 0, but the angles of h: turns the modes and adds them up */
         y[0] = stage.now.depth;
         for (size_t i = 0; i < p.modes; i++)
             y[1 + i] = m->q[m->place[i]] / sqrtl(mass * (long double)m->mode[i].omega);
@@ -272,7 +272,7 @@ TEST(energies)
     const struct cor_motion m = {.size.modes = 2, .after = {after[0], after[1]}};
     struct cor_collision_run run[2] = {{.number = 1, .eps = 0.8}, {.eps = 0.8}};
     struct cor_disk_collision out = {0};
-    /* energies that change while eps does not also count: by 4/3 of the differences */
+    /* a change of the energies without a change of eps counts, too: 4/3 of the differences */
     assert_true(fabs(cor_collision_movement(&m, run, 2) - 0.5 * 4 / 3 * 0.01 * sqrt(2)) < 1e-15);
     /* a negative energy counts as 0, and the results report its size: weights 4/3 and -1/3 */
     after[1][0] = 0.25;

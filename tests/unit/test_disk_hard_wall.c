@@ -281,7 +281,8 @@ struct watched {
     size_t not_to_return;                /* moments since no part of the rim can return to the wall */
 };
 
-/* Bounds the rim's motion by the modes: most has all amplitudes, least reduces those near Omega by their fade. */
+/* Bounds the rim's motion by the sum of the amplitudes of the modes. least: amplitudes near Omega are reduced by the
+ * cutoff */
 static void swing_of(const struct watched *w, double *most, double *least)
 {
     double omega = 0;
@@ -489,14 +490,14 @@ TEST(parts_of_the_estimate)
     /* the second last change counts; the usual error at Omega = 240 is below three times the last change */
     double estimate = estimate_and_changes(0.1285, 0.06194, tolerance, 8, change);
     check(relative_error(estimate, change[1] + noise + UNSEEN / pow(first_omega(7), 2)) < 1e-9, "%.17g", estimate);
-    EACH (tolerances, tolerance, 3e-6) { /* for a larger tolerance, plus the noise in excess of that for 1e-6 */
+    EACH (tolerances, tolerance, 3e-6) { /* a larger tolerance adds noise to the noise for 1e-6 */
         estimate = estimate_and_changes(0.3305, 0.06118, *tolerances, 9, change);
         const double usual = 6.8e-7 * pow(680 / 240.0, 3.5) + 0.23 * fmax(change[0], change[1]),
                      more = NOISE * pow(*tolerances / 4e-6, 2.5 / 3) - noise;
         check(relative_error(estimate, usual + more) < 1e-9, "%.17g, not %.17g", estimate, usual + more);
     }
     /* a point contact has its own error */
-    for (size_t levels = 5; levels <= 7; levels++) { /* the last change counts most, the one before, the third */
+    for (size_t levels = 5; levels <= 7; levels++) { /* the largest of three changes counts */
         estimate = estimate_and_changes(0.33, 1e-8, tolerance, levels, change);
         const double most = fmax(fmax(3 * change[0], change[1]), 0.3 * change[2]),
                      expected = most + noise + UNSEEN / pow(first_omega(levels - 1), 2) + 3e-8;

@@ -209,7 +209,7 @@ TEST(harmed_lines)
          {"mode 2 0 0x1p+0 0x1p+0 0x1p+0", "mode 2 0 0x1p+0", "modes 2 0", "2 0", "mode 0 0 0x1p+1 0x1p+0 0x0p+0",
           "mode 0 0 -0x1p+1 0x1p+0 0x0p+0", "mode -2 0 0x1p+0 0x1", "mode 2147483648 0",
           "mode 0 0 0x0p+0 0x0p+0 0x0p+0",
-          /* like a mode line: wrong S for n = 0, trailing space, wrong word */
+          /* lines that resemble a mode line: wrong S for n = 0, trailing space, wrong word */
           "mode 0 0 0x1p+1 0x1.279a74590331cp+0 0x1p+0", "mode 0 0 0x1p+1 0x1.279a74590331cp+0 0x0p+0 ",
           "modes 0 0 0x1p+1 0x1.279a74590331cp+0 0x0p+0"}}};
     const struct cor_disk_mode *const m = cor_disk_modes_nu033.mode;

@@ -396,7 +396,7 @@ TEST(hertz_dashpot_known)
         {COR_END_ZERO_FORCE, COR_MAX_OVERLAP, 0.5, 0.791261564952323956L},
         {COR_END_APPROACH_ONLY, COR_EPS, 0.5, 0.667490488913183823L},
         {COR_END_APPROACH_ONLY, COR_DAMPING_OF_EPS, 0.667490488913183823, 0.5},
-        {COR_END_ZERO_FORCE, COR_DAMPING_OF_LOSS, 0.463, 0.400583306380001424L}, /* of a rounded cube root */
+        {COR_END_ZERO_FORCE, COR_DAMPING_OF_LOSS, 0.463, 0.400583306380001424L}, /* the cube root is rounded */
         {COR_END_ZERO_OVERLAP, COR_EPS, 1, 0.041320343494337112L},
         {COR_END_ZERO_FORCE, COR_EPS, 1, 0.251843353467950750L},
         {COR_END_ZERO_FORCE, COR_EPS, 5, 0.015357698164110697L},
@@ -572,7 +572,7 @@ TEST(slip_in_oblique_impacts)
     }
 }
 
-/* The functions of the table have the names, domains and values of their place in it. */
+/* Each function of the table has the name, domain and values that its law, end and quantity require. */
 TEST(table)
 {
     size_t count = 0;

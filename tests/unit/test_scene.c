@@ -13,7 +13,7 @@ TEST(unlike_bodies)
     enum { YOUNG, POISSON, RADIUS, DENSITY, MASS, TIME, VISCOSITY, BULK, NUMBERS };
     static const double range[][2] = {{1e6, 1e12}, {0.01, 0.49}, {1e-6, 1}, {100, 1e4},
                                       {1e-9, 10},  {1e-9, 1e-3}, {1, 1e6},  {1, 1e6}};
-    static const int group[NUMBERS] = {0, 1, 2, 3, 3, 4, 4, 4}; /* given together, or one of them */
+    static const int group[NUMBERS] = {0, 1, 2, 3, 3, 4, 4, 4}; /* numbers of one group are missing together */
     for (size_t i = 0; i < points(2000); i++) {
         struct cor_scene scene = scene_without_numbers(COR_LAW_VISCOELASTIC);
         struct cor_scene_contact contacts[COR_SCENE_ENDS];

@@ -341,8 +341,8 @@ TEST(bodies_that_differ_in_one_number)
     }
 }
 
-/* Without dissipation times like pairs have zeta of the pair: eps, by LIGGGHTS's exact formula, is equal. YADE has the
- * numbers of both materials. */
+/* Without dissipation times, equal bodies have zeta of the pair, so eps is equal by LIGGGHTS's exact formula. YADE has
+ * the numbers of both materials. */
 TEST(unlike_bodies_of_a_constant_law)
 {
     for (size_t effect = 0; effect <= OF_BODY; effect += effect + 2 == OF_BODY ? 2 : 1) { /* no dissipation times */
@@ -368,7 +368,7 @@ TEST(unlike_bodies_of_a_constant_law)
         const struct cor_sphere_contact c = pair_of(n[0], n[1], 0);
         scene.law = cor_law_exponents[COR_LAW_VISCOELASTIC];
         scene_give(scene, {COR_SCENE_ZETA, NAN}, {COR_SCENE_G_STAR, 1});
-        /* like pairs without their own A have A of the pair, C/K */
+        /* equal bodies without their own A have A of the pair, C/K */
         at = text_for("lammps", NULL, &scene, 1);
         const double mass_kg[] = {pair_of(n[0], n[0], 0).effective_mass_kg, pair_of(n[1], n[1], 0).effective_mass_kg,
                                   c.effective_mass_kg};

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """A gas of viscoelastic spheres cools in LAMMPS with the line of corgen contact --for lammps. Its temperature is
-compared with kinetic theory, into which cor's eps(g) goes (theory.c).
+compared with kinetic theory for cor's eps(g) (theory.c).
 
     tests/simulators/gas/cool.py             500 spheres, for the tests; CORGEN and LMP name the programs
     tests/simulators/gas/cool.py --lattice 50x50x40:20 [--ranks 2] [--results FOLDER] [--write]
                                              100,000 spheres and, for the statistical error, eight gases of 2000.
-                                             FOLDER keeps each gas; a gas that lies there is not simulated again
-A third number, as in 50x50x40:12:50, makes so many time steps in the shortest contact, with the damping of the lines.
-Without it they are 12, and the damping is corrected for them.
+                                             FOLDER stores each gas; a stored gas is not simulated again
+A third number, as in 50x50x40:12:50, is the number of time steps in the shortest contact, with the damping of the
+lines. Without it 12 steps are used, and the damping is corrected for them.
 --write renews docs/gas/ and the numbers of docs/at-scale.md from the results.
 """
 import argparse

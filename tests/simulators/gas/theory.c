@@ -17,14 +17,14 @@
  * time 0, SLOPE = d ln T/d ln(time + T/|dT/dt| at time 0), and CONTACT the mean number of spheres that touch a sphere.
  *
  * Velocities c are in units of v_T = sqrt(2 T/m), B = v_T g_2 d^2 n with the number density n, the diameter d and
- * Carnahan and Starling's g_2. The equations are those of Brilliantov and Poeschel, Kinetic Theory of Granular Gases,
+ * Carnahan and Starling's g_2. The equations are from Brilliantov and Poeschel, Kinetic Theory of Granular Gases,
  * Oxford University Press (2004):
  *
  *     dT/dt = -(2/3) B mu_2 T,     da2/dt = (4/3) B mu_2 (1 + a2) - (4/15) B mu_4
  *
- * mu_2 and mu_4, the moments of the collision integral, contain eps(g) itself and not its series. The integrals over
- * all directions but the normal one are Gaussian moments: polynomials in G = g^2/2. The theory leaves out a2^2, higher
- * Sonine coefficients, correlations of the velocities, and collisions of three spheres. */
+ * mu_2 and mu_4, the moments of the collision integral, contain eps(g), not its series. Except along the normal, the
+ * integrals over directions are Gaussian moments: polynomials in G = g^2/2. The theory neglects a2^2, higher Sonine
+ * coefficients, correlations of the velocities, and collisions of three spheres. */
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_odeiv2.h>
@@ -52,8 +52,8 @@
  * of radius r share at distance d is (4/3) pi r^3 (1 - 3 d/(4 r) + d^3/(16 r^3)): it falls by (24/5) delta/d.
  *
  * STORED: a contact stores on average 4/9 of its energy, B(7/5, 1/2)/B(2/5, 1/2), and its energy is T on average. A
- * sphere touched by n_c others on average has (2/9) n_c T in its contacts beside (3/2) T, and n_c is proportional to
- * T^(2/5): the heat capacity is larger by the fraction (7/5) (4/27) n_c. */
+ * sphere touched by n_c others on average has the energy (2/9) n_c T in its contacts, in addition to (3/2) T. n_c is
+ * proportional to T^(2/5), so the heat capacity is larger by the fraction (7/5) (4/27) n_c. */
 #define TURNING (0.8 / 0.50445489426892577)
 #define SHADOW (4.8 * 0.88726381750307528 * 1.3195079107728942)
 #define STORED (1.4 * 4 / 27)

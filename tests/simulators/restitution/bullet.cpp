@@ -16,7 +16,7 @@ struct bullet_case {
     double speed_m_s;
 };
 
-/* Restitution of spheres that meet after `steps` steps */
+/* Returns the restitution of spheres that meet after `steps` steps. */
 static double restitution(const bullet_case &one, double steps, double step_s)
 {
     const btScalar radius = 0.05, mass = 0.0032;
