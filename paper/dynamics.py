@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The collisions of the full dynamics for several figures, docs/paper/collisions.csv; the paper's two extrapolations
-from them (section 4); and their limit, a disk with all its modes at a rigid wall."""
+"""The collisions of the full dynamics for several figures, docs/paper/collisions.csv. The paper's two extrapolations
+from them (section 4), and their limit, a disk with all its modes at a rigid wall."""
 import collections
 import concurrent.futures
 import ctypes

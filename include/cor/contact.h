@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The functions of this header compute beta of sphere.h, and eps at an impact speed, from materials and sizes in SI
- * units, for two spheres or a sphere and a wall.
+/* The functions of this header are for two spheres, or a sphere and a wall, in SI units. They compute beta of sphere.h,
+ * and eps at an impact speed, from materials and sizes.
  *
  *     bodies, filling a contact   cor_sphere_mass_kg, cor_sphere_contact_init, _init_g_star, cor_contact_g_star_m_s
  *     eps at a speed              cor_contact_beta, cor_contact_eps_zero_overlap, _zero_force
@@ -177,7 +177,7 @@ COR_API void cor_contact_dissipation_time_s_zero_force_array(const struct cor_sp
 
 /* Returns the dissipation time A of a Kelvin-Voigt solid, s, for a material whose viscous constants are known. The
  * arguments are Young's modulus Y > 0 (Pa), Poisson's ratio -1 < nu <= 1/2 and the viscous constants eta_1, eta_2 >= 0
- * (Pa s) in the notation of (4): eta_1 is twice the shear viscosity, eta_2 the bulk viscosity.
+ * (Pa s) in the notation of (4). eta_1 is twice the shear viscosity, eta_2 the bulk viscosity.
  *
  *     A = (1 + nu)/((1 - nu) Y) ((2/3) (1 - nu + nu^2) eta_1 + (1 - 2 nu)^2 eta_2)
  *

@@ -4,7 +4,7 @@
  *
  * A disk of radius R, Young's modulus E and mass per area rho meets a hard wall head on. By symmetry, two equal disks
  * that meet with twice the speed behave in the same way. All quantities are in units E = rho = R = 1: speeds in
- * sqrt(E/rho), times in R sqrt(rho/E), loads in E R, energies in E R^2, compressions in R; the mass of the disk is pi.
+ * sqrt(E/rho), times in R sqrt(rho/E), loads in E R, energies in E R^2, compressions in R. The mass of the disk is pi.
  * nu is Poisson's ratio in plane stress, -1 < nu < 1. For plane strain, replace the three-dimensional E and nu by E/(1
  * - nu^2) and nu/(1 - nu), (2).
  *
@@ -135,10 +135,10 @@ enum cor_disk_datum {
     COR_DISK_DATUM_PRINTED         /* b = -1 - nu, as (56) and (57) are printed; follows from neither */
 };
 
-/* Return the limits of the law: the load P = 4 pi exp(b - 1) at which delta stops growing, its delta = 4 exp(b - 1),
- * its V = 4 pi exp(2 b - 2), and the impact speed sqrt(8) exp(b - 1) that reaches this load. Each result is the largest
- * double inside the limit, which the functions below accept. Here and below the result is NaN if nu is outside
- * -1 < nu < 1 or the datum does not exist. */
+/* Return the limits of the law. At the load P = 4 pi exp(b - 1) delta stops growing, with delta = 4 exp(b - 1) and V =
+ * 4 pi exp(2 b - 2); the impact speed sqrt(8) exp(b - 1) reaches it. Each result is the largest double inside the
+ * limit, which the functions below accept. Here and below the result is NaN if nu is outside -1 < nu < 1 or the datum
+ * does not exist. */
 COR_API double cor_disk_load_limit(double nu, enum cor_disk_datum datum);
 COR_API double cor_disk_compression_limit(double nu, enum cor_disk_datum datum);
 COR_API double cor_disk_energy_limit(double nu, enum cor_disk_datum datum);
@@ -188,15 +188,15 @@ COR_API double cor_disk_contact_time_leading_log(double speed);
 /* ---- Rayleigh's energy ---- */
 
 /* Energy that a collision at impact speed v leaves in the modes, as a fraction of (pi/2) v^2, to first order
- * (Rayleigh): the quasistatic load drives each mode at the point of contact, (65) to (68). Each mode takes one
+ * (Rayleigh). The quasistatic load drives each mode at the point of contact, (65) to (68). Each mode takes one
  * integral,
  *
  *     fraction of a mode = C^2 (2 I(omega))^2,     I(omega) = int_0^(pi/2) sin(theta) cos(omega s(theta)) dtheta,
  *     s(theta) = int_theta^(pi/2) sqrt(-w/2) dtheta',     w as in the contact time above
  *
  * First order neglects the force of the vibrations on the contact. At nu = 0.33 the energy that all modes keep
- * (cor_disk_hard_wall) is 3.3 times this energy at v = 1e-2, 0.75 times at 1e-3, 0.59 times at 1e-4, and still differs
- * by a tenth at 1e-30: docs/disks.md. */
+ * (cor_disk_hard_wall) is 3.3, 0.75 and 0.59 times this energy at v = 1e-2, 1e-3 and 1e-4. It still differs by a tenth
+ * at 1e-30: docs/disks.md. */
 struct cor_disk_rayleigh {
     double fraction;       /* sum over the n_modes modes */
     double tail;           /* sum over all higher modes */
@@ -243,7 +243,7 @@ COR_API int cor_disk_rayleigh_tolerance(const struct cor_disk_modes *modes, enum
 
 /* A head-on collision of a disk of n_modes modes with a wall of potential exp(alpha x)/alpha, (41) to (45). No mode is
  * excited before. x(phi) = x_0 + cos(phi) + sum Q (C cos(n phi) cos(phi) - S sin(n phi) sin(phi)) is the depth of the
- * rim in the wall at the angle phi, (40), and x_0 is the position of the centre of mass. The wall pushes with the force
+ * rim in the wall at the angle phi, (40). x_0 is the position of the centre of mass. The wall pushes with the force
  * exp(alpha x) per unit length of the rim. The rim of a disk that kept its shape and speed would be at x = 0 at time
  * 0. */
 
@@ -280,17 +280,17 @@ struct cor_disk_collision {
 /* Computes one collision. Domain: 0 < v <= COR_DISK_COLLISION_MAX_SPEED, 1 <= n_modes <= modes->count. The function
  * extrapolates several runs with smaller and smaller steps (docs/theory-disks.md, 15).
  *
- * error_estimate is the sum of four parts: the remainder of the extrapolation and, times the amplification of errors by
- * the collision, the quadrature over the rim, round-off, and the wall's force before and after the contact. The
- * amplification is bounded from the runs, or measured by a run with v changed by 2^-40. If the quadrature may take more
- * than a tenth of the tolerance, a run with angles shifted by half their distance measures its effect on eps.
- * Accuracy, sampled in 8640 random scenes of 1 to 60 modes of nu = 0.33 and 0.9 (alpha 200 to 8000, v 0.003 to 0.3,
- * tolerances 1e-3 to 1e-11) and in 8640 of 10 to 1800 modes (alpha 100 to 8000, v 0.003 to 0.45, tolerances 1e-2 to
- * 1e-6): where the status is COR_OK the error is at most 0.86 of the tolerance. In 6 scenes it exceeds error_estimate,
- * by at most 3.7 times: docs/theory-disks.md, 15. Near chaos, round-off by itself may exceed a small tolerance; below
- * 1e-12 it mostly does. one_minus_eps2 is as accurate as eps. contact_time and max_compression, which are measured
- * during the contact, are less accurate. energy_drift is eps^2 + one_minus_eps2 - 1. The same arguments give the same
- * bits on every instruction set.
+ * error_estimate is the sum of four parts: the remainder of the extrapolation, the quadrature over the rim, round-off,
+ * and the wall's force before and after the contact. The last three are multiplied by the amplification of errors by
+ * the collision. The amplification is bounded from the runs, or measured by a run with v changed by 2^-40. If the
+ * quadrature may take more than a tenth of the tolerance, a run with angles shifted by half their distance measures its
+ * effect on eps. Accuracy is sampled in 8640 random scenes of 1 to 60 modes of nu = 0.33 and 0.9 (alpha 200 to 8000, v
+ * 0.003 to 0.3, tolerances 1e-3 to 1e-11). Another 8640 scenes have 10 to 1800 modes (alpha 100 to 8000, v 0.003 to
+ * 0.45, tolerances 1e-2 to 1e-6). Where the status is COR_OK the error is at most 0.86 of the tolerance. In 6 scenes it
+ * exceeds error_estimate, by at most 3.7 times: docs/theory-disks.md, 15. Near chaos, round-off by itself may exceed a
+ * small tolerance; below 1e-12 it mostly does. one_minus_eps2 is as accurate as eps. contact_time and max_compression,
+ * which are measured during the contact, are less accurate. energy_drift is eps^2 + one_minus_eps2 - 1. The same
+ * arguments give the same bits on every instruction set.
  *
  * Returns COR_OK if error_estimate is at most the tolerance. It returns, with the best numbers and their
  * error_estimate,

@@ -111,8 +111,8 @@ double cor_scene_speed_exponent(const struct cor_scene_contact *contact); /* q *
 /* Returns 1 if the contact can end in this way; 1 if eps depends on the end. */
 int cor_scene_has_end(const struct cor_scene_contact *contact, int end);
 int cor_scene_ends_differ(const struct cor_scene_contact *contact);
-/* Returns the name of end 0 or 1 of a contact, as in the columns of corgen: "zero_overlap" and "zero_force"; "surface"
- * instead of "zero_force" under a constant force; "tail" and "largest_pull" with JKR adhesion. */
+/* Returns the name of end 0 or 1 of a contact, as in the columns of corgen: "zero_overlap" and "zero_force". Under a
+ * constant force it is "surface" instead of "zero_force"; with JKR adhesion, "tail" and "largest_pull". */
 const char *cor_scene_end_name(const struct cor_scene_contact *contact, int end);
 /* Returns 1 if an impact needs the solver. Where q = 0 its eps does not. */
 int cor_scene_needs_solver(const struct cor_scene_contact *contact);
@@ -125,8 +125,8 @@ struct cor_scene_impact {
     double beta, eps[COR_SCENE_ENDS], duration_s[COR_SCENE_ENDS], max_overlap_m;
 };
 
-/* Computes the impact at a speed above 0, m/s; only its eps at one end; and the largest force between the bodies, N,
- * which includes damping and is integrated for some laws. Accuracy: COR_SCENE_MAX_ERROR. The first two return COR_OK,
+/* Compute the impact at a speed above 0, m/s; only its eps at one end; and the largest force between the bodies, N. The
+ * force includes damping and is integrated for some laws. Accuracy: COR_SCENE_MAX_ERROR. The first two return COR_OK,
  * COR_FAULT_RANGE, COR_FAULT_SOLVER, COR_FAULT_PRESSED, or the result of the solver. */
 int cor_scene_impact(struct cor_scene_impact *impact, const struct cor_scene_contact *contact, double speed_m_s);
 int cor_scene_eps(double *eps_at_end, const struct cor_scene_contact *contact, double speed_m_s, int end);
@@ -190,9 +190,9 @@ double cor_scene_sticking_speed(const struct cor_scene_contact *contact, int end
  *
  * Velocity Verlet computes the damping force at the velocity of the last half step, leapfrog at the velocity of the
  * last step. The fourth uses the velocity predicted for the full step, v + (h/2) F/m with the last force F. The last
- * one, for the linear law only, uses force and velocity at the end of the step, as engines for robots and games do: v'
- * = (v - (h K/m) x)/(1 + h C/m + h^2 K/m), x' = x + h v', and v' = v if the force would pull and the end is
- * COR_END_ZERO_FORCE. The input of such engines is K and C, or ERP = h K/(h K + C) and CFM = 1/(h K + C). */
+ * one, for the linear law only, uses force and velocity at the end of the step, as engines for robots and games do. v'
+ * = (v - (h K/m) x)/(1 + h C/m + h^2 K/m) and x' = x + h v'; if the force would pull and the end is COR_END_ZERO_FORCE,
+ * v' = v. The input of such engines is K and C, or ERP = h K/(h K + C) and CFM = 1/(h K + C). */
 enum cor_integrator {
     COR_VERLET_HALF_STEP, /* LAMMPS, LIGGGHTS, MercuryDPM, OpenFOAM, PFC */
     COR_LEAPFROG,         /* YADE */
@@ -212,7 +212,7 @@ double cor_scene_elastic_duration_s(const struct cor_scene_contact *contact, dou
 
 /* The realised eps of a simulator minus the exact eps, over all phases of the first step. The phase is the time from
  * first touch to the end of the step in which the bodies touch. It is uniformly distributed from 0 to the step h. Under
- * a constant force both speeds of eps are speeds at the surface: before the first step and after the last one only the
+ * a constant force both speeds of eps are speeds at the surface. Before the first step and after the last one only the
  * force acts, and v^2/2 - force_n x/m is constant. */
 struct cor_step_error {
     double bias;           /* mean */
@@ -531,8 +531,8 @@ double cor_scene_quantity(const struct cor_scene_contact *contact, int number);
 
 /* ---- simulators ---- */
 
-/* How the lines of a model define the contacts of two types of bodies: not at all; by a line for each pair; by
- * matrices; by one law for all contacts, including walls */
+/* How the lines of a model define the contacts of two types: not at all; by a line for each pair; by matrices; by one
+ * law, also for walls */
 enum cor_simulator_pairs { COR_PAIRS_NONE, COR_PAIRS_LINES, COR_PAIRS_MATRIX, COR_PAIRS_ONE_LAW };
 /* How the lines depend on the mass: as the number does; by twice the effective mass; not at all (per unit of mass) */
 enum cor_simulator_mass { COR_MASS_OF_NUMBER, COR_MASS_IN_LINES, COR_MASS_PER_UNIT };
@@ -653,13 +653,13 @@ double cor_simulator_e(const struct cor_simulator_model *model, double requested
 /* Computes the smallest and the largest restitution that the model can realise by its e. */
 void cor_simulator_reach(const struct cor_simulator_model *model, double *least, double *most);
 
-/* Returns eps of MuJoCo's contact where its impedance d depends on the overlap x: d changes from solimp[0] at x = 0 to
+/* Returns eps of MuJoCo's contact where its impedance d depends on the overlap x. d changes from solimp[0] at x = 0 to
  * solimp[1] at x = solimp[2], with the midpoint solimp[3] and the power solimp[4]. With c = d/solimp[1], frequency w in
  * 1/s and the damping ratio zeta, x'' = -c (2 zeta w x' + c w^2 x) + (1 - d) gravity until the force of the contact
  * vanishes. Only gravity acts on the way back to x = 0. 0: the ball does not leave. Uses the Runge-Kutta method.
- * Accuracy: 1e-6; sampled in tests/unit/test_simulators.c. NaN: gravity and zeta are not in [0, 1e48], frequency, speed
- * and width are not in [1e-48, 1e48], d is not in [0, 1], the midpoint not in (0, 1), the power not in [1, 100], or it
- * needs over 200000 steps. */
+ * Accuracy: 1e-6; sampled in tests/unit/test_simulators.c. Returns NaN if it needs over 200000 steps, or outside these
+ * ranges. gravity and zeta: [0, 1e48]; frequency, speed and width: [1e-48, 1e48]; d: [0, 1]; midpoint: (0, 1); power:
+ * [1, 100]. */
 double cor_mujoco_eps(const double solimp[5], double frequency, double zeta, double speed_m_s, double gravity_m_s2);
 
 /* Returns a version as an increasing number: "29 Sep 2021" is 20210929, "3.8.1" is 30801. 0: neither form. */

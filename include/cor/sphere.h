@@ -50,10 +50,10 @@ extern "C" {
 #define COR_SPHERE_MAX_OVERLAP_MAX_ULP 1.0
 #define COR_SPHERE_TIME_MAX_ULP 2.0
 #define COR_SPHERE_BETA_MAX_ULP 2.0
-/* Largest difference between a function of generated/cor_sphere.h and the library's, in units of the last place, when a
- * user compiles the header with -ffast-math, or for a machine with fused multiplication and addition (-march=native).
- * Special values do not change. With all other flags, -ffinite-math-only included, the bits are the library's. Sampled
- * in tests/header/run. */
+/* Largest difference between a function of generated/cor_sphere.h and the library's, in units of the last place. It
+ * occurs with -ffast-math, or on a machine with fused multiplication and addition (-march=native). Special values do
+ * not change. With all other flags, -ffinite-math-only included, the bits are the library's. Sampled in
+ * tests/header/run. */
 #define COR_SPHERE_INLINE_FAST_MATH_ULP 4
 #define COR_SPHERE_INLINE_NATIVE_ULP 4
 /* Bytes of stack; 17.8 kB are measured in an optimised build, libm included. */
@@ -89,11 +89,10 @@ COR_API double cor_sphere_loss_zero_force(double beta);
 COR_API void cor_sphere_loss_zero_force_array(const double *beta, double *y, size_t n);
 
 /* double cor_sphere_beta_zero_overlap(double eps), cor_sphere_beta_zero_force: the inverse functions, which return the
- * beta that has this eps.
- * Domain: 0 <= eps <= 1. Accuracy: COR_SPHERE_BETA_MAX_ULP with the given double eps treated as exact. (Near eps = 1,
- * where beta is (1 - eps)/|C_1|, one unit of the last place of eps changes beta much: the condition number is
- * eps/(1 - eps).)
- * Special values: 1 -> 0, +-0 -> +inf; outside [0, 1] and NaN -> NaN. Source: as for eps. */
+ * beta that has this eps. Domain: 0 <= eps <= 1. Accuracy: COR_SPHERE_BETA_MAX_ULP with the given double eps treated as
+ * exact. (Near eps = 1, where beta is (1 - eps)/|C_1|, one unit of the last place of eps changes beta much. The
+ * condition number is eps/(1 - eps).) Special values: 1 -> 0, +-0 -> +inf; outside [0, 1] and NaN -> NaN. Source: as
+ * for eps. */
 COR_API double cor_sphere_beta_zero_overlap(double eps);
 COR_API void cor_sphere_beta_zero_overlap_array(const double *eps, double *y, size_t n);
 COR_API double cor_sphere_beta_zero_force(double eps);

@@ -197,10 +197,10 @@ def step_error(
     integrator: str = _VERLET,
     **scene: Any,
 ) -> Any:
-    """Returns the error of eps from a time step (cor_scene_step_error): a record, or an array of records, with the mean
-    of the error over all phases of the first step (bias), its standard deviation (scatter), least and most. steps: time
-    steps in the duration of a contact without damping at the speed, m/s. NaN: the motion leaves the range of doubles,
-    or needs too many steps."""
+    """Returns the error of eps from a time step (cor_scene_step_error): a record, or an array of records. It has the
+    mean of the error over all phases of the first step (bias), its standard deviation (scatter), least and most. steps:
+    time steps in the duration of a contact without damping at the speed, m/s. NaN: the motion leaves the range of
+    doubles, or needs too many steps."""
     made = _contact(contact, scene)
     method = one_of("integrator", integrator, _INTEGRATORS)
     at, count = np.broadcast_arrays(np.asarray(speed, np.float64), np.asarray(steps, np.float64))

@@ -49,8 +49,8 @@ enum { WILD_LEVELS = 8 };
 static const double wild_weight[] = {3, 2, 0.6, 0.2};
 #define UNSEEN_WILD 1.5e-3
 /* In the domain of cor_disk_eps, and slightly beyond it, a second estimate is an upper limit for Omega above
- * USUAL_FROM: the usual error at Omega plus a fraction of the last changes. Fitted in this domain, at USUAL_TOLERANCE:
- * docs/theory-disks.md, 17, has the sample, which contains no other nu. */
+ * USUAL_FROM. It is the usual error at Omega plus a fraction of the last changes. Fitted in this domain, at
+ * USUAL_TOLERANCE: docs/theory-disks.md, 17, has the sample, which contains no other nu. */
 #define USUAL_SPEED 9e-6
 #define USUAL 6.8e-7
 #define USUAL_OMEGA 680

@@ -44,9 +44,9 @@ struct cor_leg {
 #define COR_LEG_STEP 0.14
 enum { COR_LEG_STEPS = 16, COR_LEG_SHORT = 4, COR_LEG_GAUSS = 14 };
 
-/* The Gauss-Legendre rule on [-1, 1], padded with zeros. For each of its points, the struct holds the integrals from x
- * to 1 of the polynomial that is 1 at this point and 0 at the others, for x = 1 - 2 k/COR_LEG_STEPS and 1 - 2
- * k/COR_LEG_SHORT. */
+/* The Gauss-Legendre rule on [-1, 1], padded with zeros. For each of its points, the struct holds the integrals of the
+ * polynomial that is 1 at this point and 0 at the others. They run from x = 1 - 2 k/COR_LEG_STEPS and 1 - 2
+ * k/COR_LEG_SHORT to 1. */
 struct cor_leg_rule {
     double x[COR_LEG_STEPS], w[COR_LEG_STEPS];
     double to_steps[COR_LEG_GAUSS][COR_LEG_STEPS], to_short[COR_LEG_GAUSS][COR_LEG_STEPS];
@@ -61,8 +61,8 @@ struct cor_mode_weights {
     double strength[COR_LINES], mean[COR_LINES], echo[COR_LINES], low[COR_LINES], high[COR_LINES];
 };
 
-/* Sums over modes: of strength times (2 I)^2; of mean times the phase average of (2 I)^2 plus echo times the deviation
- * of (2 I)^2 from that average; of the windows times cos and sin of omega tau, and of omega tau/2. */
+/* Sums over modes. First: strength times (2 I)^2. Second: mean times the phase average of (2 I)^2, plus echo times the
+ * deviation from that average. Third: the windows times cos and sin of omega tau and of omega tau/2. */
 struct cor_mode_sums {
     double fraction, faded, low[4], high[4];
 };

@@ -21,8 +21,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Frequencies in units of the highest frequency of the table: start of the cutoff weight, start of the echoes' weight
- * (docs/theory-disks.md, 13), and the two windows that measure the strength of echoes. Chosen. */
+/* Frequencies in units of the highest frequency of the table (docs/theory-disks.md, 13). They are the starts of the
+ * cutoff weight and of the echoes' weight, and the two windows that measure the strength of echoes. Chosen. */
 #define FADE_FROM 0.65
 #define ECHO_FROM 0.15
 static const double low_window[2] = {0.35, 0.75}, high_window[2] = {0.6, 1};

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* eps, 1 - eps and the inverse of laws for which eps has a closed form. With x for zeta or beta,
- * generated/closed_form_tables.h has rows of (1 - eps)/x near x = 0, of eps by octaves of x, of x/(1 - eps) up to
- * 1 - eps = 1/2, and of x by octaves of eps. damping_ratio.h and hunt_crossley.h have the rest. The array functions use
- * the same rows and give the same bits. */
+ * generated/closed_form_tables.h has rows of (1 - eps)/x near x = 0, and of eps by octaves of x. For the inverse it has
+ * rows of x/(1 - eps) up to 1 - eps = 1/2, and of x by octaves of eps. damping_ratio.h and hunt_crossley.h have the
+ * rest. The array functions use the same rows and give the same bits. */
 #ifndef COR_RUNTIME_LAW_CLOSED_FORM_H
 #define COR_RUNTIME_LAW_CLOSED_FORM_H
 

@@ -1531,7 +1531,7 @@ static void put_contact(struct text *t, const struct block *block, const struct 
 }
 
 /* True if a line of a template for several materials is repeated for types i and j. m: each type; b: each ball; g: each
- * ball, if the scene has a wall; v: each wall; p: each two balls; u: each two different types; w: each ball and wall;
+ * ball, if the scene has a wall; v: each wall. p: each two balls; u: each two different types; w: each ball and wall;
  * c: each contact; -: only once. */
 static int repeats_line(char letter, size_t i, size_t j, size_t balls, size_t types)
 {

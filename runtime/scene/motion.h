@@ -100,7 +100,7 @@ COR_INLINE double cor_motion_start(const struct motion *m)
  *
  *     x'' + damping x^b x' + x^a = 1,     x(0) = 0,     x'(0) = speed
  *
- * The ends are zero overlap and, at the index of zero force, the surface: a body leaves the contact where its force
+ * The ends are zero overlap and, at the index of zero force, the surface. A body leaves the contact where its force
  * vanishes and flies back to x = 0 against the constant force. */
 
 /* Returns the largest force of x'' + damper x^b x' + elastic x^a = 0; NaN if the motion needs too many steps. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The exponents of the laws; the numbers of a scene, their names, units and ranges; the check of its bodies; the
- * messages of its faults, with the names of corgen's options. Calls no function of libcor except cor_status_text. */
+/* The exponents of the laws, and the numbers of a scene, with their names, units and ranges. Checks the bodies, and has
+ * the messages of the faults, with the names of corgen's options. Calls no function of libcor except
+ * cor_status_text. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -158,8 +158,8 @@ SCALED(hertz_velocity, pow(M, 0.6) * pow(K, 0.4) * pow(G, 0.2))
 SCALED(hertz_mass_velocity, pow(K / M, 0.4) * pow(G, 0.2))
 SCALED(chrono_hertz, pow(K / M, 0.6) / (R * pow(G, 0.2)))
 
-/* YADE since 2025 uses P(sqrt(beta)) as en, where beta is at the speed vn = 1 m/s, and P is the Padé approximant of
- * order [3/6] of eps at zero force (Müller and Pöschel, Phys. Rev. E 84, 021302 (2011)), in v = sqrt(beta). */
+/* YADE since 2025 uses P(sqrt(beta)) as en, where beta is at the speed vn = 1 m/s. P is the Padé approximant of order
+ * [3/6] of eps at zero force (Müller and Pöschel, Phys. Rev. E 84, 021302 (2011)), in v = sqrt(beta). */
 static double yade_pade(double v)
 {
     static const double above[] = {1, 1.07232, 0.574198, 0.141552};

@@ -16,7 +16,7 @@ COR_INLINE int cor_contact_is_ordinary(const struct cor_sphere_contact *contact,
 }
 
 /* Returns a limit for the bits of a speed. Speeds whose bits are below it are in range or smaller, and their product
- * with `scale` is below 2^902: the bits of two factors add up like their logarithms, within one part in 16. If scale is
+ * with `scale` is below 2^902. The bits of two factors add up like their logarithms, within one part in 16. If scale is
  * NaN, no speed is below the limit. */
 COR_INLINE uint64_t cor_contact_speed_limit(double scale)
 {

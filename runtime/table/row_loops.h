@@ -86,7 +86,7 @@ struct cor_row_call {
 };
 
 /* The loops of a set. doubles: in double arithmetic. floats: in float arithmetic. block: the values of at most
- * COR_ROW_BLOCK numbers x, into arrays of that length; where the table does not contain a number, `taken` differs from
+ * COR_ROW_BLOCK numbers x, into arrays of that length. Where the table does not contain a number, `taken` differs from
  * x, and the value is undefined. */
 enum { COR_ROW_BLOCK = 256 };
 struct cor_row_loops {

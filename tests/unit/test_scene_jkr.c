@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Spheres with JKR adhesion, by other methods: the energy of the tail by quadrature of the force over the overlap, a
- * motion in time and contact radius in long double, and the spheres without adhesion. */
+/* Spheres with JKR adhesion, by other methods. The energy of the tail by quadrature of the force, a motion in time and
+ * contact radius in long double, and the spheres without adhesion. */
 #include "../reference/ode.h"
 #include "scene.h"
 
@@ -78,7 +78,7 @@ static double kappa_of(const struct cor_scene_contact *s)
     return cor_scene_damping(s, COR_SCENE_DAMPING_COEFFICIENT) * pow(l, b) * sqrt(l / (force * s->mass_kg));
 }
 
-/* m x'' = -F - d c x' in a variable whose rate is the slope of the overlap over c, 0 at the end of the tail; c is in
+/* m x'' = -F - d c x' in a variable whose rate is the slope of the overlap over c, 0 at the end of the tail. c: in
  * units of the first radius */
 struct moved {
     const struct cor_scene_contact *contact;

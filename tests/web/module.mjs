@@ -120,7 +120,7 @@ for (let i = 0; i < 3000; i++) {
 check(`3000 requests at random: ${read} read, ${refused} refused with a reason`, odd.length === 0 && read > 500 && refused > 500,
     odd.slice(0, 4).join("\n"));
 
-// Right requests at random: the numbers of the page's own module, which is in web/calculator.html, are those of corgen.
+// Right requests at random: the page's own module, in web/calculator.html, gives the numbers of corgen.
 const html = readFileSync("web/calculator.html", "utf8"), [, bytes, packed] = html.match(/id="wasm" data-bytes="(\d+)">([^\n]*)<\/script>/);
 const unpack = (0, eval)(`(${html.match(/async function unpack[^]*?\n}\n/)[0]})`);
 const shipped = await load(await unpack({ textContent: packed, dataset: { bytes } }));

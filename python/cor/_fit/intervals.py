@@ -2,9 +2,9 @@
 """Finds the least Q of a curve, and profile-likelihood intervals of its coordinates.
 
 The interval of a coordinate has the values at which the least Q over the others exceeds the minimum by at most z^2
-(errors given), or t^2 s^2 with Student's t of n - k degrees of freedom (errors unknown). In the robust fit this
-threshold is multiplied by Huber's factor [sum psi^2/(n - k)]/[sum psi'/n]. The search for an end of the 95 % interval
-starts at the end of the 68 % interval, so that one contains the other.
+(errors given). If errors are unknown it is t^2 s^2, with Student's t of n - k degrees of freedom. In the robust fit
+this threshold is multiplied by Huber's factor [sum psi^2/(n - k)]/[sum psi'/n]. The search for an end of the 95 %
+interval starts at the end of the 68 % interval, so that one contains the other.
 """
 
 import math

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The models of restitution that a fit compares.
 
-Several models are one curve eps(speed) with different parameters: a thin plate has the eps of a viscoelastic sphere at
-zero overlap, and eps is constant for the linear and Tsuji's law. A curve is fitted once, in internal
-coordinates theta; a model converts them to its parameters.
+Several models are one curve eps(speed) with different parameters. A thin plate has the eps of a viscoelastic sphere at
+zero overlap, and eps is constant for the linear and Tsuji's law. A curve is fitted once, in internal coordinates theta;
+a model converts them to its parameters.
 """
 
 import inspect

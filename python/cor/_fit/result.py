@@ -51,10 +51,10 @@ def _judgement(e: Estimate) -> str:
 class Result:
     """Fits of restitution, made by cor.fit.
 
-    groups: the fits by name of the ball; "" has all data.
-    parameters: a record array with a row for each parameter of each model, the least AIC first, and the columns group,
-    model, end, parameter, value, low_68, high_68, low_95, high_95, rms, chi2, aic. value nan: not determined, because
-    the minimum is flat. pandas.DataFrame(result.parameters) is a table.
+    groups: the fits by name of the ball; "" has all data. parameters: a record array with a row for each parameter of
+    each model, the least AIC first. Its columns are group, model, end, parameter, value, low_68, high_68, low_95,
+    high_95, rms, chi2, aic. value nan: not determined, because the minimum is flat. pandas.DataFrame(result.parameters)
+    is a table.
     """
 
     def __init__(self, data: Data, setup: Setup, bodies: Bodies, groups: Dict[str, Group]) -> None:

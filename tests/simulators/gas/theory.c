@@ -13,8 +13,8 @@
  *
  *     TIME T_OVER_M A2 COLLISIONS SLOPE CONTACT
  *
- * where A2 = (4/15) <c^4> - 1 is the second Sonine coefficient, COLLISIONS the number of collisions of a sphere since
- * time 0, SLOPE = d ln T/d ln(time + T/|dT/dt| at time 0), and CONTACT the mean number of spheres that touch a sphere.
+ * A2 = (4/15) <c^4> - 1 is the second Sonine coefficient, and COLLISIONS the number of collisions of a sphere since
+ * time 0. SLOPE = d ln T/d ln(time + T/|dT/dt| at time 0). CONTACT is the mean number of spheres that touch a sphere.
  *
  * Velocities c are in units of v_T = sqrt(2 T/m), B = v_T g_2 d^2 n with the number density n, the diameter d and
  * Carnahan and Starling's g_2. The equations are from Brilliantov and Poeschel, Kinetic Theory of Granular Gases,
@@ -77,7 +77,7 @@ struct collision_moments {
 
 /* In scaled units x' = u - (2/3) beta x^(3/2), u' = -x^(3/2) - alpha until x = 0, where -u is eps. With y and s, the
  * derivatives of x and u by alpha, the loss 1 - eps^2 has the relative derivative 2 eps s/(1 - eps^2) at alpha = 0.
- * Runge-Kutta steps in p, t = T p^3 (10 - 15 p + 6 p^2), pass over the roots of x at both ends; a hundred times as many
+ * Runge-Kutta steps in p, t = T p^3 (10 - 15 p + 6 p^2), pass over the roots of x at both ends. A hundred times as many
  * change the result by less than 1e-3, for beta from 1e-3 to 2. */
 static double turning(double beta)
 {

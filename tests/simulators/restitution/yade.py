@@ -2,8 +2,9 @@
 # Head-on collisions in YADE with the text of corgen contact --for yade: of two spheres, or of one with a wall.
 #     yade -x -n -j1 yade.py RUN [RUN]...
 # Each RUN is a dict of Python: paste, the file of the text; duration, s; n, numbers of steps. Optional, if they differ
-# from the defaults in collide: wall, speed, g (the speed then belongs to a ball that returns to the wall), side (tangential speed over speed), radius, and
-# material, the numbers of the two materials. It prints for each n, with duration/(n + 1/2) as the time step,
+# from the defaults in collide: wall, speed, g, side (tangential speed over speed), radius, and material, the numbers of
+# the two materials. With g the speed belongs to a ball that returns to the wall. It prints for each n, with duration/(n
+# + 1/2) as the time step,
 #     eps PASTE N VALUE CHANGE
 # CHANGE of the velocity after the contact must be 0. SI units. The text may define before_step, commands for each step,
 # and may use `step`. Without arguments the script prints whether this YADE has vn.
