@@ -159,5 +159,3 @@ TEST(test_tails)
         free((void *)many.mode);
     }
 }
-
-RUN_TESTS(test_hard_points, test_random_points, test_motion, test_tails)

@@ -662,8 +662,3 @@ TEST(test_edges)
         assert_digits(c->eps_zero_overlap, "0.3311648104666409");
     }
 }
-
-RUN_TESTS(test_known_values, test_collisions, test_backward_series, test_closed_forms, test_wide_beta, test_angle,
-          test_slow_manifold, test_forgetting, test_missed_manifold, test_below_threshold, test_strong_force,
-          test_turns_beyond_rest, test_surface, test_sticking_force, test_critical, test_one_end, test_between_methods,
-          test_edges)

@@ -591,8 +591,3 @@ TEST(chrono_finds_the_radius)
         free(lines);
     }
 }
-
-RUN_TESTS(impacts_against_integration, reference_collisions, other_laws, any_two_give_the_rest, tangential_restitution,
-          equivalent_springs, collisions_under_a_constant_force, thresholds_of_a_constant_force,
-          the_time_step_is_for_all_speeds, the_step_for_a_tolerance_is_rounded_down, hosts_realise_what_is_wished,
-          chrono_finds_the_radius)

@@ -138,5 +138,3 @@ TEST(test_texts)
     assert_string_equal(decimal_text(text, -(double)NAN), "nan");
     assert_string_equal(decimal_text(text, 0.1), "0.1");
 }
-
-RUN_TESTS(test_values, test_no_numbers, test_nearest, test_ranges, test_texts)

@@ -122,5 +122,3 @@ TEST(test_precision_ends)
     p = precision_doubling(100, 199);
     assert_false(precision_raise(&p));
 }
-
-RUN_TESTS(test_spelling, test_undecided, test_doubles, test_precision_ends)

@@ -60,5 +60,3 @@ TEST(test_uncertainty)
         free(scenes.scene);
     }
 }
-
-RUN_TESTS(test_file, test_samples, test_uncertainty)

@@ -569,6 +569,3 @@ TEST(test_threads_and_digits)
             assert_same_mode(&modes->mode[k], &other->mode[k]);
     }
 }
-
-RUN_TESTS(test_near_pair, test_crossing, test_ritz, test_printed_equation, every_mode, none_is_missing,
-          test_against_doubles, test_corners_of_nu, test_orders, test_threads_and_digits)

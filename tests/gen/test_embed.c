@@ -549,6 +549,3 @@ TEST(test_pressed)
         found_clear(&w, &request);
     }
 }
-
-RUN_TESTS(test_pressed, test_yield, test_choice, test_counts, test_fit, test_scenes, test_far, test_far_force,
-          test_ways_of_a_contact, test_viscosities, test_constant, test_own_laws)

@@ -310,5 +310,3 @@ TEST(test_row_end)
     assert_true(embed_rounding_bound(&bound, &f));
     check(bound.error >= 4 * UNIT * (1 - 1e-9) && bound.error <= 5 * UNIT, "a row: %g units", bound.error / UNIT);
 }
-
-RUN_TESTS(test_counts, test_root, test_limits, test_row_end, test_far_parts, test_intervals, test_rows, test_gap)

@@ -374,5 +374,4 @@ TEST(test_two_point_rounded)
     }
 }
 
-RUN_GROUP(make_directory, remove_directory, test_doubles, test_rows, test_types, test_bound, test_pade_header,
-          test_two_point_rounded, test_json_cells)
+GROUP(make_directory, remove_directory)

@@ -136,5 +136,3 @@ TEST(test_refusals)
     ends("log(z)", 4);
     ends("max(z, z)", 4);
 }
-
-RUN_TESTS(test_values, test_operands, test_comparisons, test_complex, test_refusals)

@@ -76,5 +76,3 @@ TEST(test_check_at_ends)
     check(error >= 0.99 * relative(y, c->x_max) && error < 1e-3, "%g, at beta = 1: %g", error, relative(y, c->x_max));
     interpolant_free(f);
 }
-
-RUN_TESTS(test_small_beta, test_check_at_ends)

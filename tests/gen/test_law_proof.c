@@ -261,5 +261,3 @@ TEST(test_pressed_ellipse)
           "%g bounds %g on the real axis", bound.modulus[EPS_ZERO_OVERLAP], most);
     interpolant_free(f);
 }
-
-RUN_TESTS(pressed, test_pressed_ellipse, test_real_axis, test_complex_plane, test_singular, test_polynomials, tail)

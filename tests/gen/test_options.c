@@ -92,5 +92,3 @@ TEST(test_ends_of_ranges)
         }
     assert_in_range(numbers, 100, 1000);
 }
-
-RUN_TESTS(test_ends_of_ranges)

@@ -499,7 +499,3 @@ TEST(test_rounded)
     }
     references_clear(&s);
 }
-
-RUN_TESTS(test_exponential, test_reexpansion, test_two_point, test_rounded, test_published, test_true_one_four,
-          test_spurious_pair, test_evaluation_error, test_degenerate, test_exact_zeros, test_refusals, test_near_pair,
-          test_poles_of_eps)

@@ -44,25 +44,6 @@ static void outer_task(void *context, slong i)
     atomic_fetch_sub(&party->at_once, 1);
 }
 
-TEST(test_tasks)
-{
-    for (int threads = 1; threads <= 5; threads++) {
-        static struct party party;
-        memset(&party, 0, sizeof party);
-        parallel_use(threads);
-        assert_int_equal(parallel_threads(), threads);
-        parallel_for(outer_task, &party, TASKS, "outer");
-        parallel_for(outer_task, &party, 0, "none");
-        for (int i = 0; i < TASKS; i++)
-            assert_int_equal(party.runs[i], 1);
-        assert_int_equal(party.inner, TASKS / 10 * INNER);
-        check(party.most_at_once <= threads && (threads == 1 || party.most_at_once > 1), "%d at once of %d threads",
-              party.most_at_once, threads);
-    }
-    parallel_use(0);
-    assert_in_range(parallel_threads(), 1, PARALLEL_MAX_THREADS);
-}
-
 /* If no thread can start, because memory for its stack is missing, the caller does all tasks. This test comes first,
  * because stacks are reused. */
 TEST(test_without_threads)
@@ -89,6 +70,25 @@ TEST(test_without_threads)
     for (int i = 0; i < TASKS; i++)
         assert_int_equal(atomic_load(&party.runs[i]), 1);
     assert_int_equal(atomic_load(&party.most_at_once), 1);
+}
+
+TEST(test_tasks)
+{
+    for (int threads = 1; threads <= 5; threads++) {
+        static struct party party;
+        memset(&party, 0, sizeof party);
+        parallel_use(threads);
+        assert_int_equal(parallel_threads(), threads);
+        parallel_for(outer_task, &party, TASKS, "outer");
+        parallel_for(outer_task, &party, 0, "none");
+        for (int i = 0; i < TASKS; i++)
+            assert_int_equal(party.runs[i], 1);
+        assert_int_equal(party.inner, TASKS / 10 * INNER);
+        check(party.most_at_once <= threads && (threads == 1 || party.most_at_once > 1), "%d at once of %d threads",
+              party.most_at_once, threads);
+    }
+    parallel_use(0);
+    assert_in_range(parallel_threads(), 1, PARALLEL_MAX_THREADS);
 }
 
 enum { ROWS = 40000, FAILURE = 7 };
@@ -148,5 +148,3 @@ TEST(test_in_order)
     }
     parallel_use(0);
 }
-
-RUN_TESTS(test_without_threads, test_tasks, test_in_order)

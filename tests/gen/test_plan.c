@@ -427,5 +427,3 @@ TEST(test_waves)
         request_clear(&request);
     }
 }
-
-RUN_TESTS(test_spheres, test_gravity, test_strong_damping, test_disks, test_contact_time, test_waves)

@@ -164,5 +164,3 @@ TEST(test_rest_of_block)
     jet_free(t.x, ORDER + 1);
     jet_free(t.x_to_a, ORDER + 1);
 }
-
-RUN_TESTS(test_trajectories, test_one_term, test_rest_of_block)

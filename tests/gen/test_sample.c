@@ -244,5 +244,3 @@ TEST(yield_in_a_liquid)
         sample_clear(&s);
     }
 }
-
-RUN_TESTS(tolerances_hold, no_smaller_table, other_laws, yield_in_a_liquid)

@@ -166,5 +166,3 @@ TEST(test_radius)
     LET(x, 80, "z/x/y", z, x, y);
     assert_true(fabs(middle(x) + 1) < 0.05);
 }
-
-RUN_TESTS(test_collisions, test_exact_zeros, test_verdicts, test_zero_force, test_radius)

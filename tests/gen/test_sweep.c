@@ -460,5 +460,4 @@ TEST(test_rayleigh)
     sweep_clear(&sweep);
 }
 
-RUN_GROUP(start_all, NULL, test_lists, test_wrong_lists, test_product, test_journal_damaged, test_journal_changed,
-          test_journal_shared, test_longest_list, test_hard_wall, test_digits, test_rayleigh)
+GROUP(start_all, NULL)

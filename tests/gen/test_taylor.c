@@ -190,6 +190,3 @@ TEST(test_zero)
             taylor_clear(&y);
         }
 }
-
-RUN_TESTS(test_remainder, test_one_term, test_time_alone, test_zero, test_online_products, test_step_is_short,
-          test_step_under_a_force)

@@ -282,6 +282,3 @@ TEST(test_row_sums)
         }
     }
 }
-
-RUN_TESTS(test_equation_49, test_equation_of_motion, test_balls_contain_rationals, test_truncation_bound, test_row_sums,
-          test_law_parse)

@@ -130,4 +130,4 @@ static int clean(void **state)
     return 0;
 }
 
-RUN_GROUP(NULL, clean, known_values, two_routes, bound_on_the_ellipse, analytic_inside)
+GROUP(NULL, clean)

@@ -47,7 +47,7 @@ static inline int cmocka_run(const struct CMUnitTest *test, size_t count, int (*
 {
     static void *state;
     volatile int failed = setup && setup(&state) ? 1 : 0;
-    for (volatile size_t i = 0; i < count; i++) {
+    for (volatile size_t i = 0; i < count && test[i].test_func; i++) {
         switch (setjmp(cmocka_ended)) {
         case 0:
             test[i].test_func(&state);
@@ -63,7 +63,7 @@ static inline int cmocka_run(const struct CMUnitTest *test, size_t count, int (*
     }
     if (teardown && teardown(&state))
         failed++;
-    printf("%d of %d tests failed\n", failed, (int)count);
+    printf("%d tests failed\n", failed);
     return failed;
 }
 

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#define CHECK_WITHOUT_MAIN
 #include "law_check.h"
 
 #include "../accuracy/ball_value.h"

@@ -62,8 +62,4 @@ TEST(test_sphere)
     COMPARE(beta_zero_overlap, 1e-300, 1, 4);
     COMPARE(beta_zero_force, 1e-300, 1, 4);
 }
-
-RUN_TESTS(test_special, test_random, test_borders, test_round_trip, test_sphere)
-#else
-RUN_TESTS(test_special, test_random, test_borders, test_round_trip)
 #endif

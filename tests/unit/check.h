@@ -22,8 +22,9 @@
 #include "random.h"
 #include "ulp.h"
 
-/* TEST(name) { ... } defines a test function. RUN_TESTS(name, ...) defines the program: it prints the seed and runs
- * them in that order. RUN_GROUP also calls `before` first and `after` last. */
+/* TEST(name) { ... } defines a test function. The program prints the seed and runs the tests of its file from top to
+ * bottom. GROUP(before, after) calls `before` first and `after` last. A file without tests of its own defines
+ * CHECK_WITHOUT_MAIN. */
 #define TEST(test)                                                                                                     \
     static void test##_body(void);                                                                                     \
     static void test##_run(void **state)                                                                               \
@@ -32,17 +33,18 @@
         draw_begin();                                                                                                  \
         test##_body();                                                                                                 \
     }                                                                                                                  \
-    static const struct CMUnitTest test = {.name = #test, .test_func = test##_run};                                    \
-    static void test##_body(void)
-
-#define RUN_TESTS(...) RUN_GROUP(NULL, NULL, __VA_ARGS__)
-#define RUN_GROUP(before, after, ...)                                                                                  \
-    int main(void)                                                                                                     \
+    AT_START test##_add(void)                                                                                          \
     {                                                                                                                  \
-        const struct CMUnitTest tests[] = {__VA_ARGS__};                                                               \
-        print_message("seed: COR_SEED=%llu\n", (unsigned long long)check_seed());                                      \
-        return cmocka_run_group_tests(tests, before, after);                                                           \
+        check_add((struct CMUnitTest){.name = #test, .test_func = test##_run}, __LINE__);                              \
+    }                                                                                                                  \
+    static void test##_body(void)
+#define GROUP(before, after)                                                                                           \
+    AT_START check_group(void)                                                                                         \
+    {                                                                                                                  \
+        check_before = before;                                                                                         \
+        check_after = after;                                                                                           \
     }
+#define AT_START __attribute__((constructor)) static void /* compilers differ in the order of such functions */
 
 #define check(condition, ...)                                                                                          \
     do {                                                                                                               \
@@ -136,5 +138,29 @@ static inline void draw_begin(void)
 {
     draw = random_start();
 }
+
+#ifndef CHECK_WITHOUT_MAIN
+enum { CHECK_MOST = 64 };
+static struct CMUnitTest check_tests[CHECK_MOST]; /* the unused ones have no function, and do not run */
+static int check_line[CHECK_MOST], check_count;
+static int (*check_before)(void **state), (*check_after)(void **state);
+
+static void check_add(struct CMUnitTest test, int line)
+{
+    int i = check_count++;
+    for (; i > 0 && check_line[i - 1] > line; i--) {
+        check_tests[i] = check_tests[i - 1];
+        check_line[i] = check_line[i - 1];
+    }
+    check_tests[i] = test;
+    check_line[i] = line;
+}
+
+int main(void)
+{
+    print_message("seed: COR_SEED=%llu\n", (unsigned long long)check_seed());
+    return check_count > 0 ? cmocka_run_group_tests(check_tests, check_before, check_after) : 1;
+}
+#endif
 
 #endif

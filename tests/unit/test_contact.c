@@ -466,7 +466,3 @@ TEST(dissipation_time_from_eps)
         }
     }
 }
-
-RUN_TESTS(against_long_double, speeds, characteristic_speed, wrong_inputs, status_texts, dissipation_time,
-          mass_of_a_sphere, oblique_impacts, extreme_contacts, dimensions_against_long_double,
-          dissipation_time_from_eps)

@@ -685,6 +685,3 @@ TEST(refusals)
                     modes, 5, &(struct cor_disk_collision_options){500, 1e-3, COR_DISK_COLLISION_MAX_PHI_POINTS, 0}) >
                 0);
 }
-
-RUN_TESTS(known_answers, reference, other_modes, second_contact, no_resonance, extreme_tolerances, phi_points, moments,
-          moments_within_a_budget, chaotic, without_results, workspaces, many_speeds, refusals)

@@ -305,5 +305,3 @@ TEST(budgets)
     free(workspace);
     assert_true(isnan(average[0]) && isnan(average[19]));
 }
-
-RUN_TESTS(known, known_in_turn, amplification, budgets, random_scenes, larger_scenes)

@@ -516,6 +516,3 @@ TEST(work)
         assert_true(run.steps < steps && run.steps > steps / 4);
     }
 }
-
-RUN_TESTS(drift, kick, stiffness, window, extrapolation, energies, step_error, hard_wall_step_error, other_errors,
-          angles_error, shifted_angles, every_set, exponential, work)

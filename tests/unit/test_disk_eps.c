@@ -355,6 +355,3 @@ TEST(test_collisions)
               "v = %g: %.5f from two walls, %.5f in the limit", speeds[i], found, limit);
     }
 }
-
-RUN_TESTS(test_cells, test_places, test_between, test_uncertainty, test_borders, test_uncertainty_at_borders,
-          test_one_another, test_domain, test_collisions)

@@ -537,6 +537,3 @@ TEST(usual_errors)
     print_message("%zu scenes: error at most %.2f of the estimate; %d with 1e-6 reached before Omega = %.0f\n", scenes,
                   worst, settled, first_omega(most - 1));
 }
-
-RUN_TESTS(known_answers, proved_modes, errors, budgets, whole_budget, levels_that_agree_by_chance, slower_and_slower,
-          joins, details, refusals, parts_of_the_estimate, usual_errors)

@@ -360,6 +360,3 @@ TEST(refusals)
         mode[i].c *= 1.5;
     level_of(&modes, 0.1, &settings, COR_ERROR_MODES);
 }
-
-RUN_TESTS(written_out, in_pieces, contacts, two_fades, steps_and_energy, budget, point_contact, refusals, coarse_angles,
-          cosines, every_set, modes_of_every_set)

@@ -199,5 +199,3 @@ TEST(refusals)
     assert_int_equal(cor_disk_modes_compute(0.33, 1, mode, &modes), COR_OK);
     assert_true(mode[0].n == 2 && mode[0].l == 0);
 }
-
-RUN_TESTS(as_proved, starts_alike, counted, all_materials, ends, crossings, refusals)

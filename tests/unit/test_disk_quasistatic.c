@@ -130,5 +130,3 @@ TEST(special_values)
     }
     assert_true(isnan(cor_disk_load_leading_log(4)) && isnan(cor_disk_energy_leading_log(4)));
 }
-
-RUN_TESTS(contact_time, leading_logarithms, special_values)

@@ -348,5 +348,3 @@ TEST(test_statuses)
               status[0] == COR_OK && status[1] == COR_ERROR_SPEED && isnan(out[1].fraction),
           "too fast for the law");
 }
-
-RUN_TESTS(test_values, test_tail, test_any_speed, test_tolerance, test_array, test_limits, test_statuses)

@@ -143,5 +143,3 @@ TEST(test_pieces)
     }
     free(room);
 }
-
-RUN_TESTS(test_every_set, test_sums_by_every_set, test_pieces)

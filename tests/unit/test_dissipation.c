@@ -127,5 +127,3 @@ TEST(limits)
               cor_dissipation_time_viscous_s(1e-200, 1e-200, 1e200, 0.25),
               cor_dissipation_time_viscous_s(1e251, 1, 1, 0.25), cor_dissipation_time_viscous_s(1, 1, 1e-251, 0.25));
 }
-
-RUN_TESTS(derivative_of_the_modulus, rounding, proportional_constants, finite_rates, limits)

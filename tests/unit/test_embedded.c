@@ -94,5 +94,3 @@ TEST(the_same_bits)
             compare(ldexp(1 + (cell + 0.98) / cells, octave));
         }
 }
-
-RUN_TESTS(the_same_bits)

@@ -111,5 +111,3 @@ TEST(pairs)
         assert_true(sum.hi == x + x * 0.3 && sum.hi - x + sum.lo == x * 0.3);
     }
 }
-
-RUN_TESTS(whole_range, parts, five_octaves, exact_powers, special_values, pairs, of_pair)

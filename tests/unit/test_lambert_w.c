@@ -80,5 +80,3 @@ TEST(log_ratios)
     check_nan(cor_log_ratio(&pi, nextafter(pi.number.hi, 4)).hi, cor_log_ratio(&pi, INFINITY).hi,
               cor_log_ratio(&pi, NAN).hi);
 }
-
-RUN_TESTS(t_of_q, series, log_ratios)

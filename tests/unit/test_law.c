@@ -613,8 +613,3 @@ TEST(table)
     assert_int_equal(count, 19 + 26 + 26 + 21 + 21);
     assert_true(!cor_law_name(COR_LAWS) && !cor_end_name(COR_BOTH_ENDS) && !cor_quantity_name(COR_QUANTITIES));
 }
-
-RUN_TESTS(table, special_crossley, damped_approach, exponentials_of_pairs, logarithms_of_pairs, back_at_random,
-          every_size, near_critical_damping, order_of_the_ends, against_the_equation_of_motion, crossley_times,
-          hertz_dashpot_known, hertz_dashpot_threshold, hertz_dashpot_slowest_speed, oblique_impacts,
-          slip_in_oblique_impacts)

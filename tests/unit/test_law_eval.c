@@ -127,5 +127,3 @@ TEST(sums_of_scaled_pairs)
         check(fabsl(total / exact - 1) < 1e-18L, "%a and %a times 2^%d: %.20Lg, not %.20Lg", x, y, less, total, exact);
     }
 }
-
-RUN_TESTS(sums_of_scaled_pairs, linear_eps, linear_beta, fading_duration, falling_beta)

@@ -312,5 +312,3 @@ TEST(float_arithmetic)
         }
     }
 }
-
-RUN_TESTS(every_set, float_arithmetic)

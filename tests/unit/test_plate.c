@@ -242,5 +242,3 @@ TEST(conditions)
         }
     }
 }
-
-RUN_TESTS(fields, refused, against_two_bodies, a_plate_with_edges, published, conditions)

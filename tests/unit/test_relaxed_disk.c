@@ -182,7 +182,3 @@ TEST(a_hard_wall_gives_the_contact_law)
     check(fabs(ratio[2] - 1.001) <= 5e-4, "%.6f", ratio[2]);
     check(ratio[0] > ratio[1] && ratio[1] > ratio[2], "%.6f, %.6f, %.6f", ratio[0], ratio[1], ratio[2]);
 }
-
-RUN_TESTS(loads_of_1300_modes, kernel_is_the_sum_over_modes_and_symmetric, all_modes_are_the_limit_of_many,
-          the_pressure_solves_the_equation, the_load_is_the_slope_of_the_energy,
-          neither_the_way_nor_the_number_of_points_matters, a_hard_wall_gives_the_contact_law)

@@ -114,5 +114,3 @@ TEST(rows_join)
         }
     }
 }
-
-RUN_TESTS(rows_join)

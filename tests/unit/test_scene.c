@@ -142,5 +142,3 @@ TEST(plate)
     assert_true(cor_scene_eps(&eps, &c, 1, COR_END_ZERO_FORCE) == COR_OK && isnan(eps));
     assert_true(scene_eps(&c, 1, COR_END_ZERO_OVERLAP) > 0);
 }
-
-RUN_TESTS(unlike_bodies, every_law, quiet_arithmetic, plate)

@@ -101,5 +101,3 @@ TEST(strong_damping)
         check_near(scaled, b4 == 0 ? 1 : strongly_damped(a, b, mu), COR_LAW_FORCE_MAX_ERROR + 1e4 * mu * mu);
     }
 }
-
-RUN_TESTS(forces, strong_damping)

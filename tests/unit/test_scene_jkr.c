@@ -222,5 +222,3 @@ TEST(laws)
                          k < 4 ? COR_FAULT_NO_BODIES : COR_FAULT_ADHESION_MODEL);
     }
 }
-
-RUN_TESTS(elastic, damped, durations, creeping, little_adhesion, round_trip, laws)

@@ -575,7 +575,3 @@ TEST(a_ball_that_falls)
     const struct cor_scene_contact contact = contact_of(&scene, COR_END_ZERO_OVERLAP);
     check(fabs(scene_eps(&contact, 0.5, COR_END_ZERO_OVERLAP) - 0.7) < 1e-8, "MFiX with e = %.9g", e);
 }
-
-RUN_TESTS(several_materials, a_ball_that_falls, bodies_that_differ_in_one_number, unlike_bodies_of_a_constant_law,
-          speeds_in_any_order, corrected_for_a_step, stiffness_of_a_duration, walls, ends, active_lines_are_one_block,
-          buffer_of_any_size, versions)

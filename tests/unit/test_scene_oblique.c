@@ -379,5 +379,3 @@ TEST(refused_numbers)
                 cor_scene_oblique(&o, &sticky, &good, 0.3, 1, 1, 0) == COR_FAULT_RANGE);
     assert_true(cor_scene_oblique(&o, &held, &good, 0.3, 1, 1, 0) == COR_OK && isnan(o.restitution) && o.regime == 0);
 }
-
-RUN_TESTS(table_of_the_theory, limits, refused_numbers, against_another_method)

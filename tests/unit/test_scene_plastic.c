@@ -344,6 +344,3 @@ TEST(refusals)
                {COR_SCENE_G_STAR, 1});
     assert_int_equal(cor_scene_contacts(contacts, &count, &fault, &scene), COR_FAULT_NO_BODIES);
 }
-
-RUN_TESTS(eps_of_the_speed, onset_and_limits, piecewise_contact, yield_speed_of_a_restitution, lines_of_luding,
-          wet_contact, refusals)

@@ -126,5 +126,3 @@ TEST(limits)
         }
     }
 }
-
-RUN_TESTS(impacts, sticking, limits)

@@ -348,5 +348,3 @@ TEST(models)
     }
     check(judged > 25, "%d models", judged);
 }
-
-RUN_TESTS(another_route, narrow_windows, small_steps, step_for, pressed, special, models, implicit_steps)

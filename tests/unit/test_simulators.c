@@ -324,5 +324,3 @@ TEST(rows_are_whole)
     assert_int_equal(rows, COR_SIMULATOR_MODELS);
     assert_null(cor_simulator_model(COR_SIMULATOR_MODELS));
 }
-
-RUN_TESTS(realised, formulas_for_hunt_and_crossley, cures, limits, mujoco, units, rows_are_whole)

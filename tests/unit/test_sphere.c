@@ -341,7 +341,3 @@ TEST(documented_errors_of_1999)
     }
     check(fabs(cor_sphere_eps_published_pade(3) / cor_sphere_eps_zero_overlap(3) - 3.3) < 0.05, "beta = 3");
 }
-
-RUN_TESTS(known_answers, against_the_equation_of_motion, infinitely_strong_damping, special_values,
-          falls_at_powers_of_two, derivatives, constants, simple_theory, simple_theory_special_values,
-          documented_errors_of_1999)

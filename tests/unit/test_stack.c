@@ -163,4 +163,4 @@ static int free_results(void **state)
     return 0;
 }
 
-RUN_GROUP(setup, free_results, stack_of_functions, only_these_allocate)
+GROUP(setup, free_results)

@@ -117,5 +117,3 @@ TEST(every_size)
     }
     assert_true(moderate > 0);
 }
-
-RUN_TESTS(known_values, another_contour, collisions, every_size)

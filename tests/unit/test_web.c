@@ -215,6 +215,3 @@ TEST(test_headers)
     assert_true(web_read(GLASS "restitution=1\nat=1\nend=zero-force"));
     assert_string_equal(web_headers(), "zero-force\telastic\n");
 }
-
-RUN_TESTS(test_gravity, test_contacts_of_the_list, test_a_wrong_request_leaves_the_last_one, test_curves,
-          test_lines_and_own_maps_of_a_simulator, test_headers)
