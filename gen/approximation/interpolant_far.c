@@ -93,7 +93,7 @@ int interpolant_make_far(struct interpolant *f)
     int status = samples_collide(&s, 1, f, &interval, "collisions at large beta");
     for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++)
         if (has_quantity(&interval, (enum quantity)q) && !fit_far(f, (enum quantity)q, &s))
-            status = fail("the far coefficients could not be solved for");
+            status = fail("cannot solve for the coefficients at large beta");
     samples_clear(&s, interval.count);
     return status;
 }

@@ -77,7 +77,7 @@ static int solve_search(arb_t w, struct search *s, const arb_t wanted)
                 s->prec = INTERPOLANT_BITS;
         }
     }
-    return found ? STATUS_OK : fail("an inverse of the collision was not found");
+    return found ? STATUS_OK : fail("found no beta whose collision has the given result");
 }
 
 /* Chooses the first variable whose range reaches the zero. */

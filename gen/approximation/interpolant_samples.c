@@ -182,7 +182,7 @@ static int interval_sample(arb_ptr value, const struct interpolant *f, const str
         if (decided)
             return STATUS_OK;
     }
-    return fail("a sample of the collision could not be rounded to %ld bits", (long)bits);
+    return fail("cannot round a sample of the collision to %ld bits", (long)bits);
 }
 
 void interpolant_through_samples(arb_poly_t p, const struct samples *s, const struct interval *interval,

@@ -325,8 +325,9 @@ int law_layout_init(struct law_layout *layout, const struct cor_exponents *law)
         layout->root_of_time = layout->root / (slong)n_gcd((ulong)layout->root, (ulong)other) * other;
     }
     if (n.num > 0 && -ratio_double(interpolant_tail_power(law, EPS_ZERO_OVERLAP)) > (double)MOST_POWER)
-        return fail("eps falls like beta^(-%.0f) in this law: no table holds that",
-                    -ratio_double(interpolant_tail_power(law, EPS_ZERO_OVERLAP)));
+        return fail(
+            "eps of this law is proportional to beta^(-%.0f) at large beta, too steep for a table; use other exponents",
+            -ratio_double(interpolant_tail_power(law, EPS_ZERO_OVERLAP)));
     double radius; /* radius of convergence of eps in beta: h* = v_f^q, or the threshold */
     const int status = n.num > 0 ? find_fall(&radius, layout) : find_threshold(layout);
     if (n.num <= 0)

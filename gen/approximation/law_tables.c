@@ -26,7 +26,7 @@ static int interpolant_make(struct law_tables *t)
         if (t->error <= INTERPOLANT_LIMIT)
             return STATUS_OK;
     }
-    return fail("the interpolant of the collision is off by %.1e", t->error);
+    return fail("the interpolant of the collision has an error of %.1e", t->error);
 }
 
 int law_tables_make(struct law_tables *t, const char *prefix)

@@ -345,16 +345,17 @@ static int published_series(arb_poly_t c, slong prec)
 const char *pade_refusal(const struct pade_request *r)
 {
     if (r->numerator < 0 || r->denominator < 0)
-        return "the degrees of a Padé are not negative";
+        return "the degrees of a Padé approximant must be 0 or more";
     if (r->kind == PADE_TWO_POINT && !law_is_sphere(&r->law))
-        return "a two-point Padé needs the tail at infinity, known for the sphere's law only";
+        return "a two-point Padé approximant is known only for viscoelastic spheres; leave out --elastic and --damping";
     if (r->kind == PADE_TWO_POINT && r->end != COR_END_ZERO_OVERLAP)
-        return "a two-point Padé exists at zero overlap only: at zero force the tail has "
-               "logarithms";
+        return "a two-point Padé approximant exists only at zero overlap, because eps at zero force has logarithms at "
+               "large beta; write --end zero-overlap";
     if (r->kind == PADE_TWO_POINT && r->denominator != r->numerator + TAIL_POWER)
-        return "a two-point Padé falls off like beta^-5: its denominator is 5 degrees higher";
+        return "a two-point Padé approximant needs --denominator = --numerator + 5, because eps is proportional to "
+               "beta^-5 at large beta";
     if (r->kind == PADE_AS_PUBLISHED && (r->numerator != 1 || r->denominator != 4))
-        return "the published Padé is a [1/4]";
+        return "the published Padé approximant is [1/4]; write --numerator 1 --denominator 4, or leave out both";
     return NULL;
 }
 
@@ -416,11 +417,10 @@ static bool is_accurate(const arb_poly_t p, slong bits, slong *power)
 /* Reports the degenerate entry and the reason. */
 static int fail_in_block(const struct pade_request *r, const struct pade_block *b, const char *known)
 {
-    return fail("[%ld/%ld] at %s is degenerate (%s): it lies in the block of [%ld/%ld]..[%ld/%ld]%s, which holds one "
-                "fraction; ask for [%ld/%ld]",
-                (long)r->numerator, (long)r->denominator, end_name(r->end), known, (long)b->m, (long)b->n,
-                (long)(b->m + b->size - 1), (long)(b->n + b->size - 1), b->open ? " or beyond" : "", (long)b->m,
-                (long)b->n);
+    return fail(
+        "[%ld/%ld] at %s is degenerate (%s): the approximants [%ld/%ld] to [%ld/%ld]%s are one fraction; use [%ld/%ld]",
+        (long)r->numerator, (long)r->denominator, end_name(r->end), known, (long)b->m, (long)b->n,
+        (long)(b->m + b->size - 1), (long)(b->n + b->size - 1), b->open ? " and beyond" : "", (long)b->m, (long)b->n);
 }
 
 static int fail_degenerate(const arb_poly_t c, const struct pade_request *r, slong prec)
@@ -428,9 +428,9 @@ static int fail_degenerate(const arb_poly_t c, const struct pade_request *r, slo
     struct pade_block b;
     char known[64];
     if (r->kind == PADE_TWO_POINT || !pade_block_of(&b, c, r->numerator, r->denominator, prec))
-        return fail("the equations of the [%ld/%ld] Padé at %s are singular to %ld bits", (long)r->numerator,
+        return fail("the equations of [%ld/%ld] at %s are singular to %ld bits; use other degrees", (long)r->numerator,
                     (long)r->denominator, end_name(r->end), (long)prec);
-    snprintf(known, sizeof known, "as far as %ld bits tell", (long)prec);
+    snprintf(known, sizeof known, "to %ld bits", (long)prec);
     return fail_in_block(r, &b, known);
 }
 
@@ -481,11 +481,11 @@ int pade_compute(struct pade *f, struct pade_analysis *a, const struct pade_requ
     if (status == 0 && !regular)
         status = fail_degenerate(c, r, p.bits);
     else if (status == 0 && open && *open == 'r')
-        status = fail("the poles and zeros of [%ld/%ld] could not be isolated with %ld bits", (long)r->numerator,
-                      (long)r->denominator, (long)p.bits);
+        status = fail("cannot isolate the poles and zeros of [%ld/%ld] with %ld bits; use lower degrees",
+                      (long)r->numerator, (long)r->denominator, (long)p.bits);
     else if (status == 0 && open)
-        status = fail("the coefficient of z^%ld in the %s of [%ld/%ld] cannot be certified with %ld "
-                      "bits (it may vanish)",
+        status = fail("cannot prove digits of the coefficient of z^%ld in the %s of [%ld/%ld] with %ld bits: it may be "
+                      "0; use other degrees",
                       (long)power, open, (long)r->numerator, (long)r->denominator, (long)p.bits);
     return status;
 }

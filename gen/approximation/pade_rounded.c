@@ -42,7 +42,7 @@ static int round_polynomial(arb_poly_t rounded, const arb_poly_t exact, const ch
             arb_set_d(x, y);
             arb_poly_set_coeff_arb(rounded, i, x);
         } else {
-            status = fail("coefficient %ld of the %s does not round to a certain double", (long)i, name);
+            status = fail("cannot round coefficient %ld of the %s: its enclosure is too wide", (long)i, name);
         }
     }
     return status;

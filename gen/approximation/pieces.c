@@ -173,7 +173,8 @@ static int cut_row_of_doubles(double *c, struct pieces *p, struct pieces_functio
         return STATUS_FAILED;
     for (slong k = 0; k < columns; k++)
         if (!digits_to_double(&c[k], exact + k))
-            return fail("%s, row %ld: coefficient %ld cannot be rounded", p->name, (long)row, (long)k);
+            return fail("%s, row %ld: cannot round coefficient %ld: its enclosure is too wide", p->name, (long)row,
+                        (long)k);
     return STATUS_OK;
 }
 
@@ -369,8 +370,8 @@ static int cut_rows(struct pieces *p, struct pieces_function f, slong *missed, b
     if (atomic_load(&work.failed))
         status = STATUS_FAILED;
     else if (*missed >= 0 && last)
-        status = fail("%s, row %ld of %ld reaches %.1f bits, not the %.1f it must, or varies by %.2g", p->name,
-                      (long)*missed, (long)p->rows, p->bits[*missed], p->least_bits, work.rest[*missed]);
+        status = fail("%s, row %ld of %ld: %.1f bits reached, %.1f required; variation %.2g", p->name, (long)*missed,
+                      (long)p->rows, p->bits[*missed], p->least_bits, work.rest[*missed]);
     free(work.rest);
     return status;
 }

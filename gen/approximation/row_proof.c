@@ -105,7 +105,8 @@ int interpolant_error(double *error, const struct interpolant *f, int i, enum qu
     *error = ball_magnitude(distance);
     return coefficients_agree(&s->polynomial[quantity], bound, quantity, distance, interval->count)
                ? STATUS_OK
-               : fail("the interpolant of quantity %d on [%g, %g] is not the function's: a sample or a node is wrong",
+               : fail("the interpolant of quantity %d on [%g, %g] differs from the function: a sample or a node is "
+                      "wrong",
                       quantity, interval->lo, interval->hi);
 }
 
@@ -166,8 +167,9 @@ static int prove_creep(struct interpolant_proof *proof, int i)
     for (slong j = 0; j < interval->count && status == STATUS_OK; j++)
         if (creep_constant_of(c, proof, i, j) &&
             !arb_intersection(proof->creep_constant, proof->creep_constant, c, PREC))
-            status = fail("the duration at zero overlap, sample %ld on [%g, %g], is not that of a creep", (long)j,
-                          interval->lo, interval->hi);
+            status = fail(
+                "the duration at zero overlap, sample %ld on [%g, %g], does not match the slow approach to the end",
+                (long)j, interval->lo, interval->hi);
     arb_get_rad_arb(c, proof->creep_constant);
     proof->error[i][DURATION_ZERO_OVERLAP] = ball_magnitude(c);
     return status;
@@ -611,8 +613,8 @@ int row_proof_table(struct pieces *p, const struct interpolant_proof *proof)
     parallel_for(prove_row, &work, p->rows, p->name);
     for (slong row = 0; row < p->rows; row++)
         if (!(p->bits[row] >= p->least_bits))
-            return fail("%s, row %ld: %.2f bits are proved, not the %.1f it must reach", p->name, (long)row,
-                        p->bits[row], p->least_bits);
+            return fail("%s, row %ld: %.2f bits proved, %.1f required", p->name, (long)row, p->bits[row],
+                        p->least_bits);
     p->proved = true;
     return STATUS_OK;
 }

@@ -40,7 +40,7 @@ static int block_make(struct block *b, const struct sampled_function *s)
         arb_set_d(at + j, ldexp(nearbyint(ldexp(x, 44)), -44));
         s->value(value + j, s->what, at + j, false, ENCLOSURE_BITS);
         if (!sample_rounded(value + j, value + j, SAMPLE_BITS))
-            return fail("%s: a sample cannot be rounded to %d bits", s->p->name, SAMPLE_BITS);
+            return fail("%s: cannot round a sample to %d bits", s->p->name, SAMPLE_BITS);
         unit_place(at + j, at + j, b->lo, b->hi, WORKING_BITS);
     }
     arb_poly_interpolate_newton(b->polynomial, at, value, BLOCK_POINTS, WORKING_BITS);
@@ -69,7 +69,7 @@ static int block_check(const struct block *b, const struct sampled_function *s)
     }
     return worst <= BLOCK_LIMIT
                ? STATUS_OK
-               : fail("%s: the polynomial on [%g, %g] is off by %.1e", s->p->name, b->lo, b->hi, worst);
+               : fail("%s: the polynomial on [%g, %g] has an error of %.1e", s->p->name, b->lo, b->hi, worst);
 }
 
 static int samples_at(arb_t f, const void *context, const struct pieces *p, const struct cell *cell, const arb_t y)

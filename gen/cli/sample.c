@@ -26,17 +26,14 @@ static int run_sample(const void *arguments)
                                      .log = o->log,
                                      .cubic = o->cubic,
                                      .duration = o->duration};
-    if (!(request.speed_min < request.speed_max))
-        return usage_error("--speed-min %s is not below --speed-max %s, as --speed-min 0.01 --speed-max 10",
-                           number[EMBED_SPEED_MIN].text, number[EMBED_SPEED_MAX].text);
-    if (!(request.tolerance >= SAMPLE_FINEST && request.tolerance <= SAMPLE_COARSEST))
-        return usage_error("--tolerance %s is not from %g to %g, as 1e-3", number[EMBED_TOLERANCE].text, SAMPLE_FINEST,
-                           SAMPLE_COARSEST);
+    int status = embed_check_numbers(number, request.speed_min, request.speed_max, SAMPLE_FINEST, SAMPLE_COARSEST);
+    if (status != STATUS_OK)
+        return status;
     if ((o->log || o->cubic) && (format == SAMPLE_MODELICA || format == SAMPLE_OPENFOAM))
         return usage_error("--format %s: its reader interpolates linearly in the speed; no --log or --cubic",
                            sample_format_names[format]);
     OWN_LAW(own);
-    int status = own_law_init(&own, &scene);
+    status = own_law_init(&own, &scene);
     if (status == STATUS_OK && own.law)
         status = own_law_check(&own, request.speed_min, request.speed_max);
     else if (status == STATUS_OK)

@@ -169,7 +169,7 @@ int disk_mode_solve(struct disk_mode *mode, const fmpq_t nu, slong n, slong l, d
     LOCAL_INIT(disk, wide, (&wide, nu, WIDE * (4 * bits + 1024)));
     const bool done = enclose_mode(mode, &wide, start, bits, 4 * bits + 1024);
     return done ? STATUS_OK
-                : fail("mode n = %ld, l = %ld: %ld bits do not separate it from its neighbour", (long)n, (long)l,
+                : fail("cannot separate the mode n = %ld, l = %ld from its neighbour with %ld bits", (long)n, (long)l,
                        (long)(4 * bits + 1024));
 }
 
@@ -302,7 +302,7 @@ static int enclose_all(struct disk_modes *modes, const struct disk *wide, slong 
             work.which[todo++] = i;
         }
         if (todo > 0 && !work.failed && !precision_raise(&work.precision)) {
-            fail("modes n = %ld and n = %ld near omega = %.17g: %ld bits do not decide which is lower",
+            fail("cannot order the modes n = %ld and n = %ld near omega = %.17g with %ld bits",
                  (long)mode[work.which[0]].n, (long)mode[work.which[1]].n, ball_middle(mode[work.which[0]].omega),
                  (long)work.precision.bits);
             work.failed = true;
@@ -336,8 +336,8 @@ int disk_modes_solve(struct disk_modes *modes, const fmpq_t nu, slong count, slo
         profile_step("counting modes");
         const slong total = found > count ? count_all(modes, count, &wide, digits) : DISK_UNDECIDED;
         if (total != count)
-            status =
-                fail("the count of the modes does not confirm the %ld lowest: it is %ld", (long)count, (long)total);
+            status = fail("the %ld lowest modes are incomplete: there are %ld modes in their range", (long)count,
+                          (long)total);
     }
     progress_end();
     profile_step(NULL);

@@ -127,7 +127,7 @@ static int beta_of_restitution(arb_t beta, const arb_t force, const struct embed
         }
         LET(beta, SOLVE_BITS, "low + (above - wanted)/((above - below)/(high - low))", low, above, wanted, below, high);
     }
-    return fail("no damping found at which eps is that of --restitution");
+    return fail("found no damping that gives the eps of --restitution");
 }
 
 /* ---- yield, and a liquid ---- */
@@ -156,7 +156,7 @@ static int yield_speed_of_restitution(arb_t speed, const struct embed_request *r
     for (int sign = -1; sign <= 1; sign += 2) {
         embed_elastic_plastic_eps(eps, at, sign < 0 ? low : high, prec);
         if (!(sign < 0 ? arb_lt(eps, wanted) : arb_gt(eps, wanted) && arb_lt(high, at)))
-            return fail("the yield speed of --restitution cannot be enclosed: eps is too near to 1");
+            return fail("--restitution is too close to 1 to enclose the yield speed; use a smaller value");
     }
     for (slong i = 0; i < prec / 2; i++) { /* eps grows with v_y */
         LET(speed, prec, "(low + high)/2", low, high);
@@ -207,8 +207,8 @@ int embed_contact_numbers(arb_t beta_per_root, arb_t force, arb_t yield_speed, a
     else if (embed_given(request, COR_SCENE_BETA))
         LET(beta_per_root, prec, law_is_linear(law) ? "beta" : "beta/at^q", beta, at, q);
     else if (embed_given(request, COR_SCENE_DURATION))
-        return usage_error("a damping that follows from --duration is not exact; give --beta B --at G, --zeta Z or "
-                           "--restitution E --at G, which corgen contact prints for it");
+        return usage_error("--duration does not give the damping exactly enough for a header; instead of it give "
+                           "--beta B --at G, --zeta Z or --restitution E --at G, which corgen contact prints");
     else { /* of the force K x^a + C x^b x': beta g^-q = (C/m) (m/K)^((b+1)/(a+1)), C given, or (3/2) A K */
         LET(A, prec, embed_given(request, COR_SCENE_DAMPING_COEFFICIENT) ? "C" : "A*K*3/2", C, A, K);
         LET(beta_per_root, prec, "(m/K)^((b + 1)/(a + 1))*A/m", m, K, a, b, A);

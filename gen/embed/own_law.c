@@ -66,24 +66,24 @@ static slong read_rows(fmpq *speed, fmpq *eps, char *text, const char *path)
             }
             columns = cells;
             if (at_speed < 0 || at_eps < 0)
-                return usage_error("--table: %s: the first line is not speed_m_s,eps with a comma between", path), 0;
+                return usage_error("--table %s: the first line must be speed_m_s,eps", path), 0;
             continue;
         }
         const char *const wrong =
-            cells != columns ? "another number of cells than in the first line; write 0.1, not 0,1"
+            cells != columns ? "the number of cells differs from the first line; write 0.1, not 0,1"
             : rows == OWN_ROWS_MOST
-                ? "more than " TEXT_OF(OWN_ROWS_MOST) " rows; leave out rows that lie close together"
+                ? "more than " TEXT_OF(OWN_ROWS_MOST) " rows; leave out rows that are close together"
             : !read_cell(speed + rows, cell[at_speed], &range_of_speed) ? "the speed is not a number above 0, in m/s"
             : !read_cell(eps + rows, cell[at_eps], &range_of_eps)       ? "eps is not a number above 0 and up to 1"
             : rows > 0 && fmpq_cmp(speed + rows - 1, speed + rows) >= 0
-                ? "the speed is not above the one before it; sort the rows by speed, and give each speed once"
+                ? "the speed is not above the previous speed; sort the rows by speed, and give each speed once"
                 : NULL;
         if (wrong)
-            return usage_error("--table: line %d of %s: %s", number, path, wrong), 0;
+            return usage_error("--table %s, line %d: %s", path, number, wrong), 0;
         rows++;
     }
     if (rows < 2)
-        usage_error("--table: %s has %ld row%s of numbers; a curve needs two or more", path, (long)rows,
+        usage_error("--table %s: the file has %ld row%s of numbers; allowed: two or more", path, (long)rows,
                     rows == 1 ? "" : "s");
     return rows < 2 ? 0 : rows;
 }
@@ -143,13 +143,13 @@ static int init_table(struct own_law *law, const char *path)
     char *const bytes = read_file(path, BYTES_MOST, &size);
     if (!bytes || strpbrk(path, "\n\r")) {
         free(bytes);
-        return usage_error("--table: %s cannot be read: %s%s", path, strerror(errno),
+        return usage_error("--table: cannot read %s: %s%s", path, strerror(errno),
                            errno == EFBIG ? "; allowed: less than 1 MiB" : "");
     }
     static const char mark[] = "\xef\xbb\xbf"; /* byte order mark of UTF-8 */
     fmpq *const number = _fmpq_vec_init(2 * OWN_ROWS_MOST);
     if (strlen(bytes) != size)
-        usage_error("--table: %s has a zero byte; it is no csv file", path);
+        usage_error("--table %s: the file contains a zero byte; allowed: csv", path);
     else
         law->rows = read_rows(number, number + OWN_ROWS_MOST, bytes + (strncmp(bytes, mark, 3) == 0 ? 3 : 0), path);
     if (law->rows > 0) {
@@ -173,10 +173,11 @@ static const struct form {
     int first, second; /* numbers of the request */
     const char *options, *formula, *text;
 } forms[] = {{EMBED_COEFFICIENT, EMBED_EXPONENT,
-              "--coefficient A --exponent B, as --coefficient 0.1157 --exponent 0.234", "exp(-x*b)*a",
+              "--coefficient A --exponent B, for example --coefficient 0.1157 --exponent 0.234", "exp(-x*b)*a",
               "eps = min(1, A v^-B), A = %s, B = %s, v in m/s"},
-             {EMBED_EPS_INF, EMBED_DECAY_SPEED, "--eps-inf E --decay-speed V, as --eps-inf 0.3 --decay-speed 0.01",
-              "exp(-exp(x)/b)*(1 - a) + a", "eps = E + (1 - E) exp(-v/V), E = %s, V = %s m/s"},
+             {EMBED_EPS_INF, EMBED_DECAY_SPEED,
+              "--eps-inf E --decay-speed V, for example --eps-inf 0.3 --decay-speed 0.01", "exp(-exp(x)/b)*(1 - a) + a",
+              "eps = E + (1 - E) exp(-v/V), E = %s, V = %s m/s"},
              {-1, -1, "--table FILE, a csv file with the columns speed_m_s,eps",
               "(((exp(x) - k)*c3 + c2)*(exp(x) - k) + c1)*(exp(x) - k) + c0", NULL}};
 
@@ -189,7 +190,7 @@ int own_law_init(struct own_law *law, const struct embed_request *request)
         const int given =
             table ? 2 * (request->table != NULL) : embed_given(request, f->first) + embed_given(request, f->second);
         if (!chosen && given > 0)
-            return usage_error("--law %s takes no %.*s; --law %s has %s", embed_law_names[request->law],
+            return usage_error("--law %s has no %.*s; --law %s has %s", embed_law_names[request->law],
                                (int)strcspn(f->options, " "), f->options, embed_law_names[EMBED_LAW_POWER + i],
                                f->options);
         if (chosen && given < 2)
@@ -207,7 +208,7 @@ int own_law_init(struct own_law *law, const struct embed_request *request)
         for (int k = 0; k < 2; k++)
             law->real[k] = decimal_nearest(law->number + k);
         if (law->law == EMBED_LAW_POWER && !fmpq_is_zero(law->number + 1) && fabs(law->real[1]) < 1e-9)
-            return usage_error("--exponent: %s is too near to 0; allowed: 0, and 1e-9 to 100 with either sign",
+            return usage_error("--exponent: '%s' is too close to 0; allowed: 0, and 1e-9 to 100 with either sign",
                                request->number[f->second].text);
         snprintf(law->text, sizeof law->text, f->text, request->number[f->first].text, request->number[f->second].text);
     }
@@ -237,8 +238,10 @@ int own_law_check(const struct own_law *law, double speed_min, double speed_max)
     const bool slow = law->rows > 0 && speed_min < law->speed[0];
     if (!slow && !(law->rows > 0 && speed_max > law->speed[law->rows - 1]))
         return STATUS_OK;
-    return usage_error("%.17g m/s is outside the table, whose speeds are from %.17g to %.17g m/s",
-                       slow ? speed_min : speed_max, law->speed[0], law->speed[law->rows - 1]);
+    char speed[DECIMAL_TEXT], low[DECIMAL_TEXT], high[DECIMAL_TEXT];
+    return usage_error("%s m/s is outside the speeds of the table; allowed: %s to %s m/s",
+                       decimal_text(speed, slow ? speed_min : speed_max), decimal_text(low, law->speed[0]),
+                       decimal_text(high, law->speed[law->rows - 1]));
 }
 
 /* ---- its values ---- */

@@ -42,6 +42,19 @@ bool embed_mass_is_given(const struct embed_request *request, int body)
     return embed_given(request, own ? COR_SCENE_MASS_2 : COR_SCENE_MASS);
 }
 
+int embed_check_numbers(const struct decimal *number, double min, double max, double least, double most)
+{
+    const double tolerance = decimal_value(&number[EMBED_TOLERANCE]);
+    if (!(max > min))
+        return usage_error(
+            "--speed-min %s is not below --speed-max %s; write for example --speed-min 0.01 --speed-max 10",
+            number[EMBED_SPEED_MIN].text, number[EMBED_SPEED_MAX].text);
+    if (!(tolerance >= least && tolerance <= most && tolerance < 1))
+        return usage_error("--tolerance: '%s' is not a number from %g to %s%g", number[EMBED_TOLERANCE].text, least,
+                           most < 1 ? "" : "below ", most);
+    return STATUS_OK;
+}
+
 int embed_request_check(const struct embed_request *request)
 {
     /* the range of the header's type, and the attainable accuracy of eps */
@@ -53,24 +66,17 @@ int embed_request_check(const struct embed_request *request)
     const struct limits *const type = &limits[request->type];
     const struct decimal *const number = request->number;
     double min = embed_number(request, EMBED_SPEED_MIN), max = embed_number(request, EMBED_SPEED_MAX);
-    const double tolerance = embed_number(request, EMBED_TOLERANCE);
     if (request->type == EMBED_FLOAT) {
         min = (double)(float)min;
         max = (double)(float)max;
     }
     if (!(min >= type->speed_least))
-        return usage_error("--speed-min %s m/s is too small for a %s; at least %.2g", number[EMBED_SPEED_MIN].text,
-                           type->name, type->speed_least);
+        return usage_error("--speed-min: %s m/s is too small for a %s; allowed: %.2g m/s or more",
+                           number[EMBED_SPEED_MIN].text, type->name, type->speed_least);
     if (!(max <= type->speed_most))
-        return usage_error("--speed-max %s m/s is too large for a %s; at most %.2g", number[EMBED_SPEED_MAX].text,
-                           type->name, type->speed_most);
-    if (!(max > min))
-        return usage_error("--speed-min %s is not below --speed-max %s", number[EMBED_SPEED_MIN].text,
-                           number[EMBED_SPEED_MAX].text);
-    if (!(tolerance >= type->tolerance_least && tolerance <= EMBED_COARSEST))
-        return usage_error("--tolerance %s is not from %g to %g, what a %s can hold", number[EMBED_TOLERANCE].text,
-                           type->tolerance_least, EMBED_COARSEST, type->name);
-    return STATUS_OK;
+        return usage_error("--speed-max: %s m/s is too large for a %s; allowed: up to %.2g m/s",
+                           number[EMBED_SPEED_MAX].text, type->name, type->speed_most);
+    return embed_check_numbers(number, min, max, type->tolerance_least, EMBED_COARSEST);
 }
 
 char *embed_options(const struct embed_request *request, int width)

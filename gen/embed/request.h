@@ -61,6 +61,10 @@ const char *embed_end_option(const struct embed_request *request); /* " --end ze
 
 #define EMBED_COARSEST 0.1 /* the coarsest tolerance of a header */
 
+/* Checks min < max and least <= tolerance <= most, with a tolerance below 1. Returns STATUS_OK, or STATUS_USAGE after a
+ * message. */
+int embed_check_numbers(const struct decimal *number, double min, double max, double least, double most);
+
 /* Checks that the range of speeds and the tolerance suit the type. Returns STATUS_OK, or STATUS_USAGE after a message
  * on stderr. */
 int embed_request_check(const struct embed_request *request);

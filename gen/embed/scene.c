@@ -57,6 +57,12 @@ static void eps_of_beta(arb_t eps, const struct embed_scene *s, const arb_t beta
     }
 }
 
+/* Reports a range of speeds that begins or ends too low. fact: holds up to `limit`. */
+static int refuse_speed(const char *option, const char *fact, double limit)
+{
+    return usage_error("--%s: %s up to %.6g m/s; give a speed above it", option, fact, limit);
+}
+
 static bool is_wet(const struct embed_scene *s)
 {
     return !arb_is_zero(s->liquid_speed);
@@ -189,8 +195,7 @@ static int set_pressing(struct embed_scene *s, const arb_t force)
     while (first < sticking * (1 + STICKING_MARGIN))
         first = neighbour_of(s, first, HUGE_VAL);
     if (!(s->speed_max > first))
-        return usage_error("up to %.6g m/s the bodies stay together, and eps is 0; --speed-max is not above it",
-                           sticking);
+        return refuse_speed("speed-max", "the bodies stay together, and eps is 0,", sticking);
     s->onset = s->speed_min > first ? below : neighbour_of(s, first, 0);
     s->origin = floor(below / unit) * unit;
     s->speed_min = fmax(s->speed_min, first) - s->origin;
@@ -248,9 +253,8 @@ static int scene_collide_law(struct embed_scene *s)
     else if (law_layout_init(&s->layout, &s->law))
         return STATUS_FAILED;
     else if (s->end == COR_END_ZERO_OVERLAP && s->beta_max >= s->layout.threshold)
-        return usage_error("at zero overlap the bodies part only above %.6g m/s (beta below %.6g); --speed-min is not",
-                           s->speed_min * pow(s->layout.threshold / s->beta_max, 1 / ratio_double(q)),
-                           s->layout.threshold);
+        return refuse_speed("speed-min", "the bodies stay together at zero overlap, and eps is 0,",
+                            s->speed_min * pow(s->layout.threshold / s->beta_max, 1 / ratio_double(q)));
     else
         law_layout_restrict(&s->layout, quantity_of(s), s->beta_min);
     for (int attempt = 0; attempt < ATTEMPTS && error > INTERPOLANT_LIMIT; attempt++) {
@@ -261,7 +265,8 @@ static int scene_collide_law(struct embed_scene *s)
         if (!s->interpolant || interpolant_check(&error, s->interpolant, CHECK_POINTS) != STATUS_OK)
             return STATUS_FAILED;
     }
-    return error <= INTERPOLANT_LIMIT ? STATUS_OK : fail("the interpolant of the collision is off by %.1e", error);
+    return error <= INTERPOLANT_LIMIT ? STATUS_OK
+                                      : fail("the interpolant of the collision has an error of %.1e", error);
 }
 
 /* Sets an eps that does not depend on the speed: the number of --restitution as written, or a computed one. */
@@ -282,7 +287,7 @@ static int scene_prepare(struct embed_scene *s, const struct embed_request *requ
     s->beta_min = fmin(slow, fast);
     s->beta_max = fmax(slow, fast);
     if (!s->constant && !s->own.law && !(s->beta_min > 1e-60 && s->beta_max < 1e60))
-        return fail("beta from %.3g to %.3g: no material is like that", s->beta_min, s->beta_max);
+        return fail("beta is %.3g to %.3g at these speeds; allowed: 1e-60 to 1e60", s->beta_min, s->beta_max);
     const int status = s->by_speed                             ? STATUS_OK
                        : s->constant                           ? scene_collide_once(s, request)
                        : law_is_sphere(&s->law) && !s->pressed ? scene_collide(s)
@@ -293,8 +298,8 @@ static int scene_prepare(struct embed_scene *s, const struct embed_request *requ
     const bool falls = s->samples.eps[0] > s->samples.eps[EMBED_SAMPLES - 1];
     const double least = s->samples.eps[falls ? EMBED_SAMPLES - 1 : 0];
     if (!(least > (s->single ? EPS_LEAST_FLOAT : EPS_LEAST)))
-        return fail("eps falls to %.3g at --speed-%s, %s%.3g%s: too small for a %s", least, falls ? "max" : "min",
-                    s->by_speed ? "" : "beta = ", s->beta_max, s->by_speed ? " m/s" : "",
+        return fail("eps falls to %.3g at --speed-%s, %s%.3g%s: too small for a %s; use a narrower range of speeds",
+                    least, falls ? "max" : "min", s->by_speed ? "" : "beta = ", s->beta_max, s->by_speed ? " m/s" : "",
                     s->single ? "float" : "double");
     return STATUS_OK;
 }
@@ -318,9 +323,7 @@ static int set_onset(struct embed_scene *s, double below)
         return STATUS_OK;
     s->onset = rounded_down(s, below);
     s->speed_min = neighbour_of(s, s->onset, HUGE_VAL);
-    return s->speed_min < s->speed_max
-               ? STATUS_OK
-               : usage_error("--speed-max is next to the speed up to which eps is 1, %.17g m/s", below);
+    return s->speed_min < s->speed_max ? STATUS_OK : refuse_speed("speed-max", "eps is 1", below);
 }
 
 /* Prepares elastic-plastic spheres, or a constant eps in a liquid: dry eps is a closed form of the speed. */
@@ -334,9 +337,7 @@ static int scene_by_speed(struct embed_scene *s, const struct embed_request *req
     arb_add(onset, s->yield_speed, s->liquid_speed, EMBED_BITS);
     const double below = ball_end(onset, false);
     if (is_wet(s) && !(s->speed_min > below * (1 + 1e-15)))
-        return usage_error("in a liquid a header of --law elastic-plastic begins above the onset of yield, %.6g m/s; "
-                           "--speed-min does not",
-                           below);
+        return refuse_speed("speed-min", "bodies of --law elastic-plastic in a liquid do not yield", below);
     return set_onset(s, below);
 }
 
@@ -352,7 +353,8 @@ static int scene_own(struct embed_scene *s, const struct embed_request *request)
         s->constant = true;
         own_law_eps(s->eps, &s->own, s->eps, EMBED_BITS);
     } else if (s->own.law == EMBED_LAW_POWER && fmpq_sgn(b) < 0 && !(s->speed_max < below)) {
-        status = usage_error("a negative --exponent: eps reaches 1 at %.6g m/s; --speed-max is not below it", below);
+        status = usage_error(
+            "--speed-max: eps reaches 1 at %.6g m/s, because --exponent is negative; give a speed below it", below);
     } else if (s->own.law == EMBED_LAW_POWER && fmpq_sgn(b) > 0 && status == STATUS_OK) {
         status = set_onset(s, below);
     }
@@ -395,8 +397,7 @@ int embed_scene_init(struct embed_scene *s, const struct embed_request *request,
         embed_contact_numbers(s->beta_enclosed, force, s->yield_speed, s->liquid_speed, request, contact, EMBED_BITS);
     const double held = is_wet(s) ? cor_scene_sticking_speed(contact, (int)s->end) : 0;
     if (!(s->speed_min > held))
-        return usage_error("up to %.6g m/s the liquid holds the bodies, and eps is 0; --speed-min is not above it",
-                           held);
+        return refuse_speed("speed-min", "the liquid holds the bodies together, and eps is 0,", held);
     arb_set(s->beta_per_root, s->beta_enclosed);
     if (embed_given(request, COR_SCENE_RESTITUTION))
         arb_get_mid_arb(s->beta_per_root, s->beta_enclosed);

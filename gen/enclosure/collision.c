@@ -101,8 +101,8 @@ static int ends_solve(struct collision *c, const arb_t beta, double below, const
 {
     const bool force = ends == ENDS_ZERO_FORCE;
     if (!arb_is_finite(beta) || !(force ? arb_is_positive(beta) : arb_is_nonnegative(beta)))
-        return fail("the damping beta of a collision%s must be a number %s 0", force ? " that ends without force" : "",
-                    force ? ">" : ">=");
+        return fail("beta must be a finite number%s",
+                    force ? " above 0 if the contact ends at zero force" : ", 0 or more");
     if (arb_is_zero(beta)) { /* (51) */
         turning_point_elastic(c->x_max, c->t_max, law, bits + GUARD_BITS);
         arb_one(c->eps_zero_overlap);
@@ -118,7 +118,8 @@ static int ends_solve(struct collision *c, const arb_t beta, double below, const
         const enum motion_outcome outcome = try_precision(c, beta, law, &r);
         progress_end();
         if (outcome == MOTION_ENDLESS)
-            return fail("no end of contact within %d steps: this law at this beta is too stiff to be integrated",
+            return fail("the contact does not end within %d steps of the integration: the damping is too strong for "
+                        "this law; use less damping",
                         TAYLOR_MAX_STEPS);
         if (outcome == MOTION_MISSED) {
             r.slow = false;
@@ -130,8 +131,7 @@ static int ends_solve(struct collision *c, const arb_t beta, double below, const
             return STATUS_OK;
         r.prec += reached > 0 ? bits - reached + ROUTE_GUARD_BITS : r.prec / 2;
     }
-    return fail("the collision could not be enclosed to %ld bits; the last attempt worked with %ld", (long)bits,
-                (long)r.prec);
+    return fail_accuracy("the collision", bits);
 }
 
 int collision_solve(struct collision *c, const arb_t beta, const struct cor_exponents *law, slong bits)
@@ -178,7 +178,7 @@ int collision_solve_pressed(struct collision *c, const arb_t beta, const arb_t f
     if (arb_is_zero(force))
         return ends_solve(c, beta, 1, law, end == COR_END_ZERO_FORCE && !elastic ? ENDS_ZERO_FORCE : ends, bits);
     if (!arb_is_finite(beta) || !arb_is_nonnegative(beta) || !arb_is_positive(force))
-        return fail("the damping beta of a collision must be a number >= 0, its constant force one > 0");
+        return fail("beta must be a finite number, 0 or more, and the constant force a number above 0");
     const bool below = law->elastic > 0 || HOLDS(bits, "force < 1", force);
     if (!below && (arb_is_one(force) || HOLDS(bits, "force > 1", force))) {
         never_parts(c, beta, force, law, bits + 2 * GUARD_BITS);
@@ -199,16 +199,19 @@ int collision_solve_pressed(struct collision *c, const arb_t beta, const arb_t f
         if (outcome == MOTION_DONE && accuracy_bits(c, ends) >= bits)
             return STATUS_OK;
     }
-    return fail("the collision under a constant force could not be enclosed to %ld bits: the force is too near to the "
-                "threshold from which on the bodies stay together, or the damping is too strong",
-                (long)bits);
+    return fail(
+        "cannot enclose the collision under a constant force to %ld bits: the force is too close to the threshold "
+        "above which the bodies stay together, or the damping is too strong; change the force or use less damping",
+        (long)bits);
 }
 
 int collision_force_max(arb_t force, const arb_t beta, const struct cor_exponents *law, slong bits)
 {
     slong prec = bits + GUARD_BITS;
     if (!law_force_has_one_peak(law))
-        return fail("the largest force of the law %s is not proved: it may have several peaks", law_equation(law).text);
+        return fail("cannot prove the largest force of the law %s, because the force may have several maxima; give "
+                    "--beta instead of SI units to omit the largest force",
+                    law_equation(law).text);
     if (arb_is_zero(beta)) {
         LOCAL(arb, time);
         turning_point_elastic(force, time, law, prec);
@@ -222,13 +225,13 @@ int collision_force_max(arb_t force, const arb_t beta, const struct cor_exponent
             return STATUS_OK;
         prec += prec / 2;
     }
-    return fail("the largest force could not be enclosed to %ld bits", (long)bits);
+    return fail_accuracy("the largest force", bits);
 }
 
 int collision_final_speed(arb_t v_f, const struct cor_exponents *law, slong bits)
 {
     if (law_fall_power(law).num <= 0)
-        return fail("beta^(1/q) eps has a limit for q > 0 only");
+        return fail("beta^(1/q) eps has a limit only for q > 0");
     /* the motion from `last` contracts by exp(-depth), and the intervals grow by the same factor */
     const slong manifold_bits = bits + MANIFOLD_BITS;
     slong prec = bits + GUARD_BITS + (slong)(slow_manifold_depth(law, manifold_bits) / log(2));
@@ -241,7 +244,7 @@ int collision_final_speed(arb_t v_f, const struct cor_exponents *law, slong bits
             return STATUS_OK;
         prec += prec / 2;
     }
-    return fail("the final speed of the fall could not be enclosed to %ld bits", (long)bits);
+    return fail_accuracy("eps at large beta", bits);
 }
 
 int collision_h_star(arb_t h_star, slong bits)

@@ -100,16 +100,16 @@ int collision_sticking_speed(arb_t speed, const arb_t damping, const struct cor_
 {
     slong prec = bits + GUARD_BITS;
     if (law->elastic == 0)
-        return fail("with the elastic exponent 0 no speed decides whether the bodies stay together");
+        return fail("a law with the elastic exponent 0 has no sticking speed; use an exponent above 0");
     for (int i = 0; i < ATTEMPTS; i++, prec += prec / 2) {
         const enum backward outcome = impact_speed(speed, damping, law, end, prec);
         progress_end();
         if (outcome == ESCAPED)
-            return fail("the bodies stay together at every speed up to 1e9");
+            return fail("the bodies stay together at every speed up to 1e9 in dimensionless units; use less damping");
         if (outcome == FOUND && arb_rel_accuracy_bits(speed) >= bits)
             return STATUS_OK;
     }
-    return fail("the sticking speed could not be enclosed to %ld bits", (long)bits);
+    return fail_accuracy("the sticking speed", bits);
 }
 
 /* ---- the threshold at a given beta ---- */
@@ -157,7 +157,7 @@ static int squeeze_force(arb_t force, arb_t low, arb_t high, const arb_t beta, c
     LOCAL(arb, rest, middle);
     arb_div(rest, beta, low, prec);
     if (!(log2(arf_get_d(arb_midref(rest), ARF_RND_UP)) * (double)q.den / (double)q.num < far))
-        return fail("the damping is too strong for the threshold of the force to be enclosed");
+        return fail_accuracy("the threshold of the force", bits);
     for (slong i = 0; i < 4 * (bits + SEARCH_STEPS) && prec <= MOST_FACTOR * (bits + GUARD_BITS); i++) {
         const bool narrow = HOLDS(prec, "(high - low)*2^(bits + 8) < low", high, low, bits);
         if (narrow && proved[0] && proved[1]) {
@@ -177,7 +177,7 @@ static int squeeze_force(arb_t force, arb_t low, arb_t high, const arb_t beta, c
         arb_set(above ? high : low, middle);
         proved[above] = true;
     }
-    return fail("the threshold of the force could not be enclosed to %ld bits", (long)bits);
+    return fail_accuracy("the threshold of the force", bits);
 }
 
 /* Finds B of beta to some bits. It brackets B by factors of 2, halves the bracket in ln(B), and applies the Illinois
@@ -193,7 +193,7 @@ static int find_damping(arb_t damping, arb_t low_end, arb_t high_end, const arb_
     for (int i = 0; i < SEARCH_STEPS; i++) {
         arb_set_d(damping, exp2(place));
         if (!curve_at(rest, force, beta, damping, law, end))
-            return fail("the damping is too strong for the threshold of the force to be enclosed");
+            return fail_accuracy("the threshold of the force", SEARCH_BITS);
         const bool is_low = arf_sgn(arb_midref(rest)) > 0;
         *(is_low ? &low : &high) = place;
         arb_get_mid_arb(is_low ? b->low : b->high, damping);
@@ -210,16 +210,17 @@ static int find_damping(arb_t damping, arb_t low_end, arb_t high_end, const arb_
         return STATUS_OK;
     }
     if (!(both && arb_is_finite(b->f_high)))
-        return fail("there is no threshold: at this damping the bodies never part, even without a force");
+        return fail("the threshold of the force does not exist: at this damping the bodies never part, even without a "
+                    "force; use less damping");
     for (int i = 0; i < SEARCH_STEPS; i++) {
         bracket_guess(damping, b, SEARCH_BITS);
         if (!curve_at(rest, force, beta, damping, law, end))
-            return fail("the threshold of the force could not be found");
+            return fail_accuracy("the threshold of the force", SEARCH_BITS);
         if (arb_contains_zero(rest) || arf_cmpabs_2exp_si(arb_midref(rest), -ENOUGH) < 0)
             return STATUS_OK;
         bracket_shrink(b, damping, rest);
     }
-    return fail("the threshold of the force could not be found");
+    return fail_accuracy("the threshold of the force", SEARCH_BITS);
 }
 
 int collision_sticking_force(arb_t force, const arb_t beta, const struct cor_exponents *law, int end, slong bits)
@@ -266,5 +267,5 @@ int collision_sticking_force(arb_t force, const arb_t beta, const struct cor_exp
         arb_around(low, high, found, -WIDE_BITS, prec);
         return squeeze_force(force, low, high, beta, law, end, bits);
     }
-    return fail("the threshold of the force could not be enclosed to %ld bits", (long)bits);
+    return fail_accuracy("the threshold of the force", bits);
 }

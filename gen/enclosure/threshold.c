@@ -119,7 +119,7 @@ int collision_threshold(arb_t beta_c, arb_t c_star, const struct cor_exponents *
 {
     slong prec = bits + GUARD_BITS;
     if (law_fall_power(law).num > 0)
-        return fail("a threshold of damping exists for q <= 0 only");
+        return fail("a threshold of damping exists only for q <= 0");
     if (law_is_linear(law)) {
         LET(beta_c, prec, "sqrt(2*(law->a + 1))", law);
         return STATUS_OK;
@@ -130,5 +130,5 @@ int collision_threshold(arb_t beta_c, arb_t c_star, const struct cor_exponents *
         if (found && arb_rel_accuracy_bits(beta_c) >= bits && arb_rel_accuracy_bits(c_star) >= bits)
             return STATUS_OK;
     }
-    return fail("the threshold of damping could not be enclosed to %ld bits", (long)bits);
+    return fail_accuracy("the threshold of damping", bits);
 }

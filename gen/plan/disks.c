@@ -112,7 +112,7 @@ static int find_truth(struct disks *d, slong i)
         plan->uncertainty[i] = 2 * fabs(coarse / plan->truth[i] - 1);
     }
     if (status != STATUS_OK || !isfinite(plan->truth[i]) || !isfinite(plan->uncertainty[i]))
-        return fail("the collision at speed %.4g with a rigid wall is not known", plan->speed[i]);
+        return fail("cannot compute the collision with a rigid wall at the speed %.4g sqrt(E/rho)", plan->speed[i]);
     return STATUS_OK;
 }
 
@@ -272,18 +272,14 @@ static void add_laws(const struct disks *d)
 
 /* ---- the plan ---- */
 
-static int check_range(const struct decimal *number, double low, double high, double tolerance)
+static int check_range(const struct decimal *number, double low, double high)
 {
     const char *const min = number[EMBED_SPEED_MIN].text, *const max = number[EMBED_SPEED_MAX].text;
     if (!(low >= MIN_SPEED && high <= COR_DISK_HARD_WALL_MAX_SPEED))
-        return usage_error("--speed-min %s to --speed-max %s: models are compared from %g to %g, in sqrt(E/rho)", min,
-                           max, MIN_SPEED, COR_DISK_HARD_WALL_MAX_SPEED);
-    if (!(high > low))
-        return usage_error("--speed-min %s is not below --speed-max %s", min, max);
-    if (!(tolerance >= LEAST_TOLERANCE && tolerance < 1))
-        return usage_error("--tolerance %s is not from %g, the error of a collision here, to below 1",
-                           number[EMBED_TOLERANCE].text, LEAST_TOLERANCE);
-    return STATUS_OK;
+        return usage_error(
+            "--speed-min %s and --speed-max %s are out of range; allowed with --disks: %g to %g sqrt(E/rho)", min, max,
+            MIN_SPEED, COR_DISK_HARD_WALL_MAX_SPEED);
+    return embed_check_numbers(number, low, high, LEAST_TOLERANCE, 1);
 }
 
 static int disks_fill(struct disks *d)
@@ -304,13 +300,11 @@ static int disks_fill(struct disks *d)
     plan->argument = "speed";
     plan->quantity = quantities[d->quantity].name;
     plan->note =
-        "Error: the largest of the points, two digits, rounded up; taken where error and uncertainty of what it is\n"
-        "compared with are below 0.97 of the tolerance. Of cor_disk_eps and the rigid wall: what the library "
-        "promises.\n"
-        "More modes and harder walls tend to the truth from two sides, so that few modes at a soft wall may be right "
-        "by\n"
-        "accident.\n"
-        "Cost: of a collision, from its steps and modes; all as measured once, docs/plan.md.\n";
+        "Error: the largest at the points, two digits, rounded up. For cor_disk_eps and the rigid wall it is the\n"
+        "documented error. A model meets the tolerance if its error and the uncertainty of the exact value add\n"
+        "up to at most 0.97 of the tolerance. More modes and harder walls approach the exact value from opposite\n"
+        "sides, so few modes at a soft wall may be right by accident.\n"
+        "Cost: from the steps and modes of a collision, measured once (docs/plan.md).\n";
     double uncertainty = 0;
     for (slong i = 0; i < plan->points; i++)
         uncertainty = fmax(uncertainty, plan->uncertainty[i]);
@@ -333,7 +327,7 @@ int plan_disks(struct plan *plan, const struct embed_request *request, enum plan
     const double low = embed_number(request, EMBED_SPEED_MIN), high = embed_number(request, EMBED_SPEED_MAX);
     const double tolerance = embed_number(request, EMBED_TOLERANCE);
     *plan = (struct plan){.chosen = -1};
-    int status = check_range(request->number, low, high, tolerance);
+    int status = check_range(request->number, low, high);
     if (status != STATUS_OK)
         return status;
     plan_init(plan, points ? points : PLAN_DEFAULT_POINTS_DISKS, low, high);

@@ -140,7 +140,7 @@ static void print_text(const struct plan *plan, FILE *file)
 {
     char error[32], cost[32], tolerance[DECIMAL_TEXT];
     fprintf(file, "%s", plan->title);
-    fprintf(file, "Wanted: %s, %s at most %s.\n\n", plan->quantity, plan->relative ? "relative error" : "error",
+    fprintf(file, "Required: %s, %s at most %s.\n\n", plan->quantity, plan->relative ? "relative error" : "error",
             decimal_text(tolerance, plan->tolerance));
     fprintf(file, "  %-39s  %-8s  %-8s  %-8s  %-8s  %s\n", "model", "error",
             strcmp(plan->argument, "beta") == 0 ? "at beta" : "at speed", "cost", "", "leaves out");
@@ -153,12 +153,12 @@ static void print_text(const struct plan *plan, FILE *file)
     }
     fprintf(file, "\n");
     if (plan->chosen < 0) {
-        fprintf(file, "None of these meets the tolerance.\n\n");
+        fprintf(file, "No model meets the tolerance.\n\n");
     } else {
         const struct plan_model *m = &plan->model[plan->chosen];
         print_error(error, sizeof error, m->worst);
         print_cost(cost, sizeof cost, m->cost);
-        fprintf(file, "Take: %s. Error %s, cost %s; leaves out %s.\n\n", m->name, error, cost, m->leaves_out);
+        fprintf(file, "Choice: %s. Error %s, cost %s; leaves out %s.\n\n", m->name, error, cost, m->leaves_out);
         for (const char *line = m->use; line && *line; line = strchr(line, '\n') + 1)
             fprintf(file, "    %.*s\n", (int)strcspn(line, "\n"), line);
         fprintf(file, "\n");

@@ -494,10 +494,10 @@ static char *pressing_remark(const struct spheres *s)
             const double middle = sqrt(low * high);
             *(may_go(contact, end, tolerance, middle) ? &high : &low) = middle;
         }
-        where = xprintf("from %.4g m/s up", high);
+        where = xprintf("for %.4g m/s and above", high);
     }
-    char *text = xprintf("The constant force of %.4g N may be left out %s: eps then changes by less than %g.\n"
-                         "With it the bodies stick up to %.4g m/s.\n",
+    char *text = xprintf("You may leave out the constant force of %.4g N %s: eps then changes by less than %g.\nWith "
+                         "the force the bodies stick up to %.4g m/s.\n",
                          contact->force_n, where, tolerance, sticking);
     free(where);
     return text;
@@ -517,21 +517,21 @@ char *plan_wave_remark(const struct embed_request *request, double speed, double
     const double waves = cor_contact_wave_loss(&contact, &half_space, speed), all = (1 - eps) * (1 + eps);
     if (isnan(waves))
         return NULL;
-    return xprintf("Elastic waves alone: 1 - eps^2 = %.2g at %.4g m/s, to first order, if the wall is massive and as "
-                   "dense as the\n"
-                   "sphere; with this dissipation time it is %.2g. %s\n",
+    return xprintf("Elastic waves only: 1 - eps^2 = %.2g at %.4g m/s, to first order, if the wall is massive and as "
+                   "dense as the\nsphere; with this dissipation time it is %.2g. %s\n",
                    waves, speed, all,
                    waves < all ? "A measured dissipation time includes the waves."
-                               : "The waves take more: the dissipation time is too small.");
+                               : "The waves dissipate more: the dissipation time is too small.");
 }
 
 /* ---- the plan ---- */
 
 #define NOTE(times)                                                                                                    \
-    "Error: the largest of the points, against enclosed values, two digits, rounded up; taken below 0.97 of the\n"     \
-    "tolerance. Of the library: what it promises. Cost: ns for one eps, " times ".\n"                                  \
-    "Of Pade and header made of operations, docs/embed.md; of the others as measured once, docs/plan.md. Compare\n"    \
-    "them; clocks differ.\n"
+    "Error: the largest at the points, compared with enclosed values, two digits, rounded up. For functions of the\n"  \
+    "library it is the documented bound. A model meets the tolerance if its error and the uncertainty of the exact\n"  \
+    "value add up to at most 0.97 of the tolerance. Cost: ns for one eps, " times ".\n"                                \
+    "Costs of Pade approximants and headers are counted from their operations (docs/embed.md); the others were\n"      \
+    "measured once (docs/plan.md). Compare only their ratios: processors differ.\n"
 static const char *const notes[] = {/* by purpose */
                                     NOTE("(call + 4 in a loop)/5 (--for balanced)"),
                                     NOTE("in calls one at a time (--for scalar)"), NOTE("in a loop (--for array)"),
@@ -546,8 +546,8 @@ static char *spheres_remark(const struct spheres *s)
         return NULL;
     const char *const friction =
         embed_given(s->request, COR_SCENE_POISSON)
-            ? "Friction does not change eps. It may be left out where only the normal velocities matter; otherwise\n"
-              "corgen contact --friction MU --angle LIST gives spin and rebound angle.\n"
+            ? "Friction does not change eps. Leave it out if only the normal velocities matter; otherwise\ncorgen "
+              "contact --friction MU --angle LIST gives spin and rebound angle.\n"
             : "";
     char *const pressing = is_pressed(s) ? pressing_remark(s) : xprintf("%s", "");
     char *const both = xprintf("%s%s%s", waves ? waves : "", pressing, friction);
@@ -602,9 +602,10 @@ int plan_spheres(struct plan *plan, const struct embed_request *request, const s
 {
     *plan = (struct plan){.chosen = -1};
     const double tolerance = embed_number(request, EMBED_TOLERANCE);
-    if (!(tolerance >= LEAST_TOLERANCE && tolerance < 1))
-        return usage_error("--tolerance %s is not from %g to below 1, a relative error that a double can hold",
-                           request->number[EMBED_TOLERANCE].text, LEAST_TOLERANCE);
+    int status = embed_check_numbers(request->number, embed_number(request, EMBED_SPEED_MIN),
+                                     embed_number(request, EMBED_SPEED_MAX), LEAST_TOLERANCE, 1);
+    if (status != STATUS_OK)
+        return status;
     struct spheres s = {
         .plan = plan, .request = request, .contact = contact, .with_force = with_force, .pressed = pressed};
     struct embed_request embed = *request, forced = *with_force; /* with the tolerance of a header */
@@ -614,13 +615,14 @@ int plan_spheres(struct plan *plan, const struct embed_request *request, const s
         embed.number[EMBED_TOLERANCE] = forced.number[EMBED_TOLERANCE] = coarsest;
     FOR_ALL(arb, init, s.h_star, s.force, s.damped);
     profile_step("scene, series");
-    int status = embed_request_check(&embed);
+    status = embed_request_check(&embed);
     if (status == STATUS_OK)
         status = embed_scene_init(&s.scene, &embed, contact);
     if (status == STATUS_OK && is_pressed(&s) && !s.scene.constant)
         status = embed_scene_init(&s.pressed_scene, &forced, pressed);
     if (status == STATUS_OK && !s.scene.own.law && s.scene.beta_max > BETA_LIMIT)
-        status = fail("beta up to %.3g: no model is compared beyond %g", s.scene.beta_max, BETA_LIMIT);
+        status = fail("beta is up to %.3g at these speeds; allowed: up to %g; use a narrower range of speeds",
+                      s.scene.beta_max, BETA_LIMIT);
     if (status == STATUS_OK) {
         const double low = s.scene.own.law ? embed_number(request, EMBED_SPEED_MIN) : s.scene.speed_min;
         plan_init(plan, points ? points : PLAN_DEFAULT_POINTS, low, s.scene.speed_max);

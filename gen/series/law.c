@@ -27,8 +27,8 @@ static bool parse_exponent(struct ratio *r, const char *text)
 #define STRING_(x) #x
 #define STRING(x) STRING_(x)
 #define EXPONENT_RULE                                                                                                  \
-    " must be a number from 0 to " STRING(LAW_MAX_EXPONENT) " such as 3/2, 1.5 or 2, with numerator at most " STRING(  \
-        LAW_MAX_NUMERATOR) " and denominator at most " STRING(LAW_MAX_DENOMINATOR)
+    " must be a number from 0 to " STRING(LAW_MAX_EXPONENT) ", such as 3/2, 1.5 or 2, with a numerator up to " STRING( \
+        LAW_MAX_NUMERATOR) " and a denominator up to " STRING(LAW_MAX_DENOMINATOR)
 
 const char *law_parse(struct cor_exponents *law, const char *elastic, const char *damping)
 {

@@ -15,9 +15,9 @@ const char *const contact_end_names[] = {"zero_overlap", "zero_force", "surface"
 int contact_end_given(int *end, bool pressed)
 {
     if (*end == (pressed ? COR_END_ZERO_FORCE : END_SURFACE))
-        return pressed ? usage_error("--end zero-force: under a constant force the contact force vanishes below the "
-                                     "surface, and the restitution is measured at the surface; write --end surface")
-                       : usage_error("--end surface needs a constant force; without one write --end zero-force");
+        return pressed ? usage_error("--end zero-force does not apply under a constant force, where eps is measured at "
+                                     "the surface; write --end surface or --end zero-overlap")
+                       : usage_error("--end surface needs a constant force; without a force write --end zero-force");
     if (*end == END_SURFACE)
         *end = COR_END_ZERO_FORCE;
     return STATUS_OK;
@@ -99,8 +99,8 @@ int series_compute(struct series *s, slong order, const struct cor_exponents *la
         prec += prec / 4 + 32;
         terms += terms / 4 + 8;
     }
-    return fail("the series of order %ld could not be proved to %ld bits; the last attempt used %ld terms "
-                "and %ld bits",
+    return fail("cannot prove the series of order %ld to %ld bits with %ld terms and %ld bits of precision; use a "
+                "lower --order or fewer --digits",
                 (long)order, (long)bits, (long)terms, (long)prec);
 }
 

@@ -94,17 +94,22 @@ int usage_error(const char *format, ...)
     return STATUS_USAGE;
 }
 
+int fail_accuracy(const char *quantity, long bits)
+{
+    return fail("cannot enclose %s to %ld bits; use fewer digits or less damping", quantity, bits);
+}
+
 /* Memory. GMP and FLINT would abort; exit() cleans up unfinished files. */
 
 static FLINT_NORETURN void library_gave_up(void)
 {
-    exit(fail("the arithmetic library could not go on; its own message stands above"));
+    exit(fail("the arithmetic library stopped; its own message is above"));
 }
 
 static void *check_granted(void *p, size_t size)
 {
     if (!p)
-        exit(fail("out of memory: a block of %zu bytes was refused; ask for fewer digits or a lower order", size));
+        exit(fail("out of memory: cannot allocate a block of %zu bytes; use fewer digits or a lower order", size));
     return p;
 }
 

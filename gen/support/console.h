@@ -18,6 +18,9 @@ void console_start(void);
 int fail(const char *format, ...) __attribute__((format(printf, 1, 2)));
 int usage_error(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
+/* Reports that `quantity` cannot be enclosed to that many bits. Returns STATUS_FAILED. */
+int fail_accuracy(const char *quantity, long bits);
+
 /* Progress: one line on a terminal. A thread rewrites it five times per second, even while a computation calls none of
  * these functions. progress_start starts it for a subcommand. It does nothing if stderr is not a terminal. The line
  * shows the name of the subcommand, or of the last profile_step. progress("step", done, total) shows a step of it

@@ -70,7 +70,7 @@ bool decimal_parse(struct decimal *x, const char *text, int exponent_digits)
 void decimal_set(struct decimal *x, const char *text)
 {
     if (!decimal_parse(x, text, DECIMAL_EXPONENT_DIGITS))
-        exit(fail("a constant of corgen, '%s', is not a number", text));
+        exit(fail("the constant '%s' of corgen is not a number", text));
 }
 
 void decimal_clear(struct decimal *x)

@@ -102,7 +102,7 @@ bool precision_raise(struct precision *p)
 
 int precision_spent(const struct precision *p, const char *what, slong digits)
 {
-    return fail("%s: %ld bits do not decide its %ld digits: the number is zero, or halfway between two numbers of that "
-                "many digits; then another --digits helps",
+    return fail("%s: cannot decide with %ld bits how to round to %ld digits: the number is 0, or halfway between two "
+                "numbers of that length; use another --digits",
                 what, (long)p->bits, (long)digits);
 }

@@ -90,7 +90,7 @@ int emit_doubles(struct emit *e, const char *name, arb_srcptr value, slong lengt
         char *text = number_text(value + i);
         if (!text || !digits_to_double(&y, value + i)) {
             free(text);
-            return fail("%s[%ld] is not known well enough to be rounded", name, (long)i);
+            return fail("cannot round %s[%ld]: its enclosure is too wide", name, (long)i);
         }
         fprintf(e->file, "    %.17g, /* [%ld] %s */\n", y, (long)i, text);
         free(text);
@@ -150,7 +150,7 @@ static int put_ball(struct emit *e, const arb_t x, slong column, bool opens, boo
         fprintf(digits_file, "%s,%ld,%ld,%a,%s\n", e->table, (long)e->row, (long)column, y, text);
     free(text);
     if (!known)
-        return fail("%s, row %ld: number %ld is not known well enough to be rounded", e->table, (long)e->row,
+        return fail("%s, row %ld: cannot round number %ld: its enclosure is too wide", e->table, (long)e->row,
                     (long)column);
     if (e->decimal)
         print_real(number, e, y);
@@ -244,7 +244,7 @@ int emit_pair_field(struct emit *e, const char *field, const arb_t value)
     arb_set_d(rest, hi);
     arb_sub(rest, value, rest, 2 * FLINT_BITS + 64);
     if (!known || !digits_to_double(&lo, rest))
-        return fail("%s: a number cannot be rounded to two doubles", field);
+        return fail("%s: cannot round a number to two doubles: its enclosure is too wide", field);
     fprintf(e->file, "    x.%s.hi = %.17g;\n    x.%s.lo = %.17g;\n", field, hi, field, lo);
     return STATUS_OK;
 }

@@ -50,7 +50,7 @@ struct reader {
 
 static _Noreturn void refuse_formula(const struct reader *r)
 {
-    fprintf(stderr, "corgen: no formula from \"%s\" on: \"%s\"\n", r->at, r->text);
+    fprintf(stderr, "corgen: cannot read \"%s\" in the formula \"%s\"\n", r->at, r->text);
     abort();
 }
 

@@ -35,8 +35,8 @@ static int format_of(const char *path)
 int gnuplot_check(const char *path)
 {
     return format_of(path) < FORMATS ? STATUS_OK
-                                     : usage_error("--plot: '%s' is no name of a picture; allowed: names that end in "
-                                                   ".svg, .png or .pdf, or have no ending (svg)",
+                                     : usage_error("--plot: '%s' is not the name of a picture; allowed: names that end "
+                                                   "in .svg, .png or .pdf, or have no ending (svg)",
                                                    path);
 }
 
@@ -44,7 +44,7 @@ static FILE *open_temporary(void)
 {
     FILE *const file = tmpfile();
     if (!file)
-        fail("cannot make a temporary file: %s", strerror(errno));
+        fail("cannot create a temporary file: %s", strerror(errno));
     return file;
 }
 
@@ -137,9 +137,12 @@ int gnuplot_run(FILE *script, FILE *out, const char *path)
     fclose(script);
     if (done)
         return STATUS_OK;
-    return status < 0   ? fail("cannot run gnuplot, which draws the picture: %s", strerror(errno))
-           : place == 0 ? fail("gnuplot failed to draw the picture")
-                        : fail("gnuplot failed to draw the picture as %s; svg needs no library", format[place]);
+    return status < 0 ? fail("cannot run gnuplot, which draws the picture: %s; install gnuplot or leave out --plot",
+                             strerror(errno))
+           : place == 0
+               ? fail("gnuplot failed to draw the picture")
+               : fail("gnuplot failed to draw the picture as %s; use a name that ends in .svg, which needs no library",
+                      format[place]);
 }
 
 /* ---- eps over the speed ---- */

@@ -144,14 +144,14 @@ int output_check(const char *path)
     if (exists && !S_ISREG(status.st_mode))
         return STATUS_OK;
     if (exists && status.st_nlink > 1)
-        return fail("cannot write %s: it is one of %ld names of a file (hard links), and the others would keep the old "
-                    "content; remove this name first, or choose another name",
+        return fail("cannot write %s: the file has %ld names (hard links), and the others would keep the old content; "
+                    "remove this name or choose another one",
                     path, (long)status.st_nlink);
     char *const target = target_of(path);
     const bool accepted = folder_accepts(target);
     free(target);
     return accepted ? STATUS_OK
-                    : fail("cannot write %s: its folder accepts no new file: %s; choose another folder", path,
+                    : fail("cannot write %s: cannot create a file in its folder: %s; choose another folder", path,
                            strerror(errno));
 }
 
@@ -360,7 +360,7 @@ static char *read_header(int *place, const struct table *t, char *const *field, 
         place[k] = -1;
         for (int i = 0; i < fields; i++)
             if (strcmp(field[i], t->column[k]) == 0 && place[k] >= 0)
-                return xprintf("the column %s is there twice", field[i]);
+                return xprintf("the column %s appears twice", field[i]);
             else if (strcmp(field[i], t->column[k]) == 0)
                 place[k] = i;
         if (place[k] < 0 && k < required)
@@ -385,9 +385,9 @@ int table_read(struct table *t, const char *option, const char *path, const char
     table_init(t, all, "");
     free(all);
     if (!bytes)
-        return usage_error("--%s %s: %s", option, path, strerror(errno));
+        return usage_error("--%s: cannot read %s: %s", option, path, strerror(errno));
     if (strlen(bytes) != size)
-        wrong = xstrdup("a zero byte");
+        wrong = xstrdup("the file contains a zero byte");
     char *const start = strncmp(bytes, "\xef\xbb\xbf", 3) == 0 ? bytes + 3 : bytes; /* behind a byte order mark */
     for (char *line = start, *next; line && !wrong; line = next) {
         char *field[COLUMNS];
@@ -407,14 +407,15 @@ int table_read(struct table *t, const char *option, const char *path, const char
             wrong = read_header(place, t, field, fields = found, required);
             continue;
         }
-        wrong = found == fields ? NULL : xprintf("%d fields, where the header has %d", found, fields);
+        wrong = found == fields ? NULL : xprintf("%d fields, but the header has %d", found, fields);
         for (int k = 0; k < t->columns - 1 && !wrong; k++)
             table_add(t, xstrdup(place[k] < 0 ? "" : field[place[k]]));
         if (!wrong)
             table_add_integer(t, number);
     }
     if (!wrong && t->cells == 0)
-        wrong = xstrdup(fields ? "no row follows the header" : "no header, a line with the names of columns");
+        wrong = xstrdup(fields ? "no row follows the header"
+                               : "the header is missing, a line with the names of the columns");
     const int status = wrong ? usage_error("--%s %s, line %d: %s; allowed: csv with the columns %s", option, path,
                                            number, wrong, columns)
                              : STATUS_OK;

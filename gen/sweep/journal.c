@@ -57,7 +57,7 @@ static int journal_open_locked(struct journal *journal, bool part)
     if (!S_ISREG(opened.st_mode))
         return fail("cannot %s %s: it is not a regular file", verb, journal->path);
     if (fcntl(fd, F_SETLK, &region) != 0 && (errno == EACCES || errno == EAGAIN))
-        return fail("%s is in use by another process; wait for it or choose another --output", journal->path);
+        return fail("another process uses %s; wait for it or choose another --output", journal->path);
     return STATUS_OK;
 }
 
@@ -65,10 +65,11 @@ static int journal_refuse_foreign(const struct journal *journal, const char *tit
 {
     const char *const command = strncmp(title, "corgen ", 7) == 0 ? strstr(title, ": ") : NULL;
     if (!command)
-        return fail("%s is not an unfinished sweep of corgen; remove it or choose another --output", journal->path);
-    return fail("%s holds rows of another sweep, '%.300s'; finish it by that command, remove it or choose another "
-                "--output",
-                journal->path, command + 2);
+        return fail("%s is not an unfinished sweep of corgen; remove the file or choose another --output",
+                    journal->path);
+    return fail(
+        "%s contains rows of another sweep, '%.300s'; finish that sweep, remove the file or choose another --output",
+        journal->path, command + 2);
 }
 
 /* Reads a line and cuts off its end; *line is malloc'ed. False at the end, or if the line is incomplete. */
@@ -132,8 +133,8 @@ static int journal_recover(struct journal *journal, const char *title, uint64_t 
     }
     free(line);
     if (damaged)
-        fail("%s: line %" PRIu64 " was changed or is from an earlier version; its row and those after it are computed "
-             "again",
+        fail("%s: line %" PRIu64
+             " was changed or is from an earlier version; corgen computes its row and all later rows again",
              journal->path, journal->lines + 2);
     if (ferror(journal->stream))
         return journal_failure("read", journal);
@@ -210,7 +211,8 @@ int journal_read(struct journal *journal, void (*visit)(void *context, const cha
         return STATUS_OK;
     if (ferror(journal->stream))
         return journal_failure("read", journal);
-    return fail("another program has changed %s; its rows from line %" PRIu64 " on are lost", journal->path, rows + 2);
+    return fail("another program has changed %s; its rows from line %" PRIu64 " onward are lost", journal->path,
+                rows + 2);
 }
 
 void journal_close(struct journal *journal, bool done)

@@ -116,8 +116,8 @@ static int row_finished(void *context, slong i)
         return fail("row %" PRIu64 ": %s", number + 1, cor_status_text(result->status));
     if (run->again && number == run->again_row) {
         if (strcmp(line, run->again) != 0)
-            return fail("%s was begun by another corgen or on another machine: its row %" PRIu64
-                        " has other digits here; continue there, remove it or choose another --output",
+            return fail("%s comes from another version of corgen or another machine: its row %" PRIu64
+                        " has other digits here; continue there, remove the file or choose another --output",
                         run->journal.path, number + 1);
         return STATUS_OK;
     }
@@ -182,8 +182,8 @@ static int report_rows(const struct sweep_printer *p)
     const bool beyond = p->beyond_theory > 0;
     return p->tolerance_not_reached + p->failed + p->beyond_theory == 0
                ? STATUS_OK
-               : fail("of %" PRIu64 " rows, %" PRIu64 " %s and %" PRIu64 " have no eps; the column status says which",
-                      p->rows, beyond ? p->beyond_theory : p->tolerance_not_reached,
+               : fail("of %" PRIu64 " rows, %" PRIu64 " %s and %" PRIu64 " have no eps; see the column status", p->rows,
+                      beyond ? p->beyond_theory : p->tolerance_not_reached,
                       beyond ? "are beyond Rayleigh's theory" : "did not reach the tolerance", p->failed);
 }
 
@@ -255,7 +255,8 @@ static int join_parts(struct collide *run, const struct sweep_request *request)
         if (journal_next(&part[i % (uint64_t)s->parts], &line))
             sweep_print(&run->printer, line);
         else
-            status = fail("another program has changed %s", part[i % (uint64_t)s->parts].path);
+            status = fail("another program has changed %s; run the part again with its --part",
+                          part[i % (uint64_t)s->parts].path);
     while (opened > 0)
         journal_close(&part[--opened], false);
     free(part);
@@ -297,13 +298,9 @@ static int refuse_curves(struct collide *run)
 {
     const uint64_t curves = run->sweep.rows / run->sweep.speed.count;
     if (run->sweep.speed.count < 2)
-        return usage_error("--plot: eps over one speed is no picture; allowed: two speeds or more, as --speed "
-                           "0.01:0.3:log:12");
+        return usage_error("--plot needs two speeds or more, for example --speed 0.01:0.3:log:12");
     if (curves > MOST_CURVES)
-        return usage_error("--plot: the lists make %" PRIu64
-                           " curves; up to %d are allowed, for more cannot be told from "
-                           "one another",
-                           curves, MOST_CURVES);
+        return usage_error("--plot: the lists make %" PRIu64 " curves; allowed: up to %d", curves, MOST_CURVES);
     run->sweep.eps = xmalloc(run->sweep.rows * sizeof *run->sweep.eps);
     return STATUS_OK;
 }

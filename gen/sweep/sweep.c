@@ -78,8 +78,8 @@ int sweep_count(struct sweep *sweep)
             sweep->rows *= list_of(sweep, i)->count;
     }
     if (product > (double)SWEEP_MAX_ROWS)
-        return usage_error("the lists make %.4g rows; up to %" PRIu64
-                           " are allowed, because more take weeks; split the sweep",
+        return usage_error("the lists make %.4g rows; allowed: up to %" PRIu64
+                           ", because more take weeks; split the sweep",
                            product, SWEEP_MAX_ROWS);
     return STATUS_OK;
 }

@@ -16,8 +16,8 @@
 
 enum { TOKEN_MAX = 200, BITS = 256, PARTS = 4 };
 
-static const char ranges_are[] = "ranges are FIRST:LAST:+STEP, FIRST:LAST:-STEP, FIRST:LAST:lin:COUNT and "
-                                 "FIRST:LAST:log:COUNT, as 0.1:0.4:log:3";
+static const char ranges_are[] = "allowed: FIRST:LAST:+STEP, FIRST:LAST:-STEP, FIRST:LAST:lin:COUNT and "
+                                 "FIRST:LAST:log:COUNT, for example 0.1:0.4:log:3";
 
 static bool value_read_number(fmpq_t x, const char *text)
 {
@@ -32,7 +32,7 @@ static bool value_read_number(fmpq_t x, const char *text)
 static int values_add(struct values *values, const struct values_rule *rule, const fmpq_t x)
 {
     if (values->count == VALUES_MAX)
-        return usage_error("--%s: more than %d values; split the sweep", rule->option, VALUES_MAX);
+        return usage_error("--%s: the list has more than %d values; split the sweep", rule->option, VALUES_MAX);
     values->exact = xgrow(values->exact, values->count, sizeof *values->exact);
     values->nearest = xgrow(values->nearest, values->count, sizeof *values->nearest);
     fmpq_init(values->exact + values->count);
@@ -45,8 +45,8 @@ static int value_read(fmpq_t x, const struct values_rule *rule, const char *text
 {
     if (!value_read_number(x, text) || !decimal_inside(&rule->range, x) ||
         (rule->whole && !fmpz_is_one(fmpq_denref(x))))
-        return usage_error("--%s: '%s' is not %s, written as %s", rule->option, text, rule->range.allowed,
-                           rule->whole ? "940" : "0.1, 1.5e-3 (exponent of at most 3 digits) or 1/3");
+        return usage_error("--%s: '%s' is not %s; write it as %s", rule->option, text, rule->range.allowed,
+                           rule->whole ? "940" : "0.1, 1.5e-3 (up to 3 digits in the exponent) or 1/3");
     return STATUS_OK;
 }
 
@@ -80,13 +80,13 @@ static int values_add_stepped(struct values *values, const struct values_rule *r
     LOCAL(fmpq, step, x);
     if (step_text[1] == '-' || !value_read_number(step, step_text + 1) || fmpq_is_zero(step) ||
         (rule->whole && !fmpz_is_one(fmpq_denref(step))))
-        return usage_error("--%s: the step of '%s' is not + or - and a %snumber above 0; %s", rule->option, text,
-                           rule->whole ? "whole " : "", ranges_are);
+        return usage_error("--%s: the step of '%s' is not + or - followed by a %snumber above 0; %s", rule->option,
+                           text, rule->whole ? "whole " : "", ranges_are);
     if (*step_text == '-')
         fmpq_neg(step, step);
     fmpq_sub(x, b, a);
     if (fmpq_sgn(x) * fmpq_sgn(step) < 0)
-        return usage_error("--%s: the step of '%s' leads away from its last value; %s", rule->option, text, ranges_are);
+        return usage_error("--%s: the step of '%s' leads away from the last value; %s", rule->option, text, ranges_are);
     int status = STATUS_OK;
     for (fmpq_set(x, a); status == STATUS_OK && fmpq_cmp(x, b) * fmpq_sgn(step) <= 0; fmpq_add(x, x, step))
         status = values_add(values, rule, x);
@@ -103,7 +103,7 @@ static int values_add_spread(struct values *values, const struct values_rule *ru
         return usage_error("--%s: the count of '%s' is not a whole number from 2 to %d; %s", rule->option, text,
                            VALUES_MAX, ranges_are);
     if (geometric && (fmpq_sgn(a) <= 0 || fmpq_sgn(b) <= 0))
-        return usage_error("--%s: '%s': both ends of a log range must be above 0", rule->option, text);
+        return usage_error("--%s: a log range needs both ends above 0, not '%s'", rule->option, text);
     LOCAL(fmpq, x);
     int status = STATUS_OK;
     for (slong i = 0; i < n && status == STATUS_OK; i++) {
@@ -188,9 +188,9 @@ static char *read_list(uint32_t *check, const struct values_rule *rule, const ch
     size_t length = 0;
     bool comment = false;
     if (list)
-        wrong = "no values";
+        wrong = "it contains no values";
     else if (file)
-        wrong = "64 MiB or more";
+        wrong = "it has 64 MiB or more";
     *check = COR_MODE_FILE_CHECK_START;
     for (int c; list && (c = getc(file)) != EOF && length < (size_t)found.st_size;) {
         const char byte = (char)c;
@@ -208,8 +208,8 @@ static char *read_list(uint32_t *check, const struct values_rule *rule, const ch
         return list;
     }
     free(list);
-    usage_error("--%s: cannot read a list from '%s': %s; allowed: a file of values and ranges with commas, spaces or "
-                "ends of lines between",
+    usage_error("--%s: cannot read a list from '%s': %s; allowed: a file of values and ranges, separated by commas, "
+                "spaces or line ends",
                 rule->option, path, wrong);
     return NULL;
 }
@@ -227,8 +227,8 @@ int values_parse(struct values *values, const struct values_rule *rule, const ch
         if (next)
             *next++ = '\0';
         if (*member == '\0')
-            status = usage_error("--%s: '%s' has an empty member; lists are values and ranges with commas between, "
-                                 "as 0.1,0.2 or 0.1:0.5:+0.1",
+            status = usage_error("--%s: '%s' has an empty entry; separate values and ranges by one comma, for example "
+                                 "0.1,0.2 or 0.1:0.5:+0.1",
                                  rule->option, text);
         else
             status = values_add_member(values, rule, member);

@@ -122,7 +122,7 @@ static int damping_of(arb_t x, const struct closed_form *law, const arb_t wanted
     law->exponent(off, last);
     law->exponent(slope, last_off);
     if (!arb_lt(off, wanted) || !arb_gt(slope, wanted))
-        return fail("%s: the inverse is not known well enough", law->title);
+        return fail("%s: cannot round the inverse: its enclosure is too wide", law->title);
     arb_union(x, last, last_off, WORKING_BITS);
     return STATUS_OK;
 }

@@ -77,7 +77,7 @@ static FILE *content_open(struct content *c, const char *name)
 static int content_close(const struct content *c, FILE *file, int status)
 {
     profile_step(NULL);
-    return fclose(file) == 0 || status != STATUS_OK ? status : fail("no memory for %s", c->name);
+    return fclose(file) == 0 || status != STATUS_OK ? status : fail("out of memory for %s", c->name);
 }
 
 /* Writes a file of generated/ to memory. */
@@ -190,7 +190,8 @@ static int check_all(const struct content *c, int n, const char *directory)
         if (!text)
             status = fail("cannot read %s: %s", path, strerror(errno));
         else if (line)
-            status = fail("%s is not what corgen writes: it differs in line %ld", path, line);
+            status = fail("%s, line %ld, differs from the output of corgen; corgen tables writes the file again", path,
+                          line);
         free(text);
         free(path);
     }
@@ -209,7 +210,8 @@ static int limits_make(struct content *c, const struct tables_request *request, 
     c->name = DISK_LIMITS_FILE;
     char *const path = xprintf("%s/%s", directory, DISK_LIMITS_FILE);
     c->text = read_file(path, SIZE_MAX, &c->size);
-    const int status = c->text ? STATUS_OK : fail("cannot read %s: %s; --all makes it", path, strerror(errno));
+    const int status =
+        c->text ? STATUS_OK : fail("cannot read %s: %s; corgen tables --all computes it", path, strerror(errno));
     free(path);
     return status;
 }

@@ -146,7 +146,7 @@ int disk_file_write(FILE *file, const struct disk_table *table)
         double omega = 0, c = 0, s = 0;
         progress("rows of the mode file", i, table->count);
         if (!digits_to_double(&omega, m->omega) || !digits_to_double(&c, m->c) || !digits_to_double(&s, m->s))
-            status = fail("mode %ld is not known well enough to be rounded", (long)i);
+            status = fail("cannot round mode %ld: its enclosure is too wide", (long)i);
         put_line(&out, "mode %ld %ld %a %a %a ", (long)m->n, (long)m->l, omega, c, s);
     }
     progress_end();

@@ -408,7 +408,7 @@ static int far_solve(arb_ptr c, const struct far_form *f)
     const int solved = arb_mat_solve(b, a, b, FAR_BITS);
     for (slong k = 0; k < n; k++)
         arb_set(c + k, arb_mat_entry(b, k, 0));
-    return solved ? STATUS_OK : fail("the coefficients of %s cannot be solved for", f->name);
+    return solved ? STATUS_OK : fail("cannot solve for the coefficients of %s", f->name);
 }
 
 /* Computes the row, as exact doubles. Returns the number of its columns, or 0 after reporting the failure. */
@@ -474,7 +474,8 @@ static int overlap_far_check(const struct far_form *f)
         LET(sum, FAR_BITS, "(row + sum)/v - 1", row, sum, v);
         worst = fmax(worst, fabs(ball_middle(sum)));
     }
-    return worst < 0x1p-57 ? STATUS_OK : fail("Tsuji's duration at zero overlap is off by %.3g far out", worst);
+    return worst < 0x1p-57 ? STATUS_OK
+                           : fail("Tsuji's duration at zero overlap has an error of %.3g at large zeta", worst);
 }
 
 #define TSUJI_FAR(title, of, p, q, mu, ...)                                                                            \

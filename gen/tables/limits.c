@@ -649,15 +649,15 @@ static void check_scene(struct check *check, const struct scene *scene, const st
     check->places[between]++;
     check->worst[between] = fmax(check->worst[between], between ? off / uncertainty : off);
     if (!(off <= allowed) && check->wrong++ < SAMPLE_MISSES)
-        fail(DISK_LIMITS_FILE ": v = %.9g, nu = %.9g: off by %.1e, where %.1e is allowed", speed_at(scene->x),
+        fail(DISK_LIMITS_FILE ": v = %.9g, nu = %.9g: the difference is %.1e, allowed: %.1e", speed_at(scene->x),
              nu_at(scene->nu), off, allowed);
 }
 
 static int check_verdict(const struct check *check, const char *of_what)
 {
     if (check->wrong)
-        return fail("%s: %ld of %ld collisions (%s) are not as the table says", DISK_LIMITS_FILE, check->wrong,
-                    check->places[0] + check->places[1], of_what);
+        return fail("%s: %ld of %ld collisions (%s) differ from the table by more than allowed", DISK_LIMITS_FILE,
+                    check->wrong, check->places[0] + check->places[1], of_what);
     printf(
         "collided again at %ld places of %s (%s): 1 - eps^2 differs by %.1e at most; at %ld between them, by %.2f of "
         "the uncertainty\n",

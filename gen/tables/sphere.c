@@ -122,13 +122,13 @@ static int prove_far(const struct law_tables *t, const struct interpolant_proof 
         const slong columns = law_tables_far_row(row, t, quantity);
         for (slong k = 0; k < columns && status == STATUS_OK; k++)
             if (!digits_to_double(&c[k], row + k))
-                status = fail("a coefficient for large beta is not known well enough to be rounded");
+                status = fail("cannot round a coefficient for large beta: its enclosure is too wide");
         const double bits = status == STATUS_OK ? far_proof_bits(&proof, quantity, c) : 0;
         const double least = inverse ? INVERSE_BITS : FAR_BITS;
         double *const of_all = inverse ? &data.inverse_bits : &data.far_bits;
         *of_all = fmin(*of_all, bits);
         if (status == STATUS_OK && !(bits >= least))
-            status = fail("%s: %.2f bits are proved, not the %.1f it must reach", far_tables[i].name, bits, least);
+            status = fail("%s: %.2f bits proved, %.1f required", far_tables[i].name, bits, least);
     }
     far_proof_clear(&proof);
     return status;
