@@ -43,8 +43,8 @@ static long double response(const struct cor_disk_mode *mode, long double fracti
     return fraction * square * square / ((long double)mode->c * mode->c);
 }
 
-/* Returns the largest relative error of a fraction, over the modes whose cosine does not cancel. (2 I)^2 omega^4 varies
- * slowly except for the cosine. In those modes it is above 1/100 of the largest of 25 neighbours on each side. */
+/* Returns the largest relative error of a fraction, over the modes whose cosine does not cancel. Except for the cosine,
+ * (2 I)^2 omega^4 varies slowly. A mode counts if it is above 1/100 of the largest of 25 neighbours on each side. */
 static double worst_error(const struct cor_disk_mode *mode, const double *fraction, const long double *reference)
 {
     double worst = 0;

@@ -16,7 +16,7 @@
 
 enum { COUNT = 4096, QUANTITIES = 4, LINES = 2 * QUANTITIES * COR_INSTRUCTION_SETS };
 
-/* As "ordinary dissipation" of docs/speed */
+/* The range of "ordinary dissipation" in docs/speed */
 static const double least_beta = 0.3, most_beta = 1.9;
 
 static double x[COUNT], y[COUNT];

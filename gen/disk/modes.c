@@ -186,7 +186,7 @@ struct work {
     const arb_struct *w;
 };
 
-/* Finds the lowest modes in doubles: the first `count`, the next one, and those that doubles do not separate from it.
+/* Finds the lowest modes in doubles: the first `count`, the next one, and all that doubles do not separate from it.
  * Finds none if they cannot be computed; the proof then fails. */
 static struct cor_disk_mode *find_candidates(slong *found, const struct disk *disk, slong count)
 {

@@ -134,7 +134,7 @@ static bool follow_curve(arb_t rest, arb_t force, const arb_t beta, const arb_t 
     return true;
 }
 
-/* Calls follow_curve with as many bits as necessary. */
+/* Calls follow_curve with more and more bits until they suffice. */
 static bool curve_at(arb_t rest, arb_t force, const arb_t beta, const arb_t damping, const struct cor_exponents *law,
                      int end)
 {

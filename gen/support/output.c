@@ -49,7 +49,7 @@ void output_report_size_limit(void)
 /* ---- the file of a path ---- */
 
 #define TEMPORARY ".corgen-XXXXXX"
-enum { LINKS_MOST = 40 /* as many as the kernel follows */ };
+enum { LINKS_MOST = 40 /* the limit of the kernel */ };
 
 const char *file_name(const char *path)
 {
@@ -353,7 +353,8 @@ static int split_fields(char **field, int most, char *line)
     return count;
 }
 
-/* Sets place[k] to the field of the header that is column k of the table, or to -1. Returns what is wrong, or NULL. */
+/* Sets place[k] to the field of the header that is column k of the table, or to -1. Returns an error as text, or
+ * NULL. */
 static char *read_header(int *place, const struct table *t, char *const *field, int fields, int required)
 {
     for (int k = 0; k < t->columns - 1; k++) {

@@ -108,7 +108,7 @@ static bool read_row(struct journal *journal, char **line, uint32_t *check, bool
     return true;
 }
 
-/* Finds the first rows that are complete and correct, and cuts off what follows them. */
+/* Finds the first rows that are complete and correct, and cuts off the rest. */
 static int journal_recover(struct journal *journal, const char *title, uint64_t most)
 {
     char *line = NULL;

@@ -29,7 +29,7 @@ struct collide {
     struct journal journal; /* lines go there if it has a path, otherwise to the printer */
     struct sweep_printer printer;
     struct output out; /* of the printer */
-    const char *again; /* last line of an earlier run, computed again as a check; NULL if there is none */
+    const char *again; /* last line of an earlier run, computed again as a check, or NULL */
     uint64_t again_row;
 
     double modes_seconds, rows_seconds, rows_started; /* times of this run; modes_seconds: for one material */

@@ -36,7 +36,7 @@ enum column_kind {
     COLUMN_LIST = 'l',   /* a number of a list, unchanged */
     COLUMN_COUNT = 'c',  /* number of modes, also from a list */
     COLUMN_PLACES = 'p', /* a result, up to the second digit of its error */
-    COLUMN_DIGITS = 'd', /* a result during the contact: as many significant digits as eps has decimals */
+    COLUMN_DIGITS = 'd', /* a result during the contact: its number of digits is the number of decimals of eps */
     COLUMN_WHOLE = 'w',  /* a result with all digits */
     COLUMN_SMALL = 's',  /* a result of which SMALL_DIGITS suffice */
     COLUMN_STEPS = 'n',

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Draws eps against the impact speed for spheres of one material, for both ends of contact.
 
-    python3 eps_over_speed.py [FILE]        eps_over_speed.svg unless a file is named; its name says the format
+    python3 eps_over_speed.py [FILE]        eps_over_speed.svg unless a file is named; its name determines the format
 """
 
 import sys

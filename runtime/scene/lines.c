@@ -46,7 +46,7 @@ static const char *read_digits(long *value, const char *text)
     return text;
 }
 
-/* Returns a date as a number. text: month and year, after the day. 0: it is no date. */
+/* Returns a date as a number. text: month and year, after the day. 0: not a date */
 static long date_of(long day, const char *text)
 {
     static const char *const months[] = {"january", "february", "march",     "april",   "may",      "june",
@@ -359,7 +359,7 @@ static int integrator_of(const struct task *task)
     return own == COR_NO_INTEGRATOR || task->request->integrator == COR_NO_INTEGRATOR ? own : task->request->integrator;
 }
 
-/* True if the lines of the model define this contact. At a wall, matrices and YADE's lines also define like pairs. */
+/* True if the lines of the model define this contact. At a wall, YADE's lines and matrices also define equal pairs. */
 static int has_contact(const struct block *block, const struct task *task, int pair)
 {
     const enum cor_simulator_pairs pairs = block->model->pairs;
@@ -819,7 +819,7 @@ static void put_mass(struct text *t, const struct block *block, const struct tas
                        : "Where masses differ, each pair of types needs its own.");
 }
 
-/* States which lines hold for which pair of two different bodies, and what to replace. */
+/* States the pairs of different bodies for which the lines hold, and the replacements for others. */
 static void put_pairs(struct text *t, const struct block *block, const struct task *task)
 {
     const enum cor_simulator_pairs pairs = block->model->pairs;

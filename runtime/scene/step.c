@@ -318,7 +318,7 @@ int cor_scene_step_corrected(struct cor_scene_contact *corrected, const struct c
         return COR_FAULT_STEP;
     const double beta = m.beta;
     int status = cor_scene_eps(&m.exact, contact, speed_m_s, end);
-    /* The mean falls with the damping: the Illinois method. */
+    /* The mean falls as the damping grows, so the Illinois method finds the damping. */
     for (int k = 0; status == COR_FAULT_NONE && k < MOST_CALLS; k++) {
         m.beta = beta * factor;
         status = average_phases(&error, &m);

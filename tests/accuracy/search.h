@@ -37,7 +37,7 @@ struct search_options {
     double (*random_argument)(struct random_state *r, const struct search_function *f);
     void (*boundaries)(struct worst *worst, const struct search_function *f, const struct search_options *o);
     bool judges_specials;          /* tests values at 0, 1, infinity, next to them, outside domains */
-    uint64_t largest_rise, radius; /* of eps in ulp, from one double >= 0 to the next; around the worst point */
+    uint64_t largest_rise, radius; /* largest rise of eps between neighbours, ulp; doubles around the worst point */
 };
 
 static inline bool search_is_inverse(const struct search_function *f)

@@ -224,7 +224,7 @@ static int search_lambert(uint64_t points)
                          : kind == 1 ? exp(random_uniform(&random_state, -700, 8))
                          : kind == 2 ? exp(random_uniform(&random_state, -4, 2))
                                      : random_uniform(&random_state, 0, 10);
-        /* near the branch point of W half of the digits are lost: add as many as q needs */
+        /* near the branch point of W half of the digits are lost, so the bits of q are added */
         double error = -1;
         for (slong prec = 128 + (q < 1 ? (slong)(-1.5 * log2(q)) : 0); error < 0; prec = 3000) {
             LET(x, prec + 1100, "exp(-1 - q)", q);

@@ -26,8 +26,8 @@ static uint64_t next_bits(struct bit_source *source)
     return x;
 }
 
-/* Requires that eps and 1 - eps are from 0 to 1 and that nothing else is below 0. Exceptions: a contact made by hand
- * may have any values, Hunt and Crossley's law has negative beta, and tangential motion has a sign. */
+/* Requires that eps and 1 - eps are from 0 to 1 and that other results are not negative. Exceptions: a contact made by
+ * hand may have any values, Hunt and Crossley's law has negative beta, and tangential motion has a sign. */
 static void check_range(const struct public_function *f, const struct results *r)
 {
     static const char *const any[] = {"cor_contact_", "cor_plate_", "hunt_crossley", "cor_tangential_"};

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Formulas give the results of Arb's functions, exactly where no ball occurs. Texts that are no formulas are
- * refused. */
+/* Formulas give the results of Arb's functions, exactly if no ball occurs. Texts that are not formulas are refused. */
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>

@@ -87,7 +87,7 @@ TEST(test_reexpansion)
 TEST(test_two_point)
 {
     leave_to_turn(1, 3);
-    enum { TWO_POINT_PREC = 128 }; /* twice as many bits would take seconds */
+    enum { TWO_POINT_PREC = 128 }; /* twice this number would take seconds */
     const slong m = 8, n = m + 5;
     const struct pade_request r = {
         .kind = PADE_TWO_POINT, .numerator = m, .denominator = n, .end = COR_END_ZERO_OVERLAP, .law = law_sphere};
@@ -314,7 +314,7 @@ static slong sign_changes(const arb_poly_t p)
     return changes;
 }
 
-/* [m/n] of eps has as many poles and zeros on the positive axis as its polynomials have sign changes there. */
+/* On the positive axis, [m/n] of eps has a pole or a zero for each sign change of its polynomials there. */
 TEST(test_poles_of_eps)
 {
     const slong most = points(6) > 6 ? 14 : 6;

@@ -9,7 +9,7 @@
 #include "series/trajectory.h"
 #include "support/local.h"
 
-/* Every rational of (49) and of (47); the t^10 of x_1 with the digits that the print lost. */
+/* Every rational number of (49) and (47). The t^10 term of x_1 has the digits that are missing in the paper. */
 TEST(test_equation_49)
 {
     static const struct {

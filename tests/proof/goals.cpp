@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Writes one Gappa file for every piece of the sphere functions: an interval of arguments for which the evaluator
- * executes the same list of operations. docs/theory.md, "Rounding errors, proved", says why this is a proof.
+ * executes the same list of operations. docs/theory.md, "Rounding errors, proved", explains why this is a proof.
  *
  *     goals OUTPUT-DIRECTORY TABLES.h [PART PARTS [PATTERN...]]
  *
- * writes every goal, or those whose name fits a pattern of the shell and whose number is PART modulo PARTS. TABLES.h is
+ * writes every goal, or only goals with a name that fits a pattern of the shell and a number PART modulo PARTS. TABLES.h is
  * generated/sphere_rows.h; the proved errors of rows in beta^5 are read from its text. The exit status is 1 if the
  * evaluator does not compute the formula of a row. */
 #include "trace.h"

@@ -416,7 +416,7 @@ def unlike_options(host, bodies, kind, e, gravity="0"):
 
 
 def unlike_paste(host, texts, kind):
-    """Returns a user's own lines for like pairs, and the text of corgen. If the format allows only one such line,
+    """Returns a user's own lines for equal bodies, and the text of corgen. If the format allows only one such line,
     returns that text with the user's numbers."""
     if host == "lammps":
         like = [re.search("^(pair_coeff) . .( .*)", texts[k].replace("* *", "1 1"), re.M) for k in LIKE]

@@ -440,7 +440,7 @@ TEST(chaotic)
         const struct cor_disk_collision_options short_options = {diary.alpha, tolerance[i], 0, 20000};
         struct cor_disk_collision other;
         const int found =
-            cor_disk_collision(diary.modes, diary.n, &short_options, diary.speed, &other); /* differ from those above */
+            cor_disk_collision(diary.modes, diary.n, &short_options, diary.speed, &other); /* a smaller budget */
         check(fabs(other.eps - 0.838427764576) <= (found == COR_OK ? tolerance[i] : other.error_estimate),
               "tolerance %g: %.12f +- %.1e, %s", tolerance[i], other.eps, other.error_estimate, cor_status_text(found));
     }

@@ -72,7 +72,7 @@ TEST(known_answers)
           least);
 }
 
-/* The proved table of 1800 modes, as many computed ones, and fewer: the length of the table must not matter */
+/* The proved table of 1800 modes, 1800 computed modes, and fewer: the length of the table must not matter */
 TEST(proved_modes)
 {
     const struct cor_disk_hard_wall_options options = {1e-3, 0};
@@ -123,8 +123,8 @@ TEST(errors)
     assert_true(judged > 0);
 }
 
-/* At random scenes, a budget in operations is kept up to one batch of steps. If this budget, or one in steps, ends the
- * sequence, the levels made give result and estimate, as from modes that end there. */
+/* At random scenes, the operations exceed a budget by at most one batch of steps. If this budget, or a budget of steps,
+ * ends the sequence, result and estimate are as from a table with only the modes of its levels. */
 TEST(budgets)
 {
     leave_to_turn(2, 3);

@@ -239,7 +239,7 @@ TEST(test_array)
             speed[0] = to[k];
             against_one(table(t), k == 0 ? MODES : (size_t)random_log(&draw, 1, MODES), datum, speed, LIST, 0);
         }
-        /* speeds so few or so sparse that each is computed by itself, with wrong speeds between them */
+        /* too few or too sparse speeds for interpolation, each computed separately, with wrong speeds between them */
         const double special[] = {0, -0.0, limit, nextafter(limit, 9), -1, NAN, INFINITY, 5e-324, 1e-300, 1e-3};
         against_one(table(t), 70, datum, special, sizeof special / sizeof *special, 1);
         for (size_t i = 0; i < 20; i++)

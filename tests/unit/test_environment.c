@@ -44,7 +44,7 @@ static const struct public_function *any_function(size_t k)
 
 /* ---- arguments and results ---- */
 
-/* If subnormal numbers may count as 0, results may be those for 0: every second set has no subnormal numbers. */
+/* If subnormal numbers may count as 0, results may be the results for 0: every second set has no subnormal numbers. */
 enum { WITHOUT_SUBNORMALS = 1 };
 static size_t set_count;
 static struct results *expected;  /* function k for set i is at k set_count + i */

@@ -450,9 +450,9 @@ TEST(hertz_dashpot_slowest_speed)
 
 /* ---- oblique impacts ---- */
 
-/* x'' = -x^a, and from the turning point onward an even and an odd solution of two linear systems. These are
- * displacements s'' = -kappa x^(a-1) s, and velocities u' = -f with forces f' = kappa x^(a-1) u. State: x, x', then s,
- * s' twice, then f, u twice, the even solution first. */
+/* x'' = -x^a, and two linear systems that start at the turning point: displacements s'' = -kappa x^(a-1) s, and
+ * velocities u' = -f with forces f' = kappa x^(a-1) u. Each has an even and an odd solution. State: x, x', then s, s'
+ * twice, then f, u twice, the even solution first. */
 enum { OBLIQUE = 10 }; /* after these comes r; the time is -r^4, so x^(a-1) is smooth in r for exponents in quarters */
 
 static void oblique_slopes(long double *dy, const long double *y, const void *of)
@@ -472,7 +472,7 @@ static void oblique_slopes(long double *dy, const long double *y, const void *of
 static void oblique_ratios(long double ratio[2], long double a, long double kappa)
 {
     const long double a_kappa[2] = {a, kappa}, first = powl(reference_crossley_elastic_half(a), 0.25L);
-    /* even: s = 1, odd: s' = 1; even: u = 1, where the force is odd, and f = 1 */
+    /* first values of the solutions: even s = 1, odd s' = 1; even u = 1, whose force is odd, and f = 1 */
     long double y[OBLIQUE + 1] = {powl((a + 1) / 2, 1 / (a + 1)), 0, 1, 0, 0, 1, 0, 1, 1, 0, first};
     struct ode o = {.slopes = oblique_slopes, .of = a_kappa, .n = OBLIQUE + 1, .longest = 0.1L};
     ode_advance(&o, y, first);

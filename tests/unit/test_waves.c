@@ -61,7 +61,7 @@ TEST(collisions)
         const struct cor_half_space block = {young, nu, density};
         struct cor_sphere_contact contact;
         assert_int_equal(cor_sphere_contact_init(&contact, &sphere, &wall), COR_OK);
-        /* the general formula, and the one for one material, where radius and modulus cancel */
+        /* the general formula, and the formula for one material, in which radius and modulus cancel */
         check_near(cor_contact_wave_loss(&contact, &block, speed),
                    cor_half_space_wave_coefficient(nu) * powl(speed / sqrtl((long double)young / density), 0.6L),
                    5e-14);

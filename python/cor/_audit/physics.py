@@ -118,7 +118,7 @@ class _Audit:
         constant = law >= lib.COR_LAW_IMPULSE or lib.cor_scene_speed_exponent(scene) == 0
         row.end, row.law = string(lib.cor_end_names[end]), string(lib.cor_law_name(model.law))
         if not model.damping_of_e:
-            number = contact.number  # 0 is no damping at any scale
+            number = contact.number  # 0 means no damping at any scale
             damping = model.damping_of_number(number, scene, speed) if number != 0 else 0.0
         elif model.least <= contact.number <= model.most:
             damping = model.damping_of_e(contact.number) * contact.zeta_factor

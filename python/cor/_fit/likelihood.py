@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The residuals of a curve, whitened by the covariance of the measured times or heights.
 
-Bounce k lies between two flights: it has the impact speed v_k and eps_k = u_(k+1)/v_k. The fit minimises Q, the sum of
+Bounce k is between two flights: it has the impact speed v_k and eps_k = u_(k+1)/v_k. The fit minimises Q, the sum of
 squares of z. Points have z_k = r_k/sigma_k for the residual r_k = eps_k - eps(v_k). For times, c_k = v_k dT/du at
 flight k + 1 makes r_k an error of the time at its end. To first order in the errors e of the times
 

@@ -517,7 +517,7 @@ def _array_table(source: Any, form: Form) -> Table:
 def read(source: Any, form: Form = Form(), progress: Callable[[str], None] = lambda step: None) -> Data:
     """Return the data of a path ("-": standard input), an open file, an object of pandas, a dict, or arrays.
 
-    Raises DataError, whose text names place, what is allowed and an example, and OSError."""
+    Raises DataError, whose text names the place, the allowed values and an example, and OSError."""
     if isinstance(source, (str, PathLike)):
         path = fspath(source)
         table = Table("standard input" if path == "-" else str(path), "line", form)

@@ -80,7 +80,7 @@ def contact_at(time, speed, *options):
 
 
 def lammps_lines(time):
-    """Returns lines, of which those that end contacts at zero overlap are active."""
+    """Returns lines; the lines that end contacts at zero overlap are active."""
     return contact("--dissipation-time", time, "--for", "lammps")
 
 

@@ -117,7 +117,7 @@ def own_maps_of(text):
 
 
 def with_number(lines, old, new):
-    """Returns the lines with the number with the six digits of `old` replaced."""
+    """Returns the lines, with `new` for the number whose six digits are the digits of `old`."""
     return [re.sub(r"\d+\.?\d*(e[-+]?\d+)?", lambda m: new if abs(float(m[0]) - old) <= 2e-6 * old else m[0], line)
             for line in lines]
 
@@ -191,7 +191,7 @@ def cases_of(host, laws=LAWS, walls=(False, True)):
 def file_of(case, work, number):
     path = os.path.join(work, "paste%d" % number)
     with open(path, "w", encoding="utf-8") as file:
-        # for like pairs LAMMPS gets the lines that are comments
+        # for equal bodies LAMMPS gets the lines that are comments
         file.write("\n".join(re.sub(r"^# (?=pair_coeff (1 1|2 2) )", "", line) for line in case.lines) + "\n")
     return path
 
