@@ -4,7 +4,7 @@
  *
  *     goals OUTPUT-DIRECTORY TABLES.h [PART PARTS [PATTERN...]]
  *
- * writes every goal, or only goals with a name that fits a pattern of the shell and a number PART modulo PARTS. TABLES.h is
+ * writes every goal, or only goals with a name that fits a pattern and a number PART modulo PARTS. TABLES.h is
  * generated/sphere_rows.h; the proved errors of rows in beta^5 are read from its text. The exit status is 1 if the
  * evaluator does not compute the formula of a row. */
 #include "trace.h"
