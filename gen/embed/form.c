@@ -110,8 +110,8 @@ static int add_fifth_root(struct embed_program *p, const struct embed_form *f, c
     return add_step(p, STEP_MUL, name, 0, add_step(p, STEP_MUL, "(square * square)", square, square, 0), 0);
 }
 
-/* Adds a polynomial in step x; step x + 1 is x^2 if it is split. names: the polynomial, its even part and its odd
- * part */
+/* Adds a polynomial in the value of step x. From degree EMBED_SPLIT its even and odd parts are separate; step x + 1
+ * must then be x^2. names: the polynomial and the two parts */
 static int add_polynomial(struct embed_program *p, const char *const names[3], int x, const double *c, slong degree)
 {
     if (degree < EMBED_SPLIT)

@@ -43,11 +43,11 @@ extern "C" {
 #endif
 #endif
 
-/* Bounds on the error of the functions below. COR_DISK_LAW_MAX_ULP is proved (tests/proof/run; docs/theory.md, 18)
- * if log and log1p of the C library are within 1 ulp. In one case it is sampled only: the limit of the law exceeds the
+/* Bounds on the error of the functions below. COR_DISK_LAW_MAX_ULP is proved (tests/proof/run; docs/theory.md, 18) if
+ * log and log1p of the C library are within 1 ulp. In one case it is sampled only: the limit of the law exceeds the
  * argument by less than one part in 2^92, which happens for about one nu in 2^39. The other bounds are sampled. The
- * tests assert all of them; docs/accuracy.md records the worst cases found. Unless a bound says otherwise, it holds for
- * every nu and datum in the whole domain. */
+ * tests assert all of them; docs/accuracy.md records the worst cases found. Each bound holds for every nu and datum in
+ * the whole domain unless it states otherwise. */
 #define COR_DISK_LAW_MAX_ULP 4.0              /* contact law, largest compression and load, limits: ulp */
 #define COR_DISK_CONTACT_TIME_MAX_ERROR 1e-15 /* relative */
 #define COR_DISK_RAYLEIGH_MAX_ERROR 1e-10     /* relative, of a mode's fraction, or */

@@ -144,7 +144,7 @@ static double yield_pressure(const struct cor_scene_contact *contact, double ove
     return cor_quiet_quotient(cor_quiet_product(1.5 * contact->stiffness, sqrt(overlap_m)), COR_PI * contact->radius_m);
 }
 
-/* Returns the largest pressure, which is limited to the pressure at which the spheres yield. */
+/* Returns the largest pressure at an overlap, at most the pressure at which the spheres yield. */
 double cor_scene_pressure(const struct cor_scene_contact *contact, double overlap_m)
 {
     const double yields = contact->plastic ? cor_scene_elastic_overlap(contact, contact->yield_speed_m_s) : INFINITY;

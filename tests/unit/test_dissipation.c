@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The dissipation time of a Kelvin-Voigt solid. It is compared with the contact modulus in the complex plane, which
- * defines it, and with the hereditary integral of viscoelastic contact at finite rates. Its limits. */
+/* The dissipation time of a Kelvin-Voigt solid and its limits. It is compared with the contact modulus in the complex
+ * plane, which defines it, and with the hereditary integral of viscoelastic contact at finite rates. */
 #include "check.h"
 
 #include <cor/cor.h>
