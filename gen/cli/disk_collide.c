@@ -63,7 +63,8 @@ static int run_disk_collide(const void *arguments)
         return STATUS_USAGE;
     sweep->tolerance =
         options_number(&o->tolerance, strtod(sweep->hard_wall ? DEFAULT_HARD_WALL_TOLERANCE : DEFAULT_TOLERANCE, NULL));
-    request.format = (enum output_format)o->common.format;
+    const int format = o->join > 0 ? FORMAT_CSV : FORMAT_TEXT; /* parts are csv */
+    request.format = (enum output_format)(o->common.format == OPTIONS_NOT_GIVEN ? format : o->common.format);
     request.output = o->common.output;
     return sweep_run(&request);
 }
@@ -88,8 +89,8 @@ static const char help[] =
     "                   (default: as many as the tolerance needs)\n"
     "  --part I/N       compute every N-th row from row I, 1 <= I <= N <= 1000, into FILE.I-of-N.part of --output "
     "FILE\n"
-    "  --join N         check the files of N parts and join them to the output of the same command without --part;\n"
-    "                   1 to 1000\n"
+    "  --join N         check the files of N parts, 1 to 1000, and join them to --output, as csv unless --format\n"
+    "                   is given: the bytes of the same command with this format and without --part\n"
     "  --threads K      1 to 1024 (default: as many as processors)\n"
     "  --plot FILE      eps over the speed as .svg, .png or .pdf, by gnuplot; up to 12 curves\n"
     "  --format F       text (default), csv or json\n"
@@ -130,4 +131,4 @@ static const struct option_rule options[] = {
 };
 
 SUBCOMMAND(disk_collide, "disk-collide", "collisions of elastic disks, over lists of parameters",
-           .common.format = FORMAT_TEXT);
+           .common.format = OPTIONS_NOT_GIVEN);

@@ -298,6 +298,26 @@ static int check_files(const void *arguments, const struct option_rule *rules, c
     return status;
 }
 
+/* Refuses another name of an option, which may be an abbreviation of a third one, as --eps of --eps-inf. */
+static int check_synonyms(const struct option *accepted, int argc, char **argv)
+{
+    static const struct {
+        const char *given, *meant;
+    } synonyms[] = {{"eps", "restitution"}, {"e", "restitution"}, {"cor", "restitution"}, {"mu", "friction"},
+                    {"nu", "poisson"},      {"youngs", "young"},  {"rho", "density"},     {"velocity", "speed"}};
+    for (int i = 1; i < argc; i++)
+        for (size_t k = 0; k < sizeof synonyms / sizeof *synonyms; k++) {
+            const char *const given = synonyms[k].given, *const end = argv[i] + 2 + strlen(given);
+            const bool same = strncmp(argv[i], "--", 2) == 0 && strncmp(argv[i] + 2, given, strlen(given)) == 0;
+            if (same && (*end == '\0' || *end == '='))
+                for (const struct option *o = accepted; o->name; o++)
+                    if (strcmp(o->name, synonyms[k].meant) == 0)
+                        return usage_error("corgen %s does not know '--%s' (did you mean --%s?); see corgen %s --help",
+                                           argv[0], given, o->name, argv[0]);
+        }
+    return STATUS_OK;
+}
+
 static int parse_all(void *arguments, const struct option_rule *rules, const struct option *accepted, bool *given,
                      int argc, char **argv, bool *help)
 {
@@ -340,7 +360,9 @@ int options_parse(void *arguments, const struct option_rule *rules, int argc, ch
     accepted[n + 1] = (struct option){0};
     memset(given, 0, n * sizeof *given);
     *help = false;
-    int status = parse_all(arguments, rules, accepted, given, argc, argv, help);
+    int status = check_synonyms(accepted, argc, argv);
+    if (status == STATUS_OK)
+        status = parse_all(arguments, rules, accepted, given, argc, argv, help);
     for (size_t i = 0; i < n && !*help && status == STATUS_OK; i++)
         if (rules[i].kind == OPTION_ELASTIC) {
             struct option_law *const law = (void *)((char *)arguments + rules[i].offset);

@@ -68,6 +68,17 @@ int contacts_of_request(struct contacts *contacts, const struct embed_request *r
         return usage_error("--end approach-only: no damping is known for this restitution; allowed: the laws "
                            "viscoelastic, linear, tsuji, hertz-dashpot and hunt-crossley, without force, yield and "
                            "liquid");
+    const struct cor_scene_contact *const c = &contacts->contact[0];
+    const double at_m_s = isnan(contacts->at_m_s) ? 1 : contacts->at_m_s,
+                 elastic_s = cor_scene_elastic_duration_s(c, at_m_s), duration_s = sphere.number[COR_SCENE_DURATION];
+    if (fault.fault == COR_FAULT_NO_DURATION && !isnan(elastic_s)) {
+        const bool longer = duration_s > elastic_s;
+        return usage_error("--duration %g: without damping this contact lasts for %.6g s. Damping prolongs it if it "
+                           "ends at zero overlap, and shortens it if it ends at zero force: give --end %s, or a %s "
+                           "--duration",
+                           duration_s, elastic_s, longer ? "zero-overlap" : "zero-force",
+                           longer ? "shorter" : "longer");
+    }
     if (fault.fault == COR_FAULT_NO_DAMPING)
         return fail("no damping found for which eps is %g", embed_number(request, COR_SCENE_RESTITUTION));
     if (fault.fault == COR_FAULT_VISCOSITY)

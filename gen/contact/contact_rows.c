@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "cor/law.h"
+#include "cor/sphere.h"
 
 #include "support/console.h"
 
@@ -194,8 +195,12 @@ static int add_hertz(struct table *table, const struct contacts *contacts, int k
         status = cor_scene_eps(&eps, &hertz, speed_m_s, end);
     if (status != COR_FAULT_NONE)
         return contact_status(status);
+    /* damped up to the largest overlap, then half of an elastic contact at the final speed */
+    const double in = cor_sphere_time_of_max_overlap(impact.beta) / cor_sphere_duration_zero_overlap(0),
+                 approach_s = in * cor_scene_elastic_duration_s(&hertz, speed_m_s) +
+                              cor_scene_elastic_duration_s(&hertz, eps * speed_m_s) / 2;
     table_add_number(table, eps, digits);
-    table_add_number(table, end < COR_SCENE_ENDS ? impact.duration_s[end] : (double)NAN, digits);
+    table_add_number(table, end < COR_SCENE_ENDS ? impact.duration_s[end] : approach_s, digits);
     table_add_number(table, impact.max_overlap_m, digits);
     return STATUS_OK;
 }

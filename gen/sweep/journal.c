@@ -166,6 +166,7 @@ int journal_open(struct journal *journal, const char *file, const char *title, u
 
 int journal_open_part(struct journal *journal, const char *file, const char *title, uint64_t rows)
 {
+    const char *const part = strstr(title, " --part ");
     char *line = NULL;
     bool damaged = false;
     *journal = (struct journal){.path = xprintf("%s.part", file), .check = COR_MODE_FILE_CHECK_START};
@@ -178,8 +179,15 @@ int journal_open_part(struct journal *journal, const char *file, const char *tit
         while (read_row(journal, &line, &journal->check, &damaged))
             journal->lines++;
         if (damaged || *line || journal->lines != rows)
-            status = fail("%s has %" PRIu64 " correct rows of %" PRIu64 "%s; run the part again with its --part",
-                          journal->path, journal->lines, rows, damaged ? ", and the next line was changed" : "");
+            status =
+                fail("%s, line %" PRIu64 " %s: %" PRIu64 " of %" PRIu64 " rows are correct. Run the command with%.*s "
+                     "instead of --join; it keeps them",
+                     journal->path, journal->lines + 2,
+                     damaged                 ? "was changed"
+                     : *line                 ? "is incomplete"
+                     : journal->lines < rows ? "is missing"
+                                             : "is one too many",
+                     journal->lines, rows, (int)strcspn(part, "#"), part);
         journal->check = start;
         rewind(journal->stream);
         read_line(journal, &line);

@@ -158,9 +158,10 @@ static const struct {
 struct task {
     const struct cor_simulator_request *request;
     const struct cor_simulator *simulator;
-    int types;   /* types of bodies: 2 for two different bodies, or a body and a wall */
-    int has_law; /* some model has the law of the contact */
-    int pressed; /* pressed by gravity; eps then depends on it */
+    int types;    /* types of bodies: 2 for two different bodies, or a body and a wall */
+    int has_law;  /* some model has the law of the contact */
+    int pressed;  /* pressed by gravity; eps then depends on it */
+    int same_eps; /* for a given damping, too, the next block has the eps at the requested end */
     /* For each end at which the restitution may have been measured, or the contact of the request */
     struct cor_scene_contact contact[CONTACTS][COR_SCENE_ENDS];
     struct cor_simulator_target target[CONTACTS];
@@ -221,6 +222,7 @@ struct block {
     double number[CONTACTS];
     double damping, speed_m_s; /* of the pair in the request at this speed */
     double time_step_s;        /* NaN: not known */
+    int same_eps;              /* the model has the requested eps, but not at the requested end */
     char reason[SENTENCE];     /* why it has no numbers, or no corrected ones */
 };
 
@@ -452,13 +454,46 @@ static int correct_block(struct block *block, const struct task *task)
     return 1;
 }
 
-/* Finds the numbers of a model. Returns 1 if they exist. */
-static int fill_block(struct block *block, const struct task *task, const struct cor_simulator_model *model)
+/* True if an end was requested, eps depends on it, and the model, which has the law, ends contacts elsewhere. */
+static int ends_elsewhere(const struct cor_simulator_model *model, const struct task *task)
+{
+    const int end = task->request->scene->end;
+    return end != COR_BOTH_ENDS && (int)model->end != end && model->law != COR_LAW_IMPULSE && task->has_law &&
+           (end == COR_END_APPROACH_ONLY || cor_scene_ends_differ(task->request->contacts));
+}
+
+/* Changes the damping so that contacts have the requested eps at the end of the model, not at the requested end. False:
+ * eps is not known, or no damping gives it. *eps, *speed_m_s: of the request; the speed is NaN if none matters. */
+static int meet_eps(struct cor_scene_contact *contact, double *eps, double *speed_m_s, const struct task *task,
+                    const struct cor_simulator_model *model)
+{
+    const struct cor_simulator_request *const request = task->request;
+    const double at = request->scene->number[COR_SCENE_AT];
+    const int constant = !task->pressed && cor_law_is_constant(&contact->law);
+    *speed_m_s = constant ? (double)NAN : !isnan(at) ? at : request->speeds > 0 ? request->speed_m_s[0] : (double)NAN;
+    if ((isnan(*speed_m_s) && !constant) ||
+        cor_scene_eps(eps, contact, constant ? 1 : *speed_m_s, request->scene->end) != COR_FAULT_NONE)
+        return 0;
+    const double closed = task->pressed ? (double)NAN : cor_law_damping(model->law, model->end, *eps);
+    if (!isnan(closed))
+        contact->damping = closed;
+    return !isnan(closed) ||
+           (model->end <= COR_END_ZERO_FORCE &&
+            cor_scene_set_damping(contact, COR_SCENE_RESTITUTION, *eps, *speed_m_s, (int)model->end) == COR_FAULT_NONE);
+}
+
+/* Finds the numbers of a model. A given restitution is realised at the end of the model. Returns 1 if they exist. */
+static int fill_block(struct block *block, struct task *task, const struct cor_simulator_model *model)
 {
     enum cor_simulator_status status = COR_SIMULATOR_OK;
     const struct cor_simulator_target *const target = &task->target[PAIR];
-    double least, most;
+    struct cor_scene_contact met = *task->request->contacts;
+    double least, most, eps, speed;
     block->model = model;
+    block->same_eps = (task->same_eps || cor_scene_given(task->request->scene, COR_SCENE_RESTITUTION)) &&
+                      ends_elsewhere(model, task) && meet_eps(&met, &eps, &speed, task, model);
+    fill_pairs(task, block->same_eps ? &met : task->request->contacts, block->same_eps ? 1 : task->request->count,
+               target->speed_m_s, target->eps);
     block->speed_m_s = isnan(target->speed_m_s) ? 1 : target->speed_m_s;
     for (int pair = CONTACTS - 1; pair >= PAIR; pair--)
         block->number[pair] = cor_simulator_number(model, &task->target[pair], task->has_law, &status);
@@ -1028,39 +1063,29 @@ static int rank_model(const struct cor_simulator_model *model, const struct task
            cor_model_has_version(model, task->simulator->packaged);
 }
 
-/* Prints the model that realises the request at the simulator's own end, if another end was requested. */
-static void put_other_end(struct text *t, const struct block *active, const struct task *task)
+/* States which eps the active lines have, if another end was requested. If a damping was given, prints the lines with
+ * the requested eps, too. */
+static void put_other_end(struct text *t, const struct block *active, struct task *task)
 {
     const struct cor_simulator_request *const request = task->request;
-    const struct cor_simulator_model *const model = active->model;
-    const int end = request->scene->end;
-    const double at = request->scene->number[COR_SCENE_AT];
-    const double speed = !isnan(at) ? at : request->speeds > 0 ? request->speed_m_s[0] : NAN;
-    double eps;
-    if (end == COR_BOTH_ENDS || (int)model->end == end || model->law == COR_LAW_IMPULSE || !task->has_law ||
-        !cor_scene_ends_differ(request->contacts))
-        return;
-    const int constant = !task->pressed && cor_law_is_constant(&request->contacts->law);
-    put_comment(t, "%s has no contacts of this law that end at %s%s: those above have the damping of the contact.",
-                task->simulator->title, cor_end_names[end], request->version ? " in this version" : "");
-    if ((isnan(speed) && !constant) ||
-        cor_scene_eps(&eps, request->contacts, constant ? 1 : speed, end) != COR_FAULT_NONE)
-        return;
-    struct task cure = *task;
+    struct cor_scene_contact met = *request->contacts;
     struct block block;
-    struct cor_scene_contact contact = *request->contacts;
     char instead[SENTENCE];
-    const double closed = task->pressed ? (double)NAN : cor_law_damping(model->law, model->end, eps);
-    if (!isnan(closed))
-        contact.damping = closed;
-    else if (model->end > COR_END_ZERO_FORCE ||
-             cor_scene_set_damping(&contact, COR_SCENE_RESTITUTION, eps, speed, (int)model->end) != COR_FAULT_NONE)
+    double eps, speed;
+    if (!ends_elsewhere(active->model, task))
         return;
-    fill_pairs(&cure, &contact, 1, task->target[PAIR].speed_m_s, task->target[PAIR].eps);
-    snprintf(instead, sizeof instead, constant ? "For eps = %s: " : "For eps = %s at %s m/s: ", TEXT(eps), TEXT(speed));
+    put_comment(t, "%s has no contacts of this law that end at %s%s: those above have %s.", task->simulator->title,
+                cor_end_names[request->scene->end], request->version ? " in this version" : "",
+                active->same_eps ? "the requested eps at their own end" : "the damping of the contact");
+    if (active->same_eps || !meet_eps(&met, &eps, &speed, task, active->model))
+        return;
+    snprintf(instead, sizeof instead, isnan(speed) ? "For eps = %s: " : "For eps = %s at %s m/s: ", TEXT(eps),
+             TEXT(speed));
     const struct text before = *t;
-    if (fill_block(&block, &cure, model) && !put_block(t, &block, &cure, instead))
+    task->same_eps = 1;
+    if (fill_block(&block, task, active->model) && !put_block(t, &block, task, instead))
         *t = before;
+    task->same_eps = 0;
 }
 
 /* Writes the realised e of the simulator if a user sets eps as e. */
@@ -1095,8 +1120,12 @@ static int put_all(struct text *t, struct task *task)
             *t = before;
             if (!*task->refusal)
                 refuse_task(task, "%s, %s: %s", task->simulator->name, model->model,
-                            filled ? "it needs numbers that are not given: bodies, or --stiffness and --effective-mass"
-                                   : block.reason);
+                            !filled                                           ? block.reason
+                            : cor_law_is_hertz(&task->request->contacts->law) ? "it needs numbers that are not given: "
+                                                                                "bodies, or --stiffness and "
+                                                                                "--effective-mass"
+                                                                              : "its force is Hertz's: give bodies, "
+                                                                                "and leave out --law, or --law tsuji");
         }
     if (!active.model)
         return 0;
