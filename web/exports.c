@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What web/cor.js calls. A text that is returned is valid until the next call. */
+/* The functions that web/cor.js calls. A text that is returned is valid until the next call. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -172,7 +172,7 @@ WEB_EXPORT(web_impacts) void web_impacts(const double *speed_m_s, double *y, siz
     }
 }
 
-/* Whether the error of the time step is that of an end: of the one that is given or measured, otherwise of both */
+/* True if the error of the time step is computed at this end: at the given or measured end, otherwise at both */
 static int is_step_end(int contact, int end)
 {
     if (web_now.count > 1)
@@ -200,8 +200,8 @@ WEB_EXPORT(web_integrator) const char *web_integrator(void)
 
 #define STEPS_ON_PAGE 2e4 /* in a contact; more would take the page from its reader for seconds */
 
-/* Bias and scatter of eps at the time step; NaN: that of the request, where up to STEPS_ON_PAGE are tried. n of each:
- * of the end that is given or measured, or of both ends; for the second contact, if there is one, again. */
+/* Bias and scatter of eps at time_step_s; NaN: the step of the request, where up to STEPS_ON_PAGE are tried. y has n of
+ * each, for the given or measured end, or for both ends; then the same for the second contact, if there is one. */
 WEB_EXPORT(web_step_errors)
 void web_step_errors(const double *speed_m_s, double *y, size_t n, double time_step_s)
 {
@@ -226,7 +226,7 @@ void web_step_errors(const double *speed_m_s, double *y, size_t n, double time_s
         }
 }
 
-/* The csv of corgen contact with the speeds of the request; with `errors` that of --steps */
+/* The csv of corgen contact with the speeds of the request; `errors`: with the columns of --steps */
 WEB_EXPORT(web_table) const char *web_table(int digits, int errors)
 {
     enum { STEP_DIGITS = 4 };
@@ -337,8 +337,8 @@ WEB_EXPORT(web_simulators) const char *web_simulators(void)
     return text;
 }
 
-/* Returns the requested eps, its speed and end; then for each model of the simulator its number, name, version, law,
- * end, the realised eps, and the e that gives the requested eps. Columns have tabs. */
+/* Returns the requested eps, its speed and end. Then follow the models of the simulator: number, name, version, law, end,
+ * the realised eps, and the e that gives the requested eps. Columns have tabs. */
 WEB_EXPORT(web_models) const char *web_models(int digits)
 {
     const struct asked asked = find_asked(&web_now);
@@ -464,7 +464,7 @@ WEB_EXPORT(web_curve) void web_curve(const double *speed_m_s, double *y, size_t 
             y[k] = model ? find_realised(model, &web_now, speed_m_s[k]) : (double)NAN;
 }
 
-/* Returns a line for each curve of the contact: its end as an option, then, with a tab, the eps of every speed, or
+/* Returns a line for each curve of the contact: its end as an option, a tab, and the eps of every speed. Instead of eps,
  * "speed": eps depends on it; "elastic": eps is 1; "pressed": the law has no header under a constant force. */
 WEB_EXPORT(web_headers) const char *web_headers(void)
 {

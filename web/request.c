@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Options as text become a request. The ranges and sentences are those of corgen. */
+/* Options as text become a request. Ranges and sentences are the same as in corgen. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>

@@ -4,9 +4,9 @@
  * Let y = sqrt(x), kappa = -v/x, zeta = kappa^(-1/2) and g = y/zeta, so that g^2 = |v| for real motion. The equation
  * x'' + c1 sqrt(x) x' + c2 x^(3/2) = 0 becomes a scalar rational equation between fixed ends:
  *
- *   loading, kappa < 0:    dg/dzeta = -zeta^2 C g^2/(1 + g zeta^3 C),   C = c2 zeta^2 + c1,   g = 1 at zeta = 0
- *   about the turning point, kappa = 0:   dy/dkappa = -kappa y/(2 N),   N = y (c2 - c1 kappa) + kappa^2
- *   unloading, kappa > 0:  as loading with C = c2 zeta^2 - c1; zero force at zeta^2 = c1/c2, zero overlap at zeta = 0.
+ *     loading, kappa < 0:    dg/dzeta = -zeta^2 C g^2/(1 + g zeta^3 C),   C = c2 zeta^2 + c1,   g = 1 at zeta = 0
+ *     about the turning point, kappa = 0:   dy/dkappa = -kappa y/(2 N),   N = y (c2 - c1 kappa) + kappa^2
+ *     unloading, kappa > 0: as loading with C = c2 zeta^2 - c1; zero force at zeta^2 = c1/c2, zero overlap at zeta = 0.
  *
  * All quantities are analytic in c1 and c2 where the denominators have no zero along the path (complex_path.h). */
 #ifndef COR_GEN_ENCLOSURE_COMPLEX_COLLISION_H

@@ -33,8 +33,8 @@ struct cor_rim {
 /* Arrays over n have blocks times COR_LANES elements, arrays over terms at least two more, arrays over angles
  * `points`. */
 struct cor_collision_loops {
-    /* Kicks the modes by the forces on c and s of each n, turns them by the angles with the given cosine and sine, and
-     * then sums c q and s q. */
+    /* Kicks the modes by the forces on c and s of each n, and turns them by the angles with the given cosine and sine.
+     * Then sums c q and s q. */
     void (*turn)(const struct cor_rim *rim, double *q, double *p, const double *cosine, const double *sine,
                  const double *force_c, const double *force_s, double *sum_c, double *sum_s);
     /* Sets d: sum_n sum_c cos(n phi) cos(phi) - sum_s sin(n phi) sin(phi) = sum_k d_k cos(k phi) */

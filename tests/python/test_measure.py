@@ -71,7 +71,7 @@ def rows_of(deck, options):
 
 @pytest.mark.parametrize("deck", DECKS, ids=lambda deck: deck.name)
 def test_paste_back(deck, tmp_path):
-    """An offered line, put into its place, realises the requested e; so does the program."""
+    """An offered line, put into its place, gives the requested e; so does the program."""
     options = options_of(deck)
     try:
         found = [row for row in rows_of(deck, options) if row.instead]
