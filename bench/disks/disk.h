@@ -20,7 +20,7 @@ struct disk_bench {
     struct timing timing;
 };
 
-/* Each writes rows of disks.csv. disk_rayleigh: the energy of 1800 modes from slow to fast, and error against time.
+/* Each writes rows of disks.csv. disk_rayleigh: the energy of 1800 modes at low to high speeds, and error against time.
  * disk_collision: error against time, and the errors of fewer modes and softer walls. */
 void disk_rayleigh(struct disk_bench *bench);
 void disk_collision(struct disk_bench *bench);

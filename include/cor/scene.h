@@ -458,9 +458,9 @@ struct cor_scene_fault {
     int number, other; /* enum cor_scene_number */
     int status;        /* enum cor_status */
 };
-/* Writes the fault as a sentence, with the names of corgen's options for the numbers, "--young". As snprintf; less than
- * COR_SCENE_FAULT_TEXT characters if law_name and rule are short. law_name: the reader's name for the law. rule: states
- * which numbers bodies have; NULL: the rule of corgen contact. */
+/* Writes the fault as a sentence, with the names of corgen's options for the numbers, "--young". Works like snprintf.
+ * The text is shorter than COR_SCENE_FAULT_TEXT if law_name and rule are short. law_name: the law in the sentence.
+ * rule: which numbers bodies have; NULL: the rule of corgen contact. */
 enum { COR_SCENE_FAULT_TEXT = 600 };
 long cor_scene_fault_text(char *text, size_t size, const struct cor_scene_fault *fault, const char *law_name,
                           const char *rule);
@@ -509,10 +509,10 @@ int cor_scene_set_damping(struct cor_scene_contact *contact, int number, double 
 double cor_scene_damping(const struct cor_scene_contact *contact, int number);
 
 /* The quantities that corgen contact prints for a contact: name, number and unit. number: one of the next five, or enum
- * cor_scene_number, where COR_SCENE_NUMBERS stands for q, COR_SCENE_YIELD_STRESS for v_y and COR_SCENE_LIQUID_VISCOSITY
- * for s. The function returns the value of such a number, or NaN if it is not known. The next three are NaN without a
- * pressing force or liquid, eps if it depends on the speed. Under a constant force corgen prints sticking_speed_surface
- * in place of sticking_speed_zero_force. */
+ * cor_scene_number, where COR_SCENE_NUMBERS means q, COR_SCENE_YIELD_STRESS v_y and COR_SCENE_LIQUID_VISCOSITY s. The
+ * function returns the value, or NaN if it is not known. A pressing force of 0 is NaN. Sticking speeds are NaN without
+ * pressing force, liquid or JKR; eps is NaN if it depends on the speed. Under a constant force corgen prints
+ * sticking_speed_surface instead of sticking_speed_zero_force. */
 enum {
     COR_SCENE_PRESSING_FORCE = COR_SCENE_NUMBERS + 1,
     COR_SCENE_STICKING_ZERO_OVERLAP,

@@ -138,8 +138,8 @@ static void expand_slip(struct slide *s)
     s->held[ORDER] = 0;
 }
 
-/* Expands the rate at which the spring force would grow, in the direction of the slip, minus the rate of `held`, times
- * T u over u^least. The contact slips while this is positive. Without w this is the second part. */
+/* Expands the rate at which the spring force would grow, in the direction of the slip, minus the rate of `held`; both
+ * times T u/u^least. The contact slips while the difference is positive. w NULL: without the spring force */
 static void expand_excess(struct slide *s, double *excess, const double *w)
 {
     const double *const stiff = power_series(s, s->stiff), *const u = power_series(s, 1);

@@ -243,7 +243,7 @@ O.engines=[InteractionLoop([],[Ip2_FrictMat_FrictMat_{}()],[]),NewtonIntegrator(
 
 @pytest.mark.parametrize("functor,speed,measured", [("FrictPhys", 0.1, 0.4454), ("MindlinPhys", 1, 0.63391)])
 def test_damped_fall(tmp_path, functor, speed, measured):
-    """YADE's damping acts on weight and spring: by YADE 2023.02a at 2e-6 s."""
+    """YADE's damping acts on weight and spring; values of YADE 2023.02a at 2e-6 s."""
     deck = write(tmp_path, "deck.py", FALL.format(functor))
     (row,) = json.loads(run("audit", deck, "--speed", speed, "--format", "json")[1])
     assert abs(row["realised_surface"] - measured) < 3e-4 < row["realised"] - measured

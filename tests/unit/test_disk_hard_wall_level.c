@@ -167,7 +167,7 @@ static double extrapolated(const struct cor_disk_modes *modes, double speed, dou
     return 2 * l[1] - l[0];
 }
 
-/* Both fades tend to one limit; at Omega = 170 they are within 2e-5 of it at hard scenes, closer elsewhere. */
+/* Both cutoffs tend to one limit; at Omega = 170 they are within 2e-5 of it in hard scenes, closer elsewhere. */
 TEST(two_fades)
 {
     leave_to_turn(0, 3);

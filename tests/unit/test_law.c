@@ -251,8 +251,8 @@ static struct motion_course course(const struct law *law)
     return motion_course(&(struct motion){4, 0, law_force, law, free, 0});
 }
 
-/* Every function of a damping, at each end. beta: at damping 1. Skips zero overlap where strong damping makes it
- * late. */
+/* Every function of a damping, at each end. beta: its value at damping 1. The bodies part too late at zero overlap if
+ * the damping is above overlaps_until. */
 TEST(against_the_equation_of_motion)
 {
     static const struct {

@@ -111,7 +111,7 @@ def _starts(p: Problem, extra: Sequence[float]) -> List[List[float]]:
 
 
 def _lines(p: Problem, extra: Sequence[float]) -> List[List[float]]:
-    """Return the weighted mean, or it and the straight line of ln eps over ln v with weights eps^2/sigma^2."""
+    """Return the weighted mean, or both this and the line of ln eps over ln v with weights eps^2/sigma^2."""
     flights = p.at(np.array([*([0.0] * len(p.curve.kinds)), *extra]))
     eps, weight = flights.eps, (p.spread(flights) * np.ones(p.size)) ** -2
     if p.curve is CONSTANT:
