@@ -289,8 +289,8 @@ struct cor_disk_collision {
  * 0.45, tolerances 1e-2 to 1e-6). Where the status is COR_OK the error is at most 0.86 of the tolerance. In 6 scenes it
  * exceeds error_estimate, by at most 3.7 times: docs/theory-disks.md, 15. Near chaos, round-off by itself may exceed a
  * small tolerance; below 1e-12 it mostly does. one_minus_eps2 is as accurate as eps. contact_time and max_compression,
- * which are measured during the contact, are less accurate. energy_drift is eps^2 + one_minus_eps2 - 1. The same
- * arguments give the same bits on every instruction set.
+ * which are measured during the contact, are less accurate. energy_drift is eps^2 + one_minus_eps2 - 1. Equal
+ * arguments give equal bits on every instruction set.
  *
  * Returns COR_OK if error_estimate is at most the tolerance. It returns, with the best numbers and their
  * error_estimate,
@@ -386,8 +386,8 @@ struct cor_disk_hard_wall {
 /* Computes levels until error_estimate is below the tolerance, or the lowest n_modes modes or the budget do not suffice
  * for another. A level needs all modes below its Omega, whose number cor_disk_modes_below returns. Two levels are the
  * minimum. 1800 modes suffice for five levels (Omega = 60), with an error of about 1e-4.
- * Domain: 0 < v <= COR_DISK_HARD_WALL_MAX_SPEED, without a lower limit. The same arguments give the same bits on every
- * instruction set.
+ * Domain: 0 < v <= COR_DISK_HARD_WALL_MAX_SPEED, without a lower limit. Equal arguments give equal bits on every instruction
+ * set.
  * Returns COR_OK, or, with the best numbers,
  *     COR_TOLERANCE_NOT_REACHED  the modes or the budget end before error_estimate is below the tolerance
  * or, with NaN for unknown results,

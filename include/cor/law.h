@@ -228,7 +228,7 @@ COR_API void cor_hunt_crossley_time_of_max_overlap_array(const double *beta, dou
  *
  *     u'/u = cos(pi sqrt((a - 1)^2 + 8 (a + 1) kappa)/(2 (a + 1)))/cos(pi (a - 1)/(2 (a + 1)))
  *
- * -1 is a full reversal, 1 means no change. The same formula holds if the contact remembers its tangential force
+ * -1 is a full reversal, 1 means no change. This formula also holds if the contact remembers its tangential force
  * instead of its displacement: f' = kappa x^(a-1) s'. Friction is assumed to be strong enough;
  * cor_tangential_stick_angle gives the limit.
  * Domain: 0 <= kappa <= COR_NO_SLIP_MAX_KAPPA, COR_NO_SLIP_MIN_EXPONENT <= a <= COR_NO_SLIP_MAX_EXPONENT.

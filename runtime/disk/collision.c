@@ -34,7 +34,7 @@ size_t cor_disk_collision_workspace(const struct cor_disk_modes *modes, size_t n
     return cor_motion_arrange(&m, NULL) + COR_ALIGNMENT; /* the workspace may begin at any address */
 }
 
-/* ---- what the speed does not change ---- */
+/* ---- data that do not depend on the speed ---- */
 
 /* Sets up *m in the workspace, except for the speed and the angles. */
 static int collision_prepare(struct cor_motion *m, void *workspace, size_t bytes, const struct cor_disk_modes *modes,

@@ -6,8 +6,8 @@
 #include "runtime/law/linear.h"
 #include "runtime/table/row_loops.h"
 
-/* The smallest multiple of COR_LANES that is at least n. A block is padded to this length. A compiler that knows that
- * the length is such a multiple and not 0 omits the loop over the rest of a vector. */
+/* The smallest multiple of COR_LANES that is at least n. A block is padded to this length. If a compiler
+ * sees that the length is such a multiple and not 0, it omits the loop over the rest of a vector. */
 #define WHOLE(n) (((n) + COR_LANES - 1) / COR_LANES * COR_LANES)
 
 static void duration_zero_overlap(double *restrict y, const double *restrict x, size_t n)

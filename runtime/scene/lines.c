@@ -651,7 +651,7 @@ static double word_number(const char *word, const struct block *block, const str
     return NAN;
 }
 
-/* Returns the text for a word; NULL: the word stands for a number. */
+/* Returns the text for a word; NULL: the word is replaced by a number. */
 static const char *word_text(const char *word, const struct task *task, int pair)
 {
     static const char *const pairs[] = {"1 2", "1 1", "2 2"};

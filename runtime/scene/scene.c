@@ -380,7 +380,7 @@ static int set_liquid(struct cor_scene_contact *contact, struct cor_scene_fault 
     return isless(contact->liquid_speed_m_s, INFINITY) ? COR_FAULT_NONE : refuse_scene(fault, COR_FAULT_RANGE, 0, 0);
 }
 
-/* ---- a damping from what was measured ---- */
+/* ---- a damping from measurements ---- */
 
 /* Sets the damping. A restitution or a duration without its end may belong to either end: one contact for each. */
 static int set_damping(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *count, struct cor_scene_fault *fault,

@@ -474,7 +474,7 @@ TEST(without_results)
     }
 }
 
-/* ---- what is refused ---- */
+/* ---- refused input ---- */
 
 enum { CANARIES = 64 };
 

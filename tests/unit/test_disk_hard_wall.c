@@ -390,7 +390,7 @@ TEST(details)
     }
 }
 
-/* ---- what is refused ---- */
+/* ---- refused input ---- */
 
 TEST(refusals)
 {

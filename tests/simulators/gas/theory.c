@@ -77,7 +77,7 @@ struct collision_moments {
 
 /* In scaled units x' = u - (2/3) beta x^(3/2), u' = -x^(3/2) - alpha until x = 0, where -u is eps. With y and s, the
  * derivatives of x and u by alpha, the loss 1 - eps^2 has the relative derivative 2 eps s/(1 - eps^2) at alpha = 0.
- * Runge-Kutta steps in p, t = T p^3 (10 - 15 p + 6 p^2), pass over the roots of x at both ends. A hundred times as many
+ * Runge-Kutta steps in p, t = T p^3 (10 - 15 p + 6 p^2), pass over the roots of x at both ends. A hundred times more
  * change the result by less than 1e-3, for beta from 1e-3 to 2. */
 static double turning(double beta)
 {
