@@ -152,30 +152,16 @@ static long double exact(const struct search_function *f, enum search_shape shap
 
 enum { SLOW_SHARE = 400, MOST_FUNCTIONS = 100 }; /* SLOW_SHARE: for references that take 0.1 ms */
 
-static double crossley_duration_1(double beta)
-{
-    return cor_hunt_crossley_duration(beta, 1);
-}
-
-static double crossley_duration_approach_only_1(double beta)
-{
-    return cor_hunt_crossley_duration_approach_only(beta, 1);
-}
-
-static double crossley_time_of_max_overlap_1(double beta)
-{
-    return cor_hunt_crossley_time_of_max_overlap(beta, 1);
-}
-
-static double crossley_max_overlap_1(double beta)
-{
-    return cor_hunt_crossley_max_overlap(beta, 1);
-}
-
-static double crossley_max_overlap_5_4(double beta)
-{
-    return cor_hunt_crossley_max_overlap(beta, 1.25);
-}
+#define AT_EXPONENT(name, function, exponent)                                                                          \
+    static double crossley_##name(double beta)                                                                         \
+    {                                                                                                                  \
+        return cor_hunt_crossley_##function(beta, exponent);                                                           \
+    }
+AT_EXPONENT(duration_1, duration, 1)
+AT_EXPONENT(duration_approach_only_1, duration_approach_only, 1)
+AT_EXPONENT(time_of_max_overlap_1, time_of_max_overlap, 1)
+AT_EXPONENT(max_overlap_1, max_overlap, 1)
+AT_EXPONENT(max_overlap_5_4, max_overlap, 1.25)
 
 /* Functions with an exponent as an argument; the table has 3/2. */
 #define CROSSLEY(name, end, quantity, exponent, share)                                                                 \

@@ -321,11 +321,9 @@ static int stuck, held, parted; /* counts: bodies together at zero overlap, at z
 static void check_pressed(const struct cor_exponents *exponents, double damping, double force_n, double speed)
 {
     const struct cor_exponents law = *exponents;
-    struct cor_scene_contact contact = {
-        .law = *exponents, .mass_kg = 1, .stiffness = 1, .radius_m = 1, .force_n = force_n};
+    const struct cor_scene_contact contact = scaled_contact(exponents, damping, force_n);
     LOCAL(arb, beta, force, newton);
     LOCAL(collision, c);
-    cor_scene_set_damping(&contact, COR_SCENE_DAMPING_COEFFICIENT, damping, 1, 0);
     const struct cor_scene_impact impact = scene_impact(&contact, speed);
     const struct ratio a = law_elastic(&law), q = law_speed_exponent(&law);
     arb_set_d(beta, damping);
@@ -356,9 +354,8 @@ static void check_pressed(const struct cor_exponents *exponents, double damping,
 static void check_sticking_speed(const struct cor_exponents *exponents, double damping)
 {
     const struct cor_exponents law = *exponents;
-    struct cor_scene_contact contact = {.law = *exponents, .mass_kg = 1, .stiffness = 1, .radius_m = 1, .force_n = 1};
+    const struct cor_scene_contact contact = scaled_contact(exponents, damping, 1);
     LOCAL(arb, speed, exact);
-    cor_scene_set_damping(&contact, COR_SCENE_DAMPING_COEFFICIENT, damping, 1, 0);
     arb_set_d(exact, damping);
     for (int end = 0; end < COR_SCENE_ENDS; end++) {
         assert_int_equal(collision_sticking_speed(speed, exact, &law, end, 50), 0);
@@ -415,9 +412,7 @@ TEST(thresholds_of_a_constant_force)
                     const arb_srcptr eps = end == COR_END_ZERO_OVERLAP ? c->eps_zero_overlap : c->eps_zero_force;
                     check(sign > 0 ? arb_is_zero(eps) : arb_is_positive(eps), "law %zu, end %d, beta %g", l, end, b);
                 }
-                struct cor_scene_contact contact = {
-                    .law = laws[l], .mass_kg = 1, .stiffness = 1, .radius_m = 1, .force_n = middle(force)};
-                cor_scene_set_damping(&contact, COR_SCENE_DAMPING_COEFFICIENT, b, 1, 0);
+                const struct cor_scene_contact contact = scaled_contact(&law, b, middle(force));
                 check_near(cor_scene_sticking_speed(&contact, end), 1, 1e-12);
             }
 }

@@ -383,40 +383,24 @@ static void call_cor_law_function(const struct arguments *a, struct results *r)
         results_put(r, f->value(a->beta[i]));
 }
 
-static void call_cor_law_value(const struct arguments *a, struct results *r)
-{
-    put_laws(a, r, 0);
-}
+#define CALL_OF_LAWS(function, kind)                                                                                   \
+    static void call_##function(const struct arguments *a, struct results *r)                                          \
+    {                                                                                                                  \
+        put_laws(a, r, kind);                                                                                          \
+    }
+CALL_OF_LAWS(cor_law_value, 0)
+CALL_OF_LAWS(cor_law_array, 1)
+CALL_OF_LAWS(cor_law_arrayf, 2)
 
-static void call_cor_law_array(const struct arguments *a, struct results *r)
-{
-    put_laws(a, r, 1);
-}
-
-static void call_cor_law_arrayf(const struct arguments *a, struct results *r)
-{
-    put_laws(a, r, 2);
-}
-
-static void put_name(const char *name, struct results *r)
-{
-    results_put(r, name ? (double)strlen(name) : 0);
-}
-
-static void call_cor_law_name(const struct arguments *a, struct results *r)
-{
-    put_name(cor_law_name((enum cor_law)a->status[0]), r);
-}
-
-static void call_cor_end_name(const struct arguments *a, struct results *r)
-{
-    put_name(cor_end_name((enum cor_end)a->status[0]), r);
-}
-
-static void call_cor_quantity_name(const struct arguments *a, struct results *r)
-{
-    put_name(cor_quantity_name((enum cor_quantity)a->status[0]), r);
-}
+#define CALL_OF_NAME(function, type)                                                                                   \
+    static void call_##function(const struct arguments *a, struct results *r)                                          \
+    {                                                                                                                  \
+        const char *const name = function((enum type)a->status[0]);                                                    \
+        results_put(r, name ? (double)strlen(name) : 0);                                                               \
+    }
+CALL_OF_NAME(cor_law_name, cor_law)
+CALL_OF_NAME(cor_end_name, cor_end)
+CALL_OF_NAME(cor_quantity_name, cor_quantity)
 
 static void call_cor_status_text(const struct arguments *a, struct results *r)
 {

@@ -17,6 +17,9 @@ static inline struct cor_scene scene_without_numbers(enum cor_law law)
     return scene;
 }
 
+/* The laws whose impacts the library computes */
+enum { SCENE_LAWS = COR_LAW_HERTZ_DASHPOT + 1 };
+
 /* True if the library computes all numbers of an impact of the law without a solver. */
 static inline int law_is_complete(int law)
 {
@@ -34,6 +37,26 @@ static inline int law_is_complete(int law)
 
 #ifndef COR_FUZZ_H /* fuzz targets do not use cmocka */
 #include "check.h"
+
+/* Returns the contact of a scene; if there are two, the one whose restitution was measured at the end. COR_BOTH_ENDS:
+ * there is one. */
+static inline struct cor_scene_contact scene_contact(const struct cor_scene *scene, int end)
+{
+    struct cor_scene_contact contacts[COR_SCENE_ENDS];
+    struct cor_scene_fault fault;
+    int count;
+    assert_int_equal(cor_scene_contacts(contacts, &count, &fault, scene), COR_FAULT_NONE);
+    assert_true(count == 1 || end != COR_BOTH_ENDS);
+    return contacts[count > 1 ? end : 0];
+}
+
+/* Returns a contact of the law with mass, stiffness and radius 1, whose impacts at 1 m/s have the beta. */
+static inline struct cor_scene_contact scaled_contact(const struct cor_exponents *law, double beta, double force_n)
+{
+    struct cor_scene_contact c = {.law = *law, .mass_kg = 1, .stiffness = 1, .radius_m = 1, .force_n = force_n};
+    cor_scene_set_damping(&c, COR_SCENE_DAMPING_COEFFICIENT, beta, 1, 0);
+    return c;
+}
 
 static inline double scene_eps(const struct cor_scene_contact *contact, double speed_m_s, int end)
 {

@@ -78,29 +78,8 @@ static void fill(double *drawn)
                                      7,       16,    8,    0.25,     DBL_MAX,   DBL_MIN, -4.9406564584124654e-324,
                                      0x1p-40, 0x1p8, 1024, 1,        0.5,       16807,   1048576,
                                      1e300,   1e-310};
-    static const double seam[] = {0x1p-900,
-                                  0x1p-60,
-                                  0x1p-24,
-                                  0x1p-12,
-                                  0x1p-6,
-                                  0.0625,
-                                  0.125,
-                                  0.25,
-                                  0.5,
-                                  0.627988,
-                                  0.75,
-                                  1,
-                                  COR_HERTZ_DASHPOT_BETA_C,
-                                  2,
-                                  3,
-                                  4,
-                                  7,
-                                  8,
-                                  16,
-                                  45,
-                                  64,
-                                  16807,
-                                  1048576};
+    static NUMBERS(seam, 0x1p-900, 0x1p-60, 0x1p-24, 0x1p-12, 0x1p-6, 0.0625, 0.125, 0.25, 0.5, 0.627988, 0.75, 1,
+                   COR_HERTZ_DASHPOT_BETA_C, 2, 3, 4, 7, 8, 16, 45, 64, 16807, 1048576);
     for (size_t i = 0; i < many; i++) {
         const double kind = random_uniform(&draw, 0, 1), *const at = &seam[random_below(&draw, COUNT_OF(seam))];
         const size_t block = i / (many / BLOCKS + 1) % 5;

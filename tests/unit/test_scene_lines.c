@@ -31,33 +31,18 @@ static long lines_for(char *text, size_t size, const char *simulator, const char
     int count;
     assert_int_equal(cor_scene_contacts(contacts, &count, &fault, scene), COR_FAULT_NONE);
     const int corrected = corrected_step_s > 0;
-    const double *const speeds = steps > 0 ? all_speeds : &speed;
-    const size_t number = steps > 0 ? COUNT_OF(all_speeds) : speed > 0;
-    const struct cor_simulator_request request = {simulator,
-                                                  version,
-                                                  scene,
-                                                  contacts,
-                                                  count,
-                                                  speeds,
-                                                  number,
-                                                  corrected_step_s,
-                                                  steps,
-                                                  0,
-                                                  corrected,
-                                                  corrected,
-                                                  COR_NO_INTEGRATOR,
-                                                  NULL,
-                                                  NULL,
-                                                  0,
-                                                  0,
-                                                  NULL,
-                                                  0,
-                                                  0,
-                                                  0,
-                                                  COR_TANGENTIAL_DISPLACEMENT,
-                                                  NULL,
-                                                  0,
-                                                  0};
+    const struct cor_simulator_request request = {.simulator = simulator,
+                                                  .version = version,
+                                                  .scene = scene,
+                                                  .contacts = contacts,
+                                                  .count = count,
+                                                  .speed_m_s = steps > 0 ? all_speeds : &speed,
+                                                  .speeds = steps > 0 ? COUNT_OF(all_speeds) : speed > 0,
+                                                  .time_step_s = corrected_step_s,
+                                                  .steps = steps,
+                                                  .step_errors = corrected,
+                                                  .step_corrected = corrected,
+                                                  .integrator = COR_NO_INTEGRATOR};
     return cor_simulator_lines(text, size, &request);
 }
 
@@ -504,16 +489,6 @@ TEST(several_materials)
           "MFiX, e = %g", exp(log_e));
 }
 
-/* Returns the contact of a scene; if there are two, the one whose restitution was measured at the end. */
-static struct cor_scene_contact contact_of(const struct cor_scene *scene, int end)
-{
-    struct cor_scene_contact contact[COR_SCENE_ENDS];
-    struct cor_scene_fault fault;
-    int count;
-    assert_int_equal(cor_scene_contacts(contact, &count, &fault, scene), COR_FAULT_NONE);
-    return contact[count > 1 ? end : 0];
-}
-
 /* Speeds may be given in any order, and may differ from --at. */
 TEST(speeds_in_any_order)
 {
@@ -534,7 +509,7 @@ TEST(speeds_in_any_order)
         is_near(found(text, " --speed-min "), low, 1e-5);
         is_near(found(text, " --speed-max "), high, 1e-5);
         /* a simulator without the law, at one speed */
-        const struct cor_scene_contact contact = contact_of(&scene, COR_END_ZERO_FORCE);
+        const struct cor_scene_contact contact = scene_contact(&scene, COR_END_ZERO_FORCE);
         const double eps = scene_eps(&contact, low, COR_END_ZERO_FORCE);
         const char *const at = found(text_for("mfix", NULL, &scene, low), "realises eps = ");
         is_near(at, eps, 1e-5);
@@ -563,7 +538,7 @@ TEST(a_ball_that_falls)
         scene.end = end;
         scene_give(scene, {COR_SCENE_GRAVITY, random_log(&draw, 10, 300)}, {COR_SCENE_RESTITUTION, e},
                    {COR_SCENE_AT, at});
-        struct cor_scene_contact contact = contact_of(&scene, own);
+        struct cor_scene_contact contact = scene_contact(&scene, own);
         if (kind == 2) { /* YADE's wall has K/sqrt(2) */
             contact.stiffness /= sqrt(2);
             assert_int_equal(cor_scene_set_damping(&contact, COR_SCENE_RESTITUTION, e, at, own), 0);
@@ -587,6 +562,6 @@ TEST(a_ball_that_falls)
     scene.law = cor_law_exponents[COR_LAW_TSUJI];
     scene_give(scene, {COR_SCENE_RESTITUTION, NAN}, {COR_SCENE_AT, NAN},
                {COR_SCENE_ZETA, 2 / sqrt(5) * cor_law_damping(COR_LAW_LINEAR, COR_END_ZERO_OVERLAP, e)});
-    const struct cor_scene_contact contact = contact_of(&scene, COR_END_ZERO_OVERLAP);
+    const struct cor_scene_contact contact = scene_contact(&scene, COR_END_ZERO_OVERLAP);
     check(fabs(scene_eps(&contact, 0.5, COR_END_ZERO_OVERLAP) - 0.7) < 1e-8, "MFiX with e = %.9g", e);
 }

@@ -226,14 +226,6 @@ static long double reference_restitution(struct reference *r, long double tangen
 
 /* ---- the tests ---- */
 
-static struct cor_scene_contact contact_of(int law, double beta, double press)
-{
-    struct cor_scene_contact c = {
-        .law = cor_law_exponents[law], .mass_kg = 1, .stiffness = 1, .radius_m = 1, .force_n = press};
-    cor_scene_set_damping(&c, COR_SCENE_DAMPING_COEFFICIENT, beta, 1, 0);
-    return c;
-}
-
 static double restitution(const struct cor_scene_contact *c, const struct cor_tangential *t, double mu, double tangent,
                           int end)
 {
@@ -251,7 +243,7 @@ struct impact {
 static void compare(const struct impact *i)
 {
     const struct cor_tangential t = {i->memory, i->constant_stiffness, i->damper_in_cap, i->kappa, i->damping};
-    const struct cor_scene_contact c = contact_of(i->law, i->beta, i->press);
+    const struct cor_scene_contact c = scaled_contact(&cor_law_exponents[i->law], i->beta, i->press);
     const struct cor_exponents *const e = &c.law;
     const int twice = e->denominator == 1 ? 2 : 1, nothing = t.memory == COR_REMEMBERS_NOTHING;
     struct reference r = {.law = {twice * e->elastic, twice * e->damping, twice * e->denominator},
@@ -280,8 +272,6 @@ static void compare(const struct impact *i)
 /* 500 impacts of every model, law and end */
 TEST(against_another_method)
 {
-    static const int laws[] = {COR_LAW_VISCOELASTIC, COR_LAW_LINEAR, COR_LAW_TSUJI, COR_LAW_HUNT_CROSSLEY,
-                               COR_LAW_HERTZ_DASHPOT};
     /* a damper outside the cap holds w between slip and stick; a damper fills the cap at the first touch */
     static const struct impact rare[] = {
         {COR_LAW_HERTZ_DASHPOT, 1, COR_REMEMBERS_FORCE, 0, 0, 0.05, 0, 4, 0.7, 0.32, 1.8},
@@ -291,7 +281,7 @@ TEST(against_another_method)
     for (size_t k = 0; k < COUNT_OF(rare); k++)
         compare(&rare[k]);
     for (size_t k = points(few_or_all(60, 500)); k > 0; k--) {
-        struct impact i = {.law = laws[random_below(&draw, COUNT_OF(laws))],
+        struct impact i = {.law = (int)random_below(&draw, SCENE_LAWS),
                            .end = (int)random_below(&draw, 2),
                            .memory = (int)random_below(&draw, COR_TANGENTIAL_MEMORIES),
                            .damper_in_cap = (int)random_below(&draw, 2),
@@ -316,7 +306,7 @@ TEST(table_of_the_theory)
     static const double table[][7] = {{1.0395523, 1.0440268, 1.0513419, 1.0625110, 0.5654061, -0.1626901, -0.2275090},
                                       {0.9547583, 0.9543906, 0.9525804, 0.8970736, 0.0501002, -0.3476886, -0.0808824},
                                       {0.5471572, 0.5264477, 0.4601048, 0.2238834, -0.3517573, -0.4249138, 0.1250000}};
-    const struct cor_scene_contact c = contact_of(COR_LAW_VISCOELASTIC, 0, 0);
+    const struct cor_scene_contact c = scaled_contact(&cor_law_exponents[COR_LAW_VISCOELASTIC], 0, 0);
     for (size_t i = 0; i < COUNT_OF(nus); i++)
         for (size_t k = 0; k < COUNT_OF(ws); k++) {
             const struct cor_tangential t = {.kappa = 10.5 * (1 - nus[i]) / (2 - nus[i])};
@@ -333,8 +323,8 @@ TEST(limits)
     for (int memory = 0; memory < COR_TANGENTIAL_MEMORIES; memory++)
         EACH (kappa, 0.3, 2, 4.5, 9) {
             const struct cor_tangential t = {.memory = memory, .kappa = *kappa};
-            const struct cor_scene_contact c = contact_of(COR_LAW_VISCOELASTIC, 0, 0),
-                                           l = contact_of(COR_LAW_LINEAR, 0.2, 0);
+            const struct cor_scene_contact c = scaled_contact(&cor_law_exponents[COR_LAW_VISCOELASTIC], 0, 0),
+                                           l = scaled_contact(&cor_law_exponents[COR_LAW_LINEAR], 0.2, 0);
             struct cor_oblique_impact o, still;
             assert_int_equal(cor_scene_oblique(&o, &c, &t, INFINITY, 1, 2, 0), COR_OK);
             assert_int_equal(cor_scene_oblique(&still, &c, &t, 0.3, 1, 0, 0), COR_OK);
@@ -353,15 +343,16 @@ TEST(limits)
             check(fabs(1e4 * (1 - damped) - 0.035 * (1 + eps)) < 1e-6, "%.12g", damped);
         }
     /* stuck: the spring holds, and the damper absorbs all energy */
-    const struct cor_scene_contact d = contact_of(COR_LAW_LINEAR, 0.5, 0);
+    const struct cor_scene_contact d = scaled_contact(&cor_law_exponents[COR_LAW_LINEAR], 0.5, 0);
     const struct cor_tangential stiff = {.kappa = 1e-3, .damping = 60, .damper_in_cap = 1};
     assert_true(fabs(restitution(&d, &stiff, 1e6, 1, 0)) < 1e-3);
 }
 
 TEST(refused_numbers)
 {
-    const struct cor_scene_contact c = contact_of(COR_LAW_VISCOELASTIC, 0.1, 0);
-    struct cor_scene_contact plate = c, wet = c, sticky = c, held = contact_of(COR_LAW_VISCOELASTIC, 1, 0.3);
+    const struct cor_scene_contact c = scaled_contact(&cor_law_exponents[COR_LAW_VISCOELASTIC], 0.1, 0);
+    struct cor_scene_contact plate = c, wet = c, sticky = c,
+                             held = scaled_contact(&cor_law_exponents[COR_LAW_VISCOELASTIC], 1, 0.3);
     const struct cor_tangential good = {.kappa = 4};
     struct cor_tangential bad[] = {{.kappa = -1}, {.kappa = NAN}, {.kappa = 1, .damping = -1}, {.memory = 5}};
     struct cor_oblique_impact o;

@@ -119,20 +119,10 @@ static struct cor_scene scene_of_steel(void)
     return scene;
 }
 
-static struct cor_scene_contact contact_of(const struct cor_scene *scene)
-{
-    struct cor_scene_contact contacts[COR_SCENE_ENDS];
-    struct cor_scene_fault fault;
-    int count;
-    assert_int_equal(cor_scene_contacts(contacts, &count, &fault, scene), COR_FAULT_NONE);
-    assert_int_equal(count, 1);
-    return contacts[0];
-}
-
 TEST(piecewise_contact)
 {
     const struct cor_scene scene = scene_of_steel();
-    const struct cor_scene_contact contact = contact_of(&scene);
+    const struct cor_scene_contact contact = scene_contact(&scene, COR_BOTH_ENDS);
     struct spheres s = {.modulus = 2.1e11L / (2 * (1 - 0.09L)), .radius = 2.5e-3L, .yield_pressure = 1.6e9L};
     s.mass = 4 * pi_long / 3 * 1.25e-7L * 7850 / 2;
     s.yield_overlap = s.radius * powl(pi_long * s.yield_pressure / (2 * s.modulus), 2);
@@ -179,7 +169,7 @@ TEST(yield_speed_of_a_restitution)
     struct cor_scene scene = scene_of_steel();
     scene_give(scene, {COR_SCENE_YIELD_STRESS, NAN}, {COR_SCENE_RESTITUTION, 0.6}, {COR_SCENE_AT, 2});
     for (int bodies = 1; bodies >= 0; bodies--) {
-        const struct cor_scene_contact contact = contact_of(&scene);
+        const struct cor_scene_contact contact = scene_contact(&scene, COR_BOTH_ENDS);
         check_near(scene_eps(&contact, 2, COR_END_ZERO_OVERLAP), 0.6, 1e-15);
         if (bodies)
             check_near(cor_scene_yield_speed(&contact, cor_scene_yield_stress(&contact, contact.yield_speed_m_s)),
@@ -206,7 +196,7 @@ TEST(lines_of_luding)
 {
     static const char *const names[] = {"LoadingStiffness", "UnloadingStiffness", "coefficientPlasticityDepth"};
     const struct cor_scene scene = scene_of_steel();
-    const struct cor_scene_contact contact = contact_of(&scene);
+    const struct cor_scene_contact contact = scene_contact(&scene, COR_BOTH_ENDS);
     const double speed = 0.5;
     struct cor_simulator_request request = {
         .simulator = "liggghts", .scene = &scene, .contacts = &contact, .count = 1, .speed_m_s = &speed, .speeds = 1};
@@ -263,7 +253,7 @@ TEST(wet_contact)
     struct cor_scene scene = scene_of_steel();
     struct cor_scene_impact dry_impact, wet_impact;
     scene_give(scene, {COR_SCENE_LIQUID_VISCOSITY, 0.1}, {COR_SCENE_GAP_OUTER, 5e-4}, {COR_SCENE_GAP_INNER, 2e-6});
-    const struct cor_scene_contact wet = contact_of(&scene);
+    const struct cor_scene_contact wet = scene_contact(&scene, COR_BOTH_ENDS);
     struct cor_scene_contact dry = wet;
     dry.liquid_speed_m_s = 0;
     const double drag = 6 * (double)pi_long * 0.1 * 2.5e-3 * 2.5e-3 / wet.mass_kg;

@@ -21,29 +21,18 @@ static struct motion_course reference(const struct cor_exponents *law, double be
     return motion_course(&(struct motion){law->denominator, f, pressed_force, &p, 0, 0});
 }
 
-/* Returns a contact whose impacts at 1 m/s have the given beta and f. */
-static struct cor_scene_contact contact_of(const struct cor_exponents *law, double beta, double f)
-{
-    struct cor_scene_contact c = {.law = *law, .mass_kg = 1, .stiffness = 1, .radius_m = 1, .force_n = f};
-    cor_scene_set_damping(&c, COR_SCENE_DAMPING_COEFFICIENT, beta, 1, 0);
-    return c;
-}
-
-static const int laws[] = {COR_LAW_VISCOELASTIC, COR_LAW_LINEAR, COR_LAW_TSUJI, COR_LAW_HUNT_CROSSLEY,
-                           COR_LAW_HERTZ_DASHPOT};
-
 TEST(impacts)
 {
     static const double betas[] = {0.05, 0.3, 0.9, 2}, forces[] = {1e-3, 0.05, 0.2, 0.7, 2};
     int stuck = 0;
-    for (size_t l = 0; l < sizeof laws / sizeof *laws; l++)
+    for (size_t l = 0; l < SCENE_LAWS; l++)
         for (size_t i = 0; i < sizeof betas / sizeof *betas; i++)
             for (size_t k = 0; k < sizeof forces / sizeof *forces; k++) {
                 if (!in_turn(l + i + k, 3))
                     continue;
-                const struct cor_exponents *const law = &cor_law_exponents[laws[l]];
+                const struct cor_exponents *const law = &cor_law_exponents[l];
                 const struct motion_course r = reference(law, betas[i], forces[k]);
-                const struct cor_scene_contact c = contact_of(law, betas[i], forces[k]);
+                const struct cor_scene_contact c = scaled_contact(law, betas[i], forces[k]);
                 const struct cor_scene_impact impact = scene_impact(&c, 1);
                 /* a motion that never turns creeps up to its place of rest */
                 const double rest = pow(forces[k], (double)law->denominator / law->elastic); /* x^a = f */
@@ -66,20 +55,20 @@ TEST(impacts)
 /* eps on both sides of the sticking speed, which another integration finds backward in time */
 TEST(sticking)
 {
-    const struct cor_scene_contact strong = contact_of(&cor_law_exponents[COR_LAW_LINEAR], 1.975, 1);
+    const struct cor_scene_contact strong = scaled_contact(&cor_law_exponents[COR_LAW_LINEAR], 1.975, 1);
     check(cor_scene_sticking_speed(&strong, 0) > 1e8 && cor_scene_sticking_speed(&strong, 0) < 1e9, "%g",
           cor_scene_sticking_speed(&strong, 0)); /* below the upper end of the search, scene.h */
-    for (size_t l = 0; l < sizeof laws / sizeof *laws; l++)
+    for (size_t l = 0; l < SCENE_LAWS; l++)
         for (double beta = 0.01; beta < 1; beta *= 3)
             for (int end = 0; end < COR_SCENE_ENDS; end++) {
-                const struct cor_scene_contact c = contact_of(&cor_law_exponents[laws[l]], beta, 0.3);
+                const struct cor_scene_contact c = scaled_contact(&cor_law_exponents[l], beta, 0.3);
                 const double speed = cor_scene_sticking_speed(&c, end);
                 assert_true(speed > 0 && isfinite(speed));
                 check(scene_eps(&c, speed * (1 - 1e-9), end) == 0 && scene_eps(&c, speed * (1 + 1e-9), end) > 0,
-                      "%s, beta %g, end %d", cor_law_name((enum cor_law)laws[l]), beta, end);
+                      "%s, beta %g, end %d", cor_law_name((enum cor_law)l), beta, end);
             }
     /* strong damping keeps the bodies together at every speed */
-    const struct cor_scene_contact sphere = contact_of(&cor_law_exponents[COR_LAW_VISCOELASTIC], 5, 1);
+    const struct cor_scene_contact sphere = scaled_contact(&cor_law_exponents[COR_LAW_VISCOELASTIC], 5, 1);
     assert_true(isinf(cor_scene_sticking_speed(&sphere, COR_END_ZERO_OVERLAP)));
     assert_true(isfinite(cor_scene_sticking_speed(&sphere, COR_END_ZERO_FORCE)));
 }
@@ -87,7 +76,7 @@ TEST(sticking)
 TEST(limits)
 {
     /* a sphere that creeps up to its place of rest has stopped before the constant force matters */
-    const struct cor_scene_contact creeping = contact_of(&cor_law_exponents[COR_LAW_VISCOELASTIC], 1e3, 0.1);
+    const struct cor_scene_contact creeping = scaled_contact(&cor_law_exponents[COR_LAW_VISCOELASTIC], 1e3, 0.1);
     check_near(cor_scene_force_max_n(&creeping, 1), cor_law_force_max(&cor_law_exponents[COR_LAW_VISCOELASTIC], 1e3),
                1e-2);
     /* damping nearly strong enough that the body never turns */
@@ -97,7 +86,7 @@ TEST(limits)
     } turns[] = {{COR_LAW_TSUJI, 2.31727, 7.19012}, {COR_LAW_HERTZ_DASHPOT, 3.06276, 0.203421}};
     for (size_t i = 0; i < sizeof turns / sizeof *turns; i++) {
         const struct cor_exponents *const law = &cor_law_exponents[turns[i].law];
-        const struct cor_scene_contact c = contact_of(law, turns[i].beta, turns[i].force);
+        const struct cor_scene_contact c = scaled_contact(law, turns[i].beta, turns[i].force);
         check_near(scene_impact(&c, 1).max_overlap_m, reference(law, turns[i].beta, turns[i].force).max_overlap,
                    COR_SCENE_PRESSED_ERROR);
     }
@@ -105,12 +94,12 @@ TEST(limits)
         if (!law_is_complete(law))
             continue;
         /* without damping nothing is lost */
-        struct cor_scene_contact c = contact_of(&cor_law_exponents[law], 0, 0.7);
+        struct cor_scene_contact c = scaled_contact(&cor_law_exponents[law], 0, 0.7);
         for (int end = 0; end < COR_SCENE_ENDS; end++)
             check_near(scene_impact(&c, 1).eps[end], 1, 1e-14);
         assert_true(cor_scene_sticking_speed(&c, 0) == 0);
         /* a small force changes little, in proportion */
-        c = contact_of(&cor_law_exponents[law], 0.5, 0);
+        c = scaled_contact(&cor_law_exponents[law], 0.5, 0);
         struct cor_scene_contact pressed = c;
         double less[2];
         for (int i = 0; i < 2; i++) {
