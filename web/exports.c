@@ -337,8 +337,8 @@ WEB_EXPORT(web_simulators) const char *web_simulators(void)
     return text;
 }
 
-/* Returns the requested eps, its speed and end. Then follow the models of the simulator: number, name, version, law, end,
- * the realised eps, and the e that gives the requested eps. Columns have tabs. */
+/* Returns the requested eps, its speed and end. Then follow the models of the simulator: number, name, version, law,
+ * end, the realised eps, and the e that gives the requested eps. Tabs separate the columns. */
 WEB_EXPORT(web_models) const char *web_models(int digits)
 {
     const struct asked asked = find_asked(&web_now);
@@ -464,8 +464,8 @@ WEB_EXPORT(web_curve) void web_curve(const double *speed_m_s, double *y, size_t 
             y[k] = model ? find_realised(model, &web_now, speed_m_s[k]) : (double)NAN;
 }
 
-/* Returns a line for each curve of the contact: its end as an option, a tab, and the eps of every speed. Instead of eps,
- * "speed": eps depends on it; "elastic": eps is 1; "pressed": the law has no header under a constant force. */
+/* Returns a line for each curve of the contact: its end as an option, a tab, and the eps of every speed. Or, instead of
+ * eps, "speed": eps depends on it; "elastic": eps is 1; "pressed": the law has no header under a constant force. */
 WEB_EXPORT(web_headers) const char *web_headers(void)
 {
     int ends[COR_SCENE_ENDS];

@@ -386,8 +386,8 @@ struct cor_disk_hard_wall {
 /* Computes levels until error_estimate is below the tolerance, or the lowest n_modes modes or the budget do not suffice
  * for another. A level needs all modes below its Omega, whose number cor_disk_modes_below returns. Two levels are the
  * minimum. 1800 modes suffice for five levels (Omega = 60), with an error of about 1e-4.
- * Domain: 0 < v <= COR_DISK_HARD_WALL_MAX_SPEED, without a lower limit. Equal arguments give equal bits on every instruction
- * set.
+ * Domain: 0 < v <= COR_DISK_HARD_WALL_MAX_SPEED, without a lower limit. Equal arguments give equal bits on every
+ * instruction set.
  * Returns COR_OK, or, with the best numbers,
  *     COR_TOLERANCE_NOT_REACHED  the modes or the budget end before error_estimate is below the tolerance
  * or, with NaN for unknown results,

@@ -184,7 +184,7 @@ OBLIQUE = {
 
 
 def oblique_impacts(host, work, every):
-    """Two runs have errors proportional to the time step. Lever arms change by 1e-5."""
+    """The errors of two runs are proportional to the time step. The overlap changes lever arms by 1e-5."""
     for name, (contact, more) in OBLIQUE.items():
         simulator, model = name.split()
         if simulator != host:

@@ -44,7 +44,7 @@ static const struct public_function *any_function(size_t k)
 
 /* ---- arguments and results ---- */
 
-/* If subnormal numbers may count as 0, results may be the results for 0: every second set has no subnormal numbers. */
+/* Where subnormal arguments count as 0, results may be the results for 0. Every second set has no such arguments. */
 enum { WITHOUT_SUBNORMALS = 1 };
 static size_t set_count;
 static struct results *expected;  /* function k for set i is at k set_count + i */

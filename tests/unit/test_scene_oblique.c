@@ -8,7 +8,7 @@
 struct reference {
     struct cor_exponents law; /* d = law.denominator, which is even */
     long double beta, press, kappa, gamma, cap, side, sign;
-    int memory, in_cap, returns, p, least; /* p: exponent of the stiffness times d. least: of the terms of `excess` */
+    int memory, in_cap, returns, p, least; /* p: exponent of the stiffness times d. least: the least power in excess */
     enum { STICKS, SLIPS, CREEPS } mode;
 };
 
