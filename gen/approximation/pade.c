@@ -347,7 +347,8 @@ const char *pade_refusal(const struct pade_request *r)
     if (r->numerator < 0 || r->denominator < 0)
         return "the degrees of a Padé approximant must be 0 or more";
     if (r->kind == PADE_TWO_POINT && !law_is_sphere(&r->law))
-        return "a two-point Padé approximant is known only for viscoelastic spheres; leave out --elastic and --damping";
+        return "a two-point Padé approximant is known only for viscoelastic spheres; leave out --elastic and "
+               "--damping";
     if (r->kind == PADE_TWO_POINT && r->end != COR_END_ZERO_OVERLAP)
         return "a two-point Padé approximant exists only at zero overlap, because eps at zero force has logarithms at "
                "large beta; write --end zero-overlap";
