@@ -36,7 +36,8 @@ function exponentOf(suffix, unit) {
 
 // Returns one number as text in the option's unit: "0,5 mm" is 0.5e-3. A text without digits stays as it is.
 function numberOf(option, text) {
-    const [, number, suffix] = text.trim().match(/^([-+]?[\d.,]+(?:e[-+]?\d+)?)\s*(.*)$/i) ?? [];
+    const [, number, suffix] = text.trim()
+        .match(/^([-+]?[.,]*\d[\d.,]*(?:e[-+]?\d+)?)\s*((?:[a-z%\u00b5\u03bc][^;,]*)?)$/i) ?? [];
     if (number === undefined)
         return text.trim();
     const shift = exponentOf(suffix, unitOf(option)), [digits, exponent = "0"] = number.toLowerCase().split("e");
@@ -69,13 +70,17 @@ const toModule = (options) => Object.fromEntries([...options].filter(([option]) 
     .map(([option, text]) => [option, valueOf(option, text)]));
 
 // Returns the measured points of a text: [speed, eps, uncertainty]
-const pointsOf = (text) => text.split("\n")
-    .map((line) => line.trim().split(/[;\s]+/).map((part) => Number(part.replace(",", "."))))
-    .filter(([speed, eps]) => speed > 0 && eps >= 0);
+const pointsOf = (text) => text.split("\n").map((line) => line.trim()).filter((line) => line !== "").map((line) => {
+    const point = line.split(/[;\s]+/).map((part) => Number(part.replace(",", ".")));
+    if (!(point[0] > 0 && point[1] >= 0 && point.every(Number.isFinite)))
+        throw refusal(`'${line.slice(0, 40)}' is not a speed and an eps with a space between them, such as 0.1 0.9`,
+            "points");
+    return point;
+});
 
 // Returns the lines for several materials. An empty cell and the radius of a wall are not numbers.
 function blockOf(text) {
-    const rows = text.trim().split("\n").map((line) => line.split(";").map((cell) => cell.trim()));
+    const rows = text.replace(/\0/g, " ").trim().split("\n").map((line) => line.split(";").map((cell) => cell.trim()));
     if (rows.length > 8)
         throw refusal("at most 8 materials and walls are allowed", "materials");
     const names = rows.map(([name], i) => name || `material ${i + 1}`).join("\n");
@@ -96,7 +101,8 @@ function element(name, text, more = {}) {
 function makeField(place) {
     const { field: id, list, word, lines, empty = "" } = place.dataset, label = place.textContent, unit = unitOf(id);
     const inline = place.tagName === "SPAN", full = unit === "" ? label : `${label}, ${unit}`;
-    const input = element(lines === undefined ? "input" : "textarea", "", { id, spellcheck: false, placeholder: empty });
+    const input = element(lines === undefined ? "input" : "textarea", "",
+        { id, spellcheck: false, placeholder: empty });
     if ([list, word, lines].every((other) => other === undefined))
         input.inputMode = "decimal";
     if (inline)
@@ -184,8 +190,11 @@ function optionsNow() {
 // Fills the fields from an address. The selections that are no options follow from the numbers that are given.
 function fill(options) {
     const has = (...names) => names.some((name) => options.has(name));
-    for (const [name, { input }] of fields)
+    for (const [name, { input }] of fields) {
         input.value = options.get(name) ?? "";
+        if (input.selectedIndex < 0) // a selection without this choice
+            input.value = "";
+    }
     $("bodies").value = MATERIALS.find((material) => ["young", "poisson", "density"]
         .every((name) => Number(options.get(name)) === Number(material[name])))?.name ??
         (has("young", "poisson", "radius", "density", "mass", "wall") ? "bodies"
@@ -274,10 +283,10 @@ function answers() {
 function showAnswer() {
     const lines = answers().flatMap(([speed, ends], line) => {
         const known = ends.filter(({ eps }) => eps !== "nan"), same = known.every(({ eps }) => eps === known[0].eps);
-        const shown = same ? known.slice(0, 1) : known, made = element("p", "", { className: line === 0 ? "big" : "" });
+        const shown = known.length === 0 ? [{ eps: "not known" }] : same ? known.slice(0, 1) : known, made = element("p", "", { className: line === 0 ? "big" : "" });
         made.append(line === 0 ? "" : `At ${speed} m/s: `, "eps\u00a0=\u00a0", ...shown.flatMap(({ eps, end }, i) =>
-            [i > 0 ? " " : "", eps, element("small", same ? "" : ` at ${end}${i > 0 ? "" : ","}`)]));
-        const values = (name, unit) => [...new Set(shown.map((end) => end[name]).filter((text) => text !== "nan"))]
+            [i > 0 ? " " : "", eps, " ", element("small", same ? "" : `at ${end}${i > 0 ? "" : ","}`)]));
+        const values = (name, unit) => [...new Set(shown.map((end) => end[name]).filter((text) => text && text !== "nan"))]
             .map((text) => withUnit(text, unit)).join(" or ");
         const duration = values("duration", "s"), force = values("force", "N");
         return line > 0 ? [made] : [made, element("p", [duration && `Duration ${duration}`,
@@ -317,10 +326,13 @@ function addCurves(curves, speeds, label, other = false) {
     }
 }
 
+// Returns the speed at a place of the logarithmic axis: least at 0, most at 1.
+const between = (least, most, place) => Math.exp((1 - place) * Math.log(least) + place * Math.log(most));
+
 function makeCurves(options) {
     const given = toModule(options);
     const least = Number(given["speed-min"] ?? 1e-3), most = Number(given["speed-max"] ?? 10);
-    const speeds = Array.from({ length: POINTS }, (_, k) => least * (most / least) ** (k / (POINTS - 1)));
+    const speeds = Array.from({ length: POINTS }, (_, k) => between(least, most, k / (POINTS - 1)));
     const first = Number((given.speed ?? "").split(",")[0]), curves = [], others = [];
     const points = pointsOf(options.get("points") ?? "");
     if (given.restitution && given.at)
@@ -342,7 +354,7 @@ function ticks(least, most) {
 }
 
 function speedTicks(least, most, width) {
-    const decades = Math.log10(most / least), stride = Math.max(Math.ceil(decades * 48 / width), 1), found = [];
+    const decades = Math.log10(most) - Math.log10(least), stride = Math.max(Math.ceil(decades * 48 / width), 1), found = [];
     for (let e = Math.floor(Math.log10(least)); e <= Math.log10(most) + 1e-9; e++)
         if (e % stride === 0)
             found.push(...(decades < 2.5 ? [1, 2, 5] : [1]).map((digit) => Number(`${digit}e${e}`)));
@@ -359,7 +371,8 @@ function showPicture() {
     let low = Math.min(...values), high = Math.max(...values);
     if (high - low < 0.01)
         [low, high] = [Math.max(low - 0.02, 0), Math.min(high + 0.02, Math.max(1, high))];
-    const x = (speed) => box.left + (box.right - box.left) * Math.log(speed / least) / Math.log(most / least);
+    const x = (speed) => box.left + (box.right - box.left) *
+        (Math.log(speed) - Math.log(least)) / (Math.log(most) - Math.log(least));
     const y = (eps) => box.bottom - (box.bottom - box.top) * (eps - low) / (high - low);
     const text = (x, y, words, anchor = "middle", more = "") =>
         `<text class="t${more}" text-anchor="${anchor}" x="${at(x)}" y="${at(y)}">${escaped(String(words))}</text>`;
@@ -423,8 +436,8 @@ function moveTo(speed) {
 }
 
 function listenToMark() {
-    const picture = $("picture"), speedAt = (x) => drawn.least * (drawn.most / drawn.least) **
-        ((x - picture.getBoundingClientRect().left - drawn.box.left) / (drawn.box.right - drawn.box.left));
+    const picture = $("picture"), speedAt = (x) => between(drawn.least, drawn.most,
+        (x - picture.getBoundingClientRect().left - drawn.box.left) / (drawn.box.right - drawn.box.left));
     let held = false;
     picture.addEventListener("pointerdown", (event) => {
         held = event.target.closest("#mark") !== null;
@@ -458,6 +471,7 @@ function showSimulator() {
             : `${title}, ${model}: asked e = ${short(eps)}, gives ${short(gives)} at ${speed} m/s` +
                 (same ? "." : `; for ${short(eps)} at ${end} set e = ${short(set)}.`);
     table("models", ["number", "model", "version", "law", "contact ends at", `gives, asked ${eps}`, "e to set"], models);
+    $("models").parentElement.hidden = models.length === 0;
     let lines = "", why = "";
     try {
         lines = $("materials").value.trim() === "" ? cor.page.text("lines", 1) : blockOf($("materials").value);
@@ -541,7 +555,7 @@ function fromAddress(hash) {
     const lost = [...options].find(([name, value]) => name !== "wall" && fields.get(name)?.input.value !== value)
         ?.join("=") ?? others.find((text) => !kept.includes(text));
     if (lost !== undefined)
-        $("wrong").textContent = `The address has '${lost}', which this page cannot show; it is left out.`;
+        $("wrong").textContent = `The address has '${lost.slice(0, 60)}', which this page cannot show; it is left out.`;
 }
 
 function keepCurves() {

@@ -213,13 +213,13 @@ WEB_EXPORT(web_read) int web_read(const char *options)
     for (const char *line = options; *line; line += strcspn(line, "\n"), line += *line == '\n') {
         char name[WEB_NAME], value[WEB_VALUE];
         const size_t length = strcspn(line, "\n"), to = strcspn(line, "=\n");
+        snprintf(name, sizeof name, "%.*s", (int)to, line);
         if (length > to && to < sizeof name && length - to - 1 < sizeof value) {
-            snprintf(name, sizeof name, "%.*s", (int)to, line);
             snprintf(value, sizeof value, "%.*s", (int)(length - to - 1), line + to + 1);
             if (*value && !read_option(&r, name, value))
                 return 0;
         } else if (length > 0) {
-            return refuse("", "an option is a line NAME=VALUE of up to 100 characters");
+            return refuse(name, "an option is NAME=VALUE; this value has more than %d characters", WEB_VALUE - 1);
         }
     }
     if (!make_contact(&r))

@@ -12,7 +12,7 @@
 #define WEB_EXPORT(name)
 #endif
 
-enum { WEB_SPEEDS = 64, WEB_VALUE = 100, WEB_NAME = 32 };
+enum { WEB_SPEEDS = 64, WEB_VALUE = 24 * WEB_SPEEDS, WEB_NAME = 32 };
 
 /* A request: the options of corgen contact, and speed-min, speed-max, tolerance of corgen embed */
 struct web_request {
@@ -32,7 +32,7 @@ struct web_request {
 /* The last request that was right, and what is wrong with one that was not: the name of an option, and a sentence */
 extern struct web_request web_now;
 extern struct web_wrong {
-    char option[WEB_NAME], text[COR_SIMULATOR_REASON];
+    char option[WEB_NAME], text[WEB_VALUE + COR_SIMULATOR_REASON];
 } web_wrong;
 
 #endif

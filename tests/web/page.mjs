@@ -205,7 +205,8 @@ for (const [name, value, says] of [["radius", "-1", "'-1' is not a finite number
     ["poisson", "0.7", "a number above -1 and up to 0.5"], ["restitution", "1.5", "a number above 0 and up to 1"],
     ["at", "", "needs \u201cSpeed of the measurement\u201d"], ["density", "2.5.1", "written as 0.1, 1.5e-3"],
     ["speed", "1;x", "up to 64 of them"], ["speed-max", "1e-9", "is not below"], ["radius", "5 inch", "allowed: m, also with"],
-    ["young", "0x7", "'x7' is not a unit here"], ["steps", "0.5", "is not 1 or more"], ["tolerance", "0", "above 0 and up to 1"]]) {
+    ["young", "0x7", "'x7' is not a unit here"], ["steps", "0.5", "is not 1 or more"], ["radius", "1;2", "'1;2' is not a finite"], ["points", "0.1,0.9", "'0.1,0.9' is not a speed and an eps"],
+    ["poisson", "9".repeat(5000), "more than 1535 characters"], ["tolerance", "0", "above 0 and up to 1"]]) {
     await follow(glass);
     const before = await page.$eval("#picture", (e) => e.innerHTML), address = page.url();
     await type(name, value);
@@ -216,7 +217,10 @@ for (const [name, value, says] of [["radius", "-1", "'-1' is not a finite number
 }
 await enter(glass);
 check("right input again: the error is gone", await textOf(page, "#radius-wrong") === "" && await textOf(page, "#wrong") === "");
-const strange = await open(`${home}#g-star=3&yuong=1`);
+const strange = await open(`${home}#g-star=3&law=x`);
+check("an address with an unknown law says so", (await textOf(strange, "#wrong")).includes("'law=x'"));
+await strange.evaluate(() => { location.hash = "#g-star=3&yuong=1"; });
+await strange.waitForFunction(() => document.getElementById("wrong").textContent.includes("yuong"));
 check("an address with an unknown option says so", (await textOf(strange, "#wrong")).includes("'yuong=1'"));
 await strange.goto("about:blank");
 await strange.goto(`${home}#g-star=-3`);
