@@ -141,8 +141,8 @@ static bool check_proof(struct embed_form *f, const struct embed_scene *s)
     return raised;
 }
 
-/* Checks all forms of a scene and proves a third of them in turn. For a law other than the sphere's, proves only the
- * cheapest form, if a proof exists. Returns the number of families that have a form. */
+/* Checks all forms of a scene. Each turn proves another third of them. For a law other than the sphere's, proves only
+ * the cheapest form, if a proof exists. Returns the number of families that have a form. */
 static int check_scene(struct embed_request *request, bool proved)
 {
     struct found w;

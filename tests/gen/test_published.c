@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The printed numbers next to the right ones: proves which prints are wrong, and that ours are right. */
+/* Compares printed numbers with exact ones: proves which prints are wrong, and that the corrections are right. */
 #include "ball.h"
 
 #include "approximation/pade.h"

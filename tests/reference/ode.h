@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Motions by another route than the library's and the generator's, in long double, and the course of a contact. Uses
- * Gragg's method with extrapolation (Bulirsch and Stoer), and steps that end where a value falls to zero. */
+/* Motions in long double, independent of the library and the generator, and the results of a contact. Uses Gragg's
+ * method with extrapolation (Bulirsch and Stoer), and steps that end where a value falls to zero. */
 #ifndef COR_TESTS_REFERENCE_ODE_H
 #define COR_TESTS_REFERENCE_ODE_H
 
@@ -189,7 +189,7 @@ struct motion_course {
     long double max_overlap, time_of_max_overlap, force_max;
 };
 
-/* Computes the course of a contact. Bodies that have turned twice stay together. */
+/* Computes the results of a contact. Bodies that have turned twice stay together. */
 static inline struct motion_course motion_course(const struct motion *m)
 {
     enum { OVERLAP, FORCE, SPEED, RISE, VALUES, STEPS = 4000 };
