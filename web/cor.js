@@ -131,7 +131,7 @@ function wrap(c) {
     const endsNow = () => [0, 1].map((end) => text(c.web_end(end)));
     const table = (at) => text(at).trimEnd().split("\n").map((line) => line.split(","));
 
-    // The command of corgen with options, without those of some names
+    // The command of corgen with options, except options of some names
     const command = (name, options, without) => `corgen ${name}` + lines(options).trimEnd().split("\n")
         .map((line) => [line.slice(0, line.indexOf("=")), line.slice(line.indexOf("=") + 1).replace(/ /g, "")])
         .filter(([option, value]) => value !== "" && !without.includes(option))
