@@ -299,7 +299,7 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
 #define OF_CHRONO OF("src/chrono/physics/ChContactSMC.cpp", "source", "source 7689fbc0")
 #define OF_MFIX OF("model/check_data/check_solids_dem.f", "source", "21.3.2")
 #define OF_KRATOS(in) OF("applications/DEMApplication/" in, "source", "source 03f57bf0")
-#define OF_ESYS_PARTICLE OF("Model", "source", "2.3.5")
+#define OF_ESYS_PARTICLE OF("Model", "run", "2.3.5")
 #define OF_DRAKE(in) OF("multibody/" in, "source", "source be259df7")
 #define OF_MUJOCO OF("src/engine/engine_core_constraint.c", "run", "2.2.2, source a7255075")
 #define OF_MODELICA OF("Mechanics/Translational/Components/ElastoGap", "source", "Modelica Standard Library 4")
@@ -561,7 +561,8 @@ static const struct cor_simulator_model esys_particle[] = {
         PAIRS("HertzianViscoElasticPrms(name=\"contact\", A={n}, E={youngpair}, nu={poisson})\n")),
     ROW(ESYS_HERTZ_MINDLIN, OF_ESYS_PARTICLE, "HertzMindlinVisco, COR", "e", TSUJI, ZERO_OVERLAP, ASKED(esys, OPEN, 1),
         "Right to 1e-8.",
-        PAIRS("HertzMindlinViscoPrms(name=\"contact\", E={E}, nu={poisson}, dynamicMu=0, COR={n})\n")),
+        PAIRS("HertzMindlinViscoPrms(name=\"contact\", youngsModulus={E}, poissonsRatio={poisson}, dynamicMu=0, "
+              "restitution={n})\n")),
 };
 
 static const struct cor_simulator_model dem_engine[] = {
@@ -627,12 +628,14 @@ static const struct cor_simulator_model opensees[] = {
         NO_LINES),
 };
 
+/* Planes, boxes and other shapes get contact points before they touch; the solver then acts on the gap. */
+#define BULLET_TOUCH "body->setContactProcessingThreshold(0); // of one of two bodies: no force before they touch\n"
 static const struct cor_simulator_model bullet[] = {
     ROW(BULLET_RESTITUTION, OF_BULLET("BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.cpp"),
         "setRestitution of both bodies, product e", "e", IMPULSE, INSTANT, ASKED(loss_of_impulse, 0, 1),
         "Exact for spheres with these lines; Bullet's defaults add up to 0.2 to e, and treat impacts below 0.2 m/s as "
         "e = 0.",
-        EVERYWHERE("body->setRestitution({root}); // each of two equal bodies\n"
+        EVERYWHERE("body->setRestitution({root}); // each of two equal bodies\n" BULLET_TOUCH
                    "world->getSolverInfo().m_restitutionVelocityThreshold = 0;\n"
                    "world->getSolverInfo().m_splitImpulsePenetrationThreshold = 0;\n")),
     ROW(BULLET_CALLBACK, OF_BULLET("BulletCollision/CollisionDispatch/btManifoldResult.cpp"),
@@ -659,13 +662,14 @@ static const struct cor_simulator_model bullet[] = {
             "// world->getSolverInfo().m_restitutionVelocityThreshold = 0;\n"
             "// world->getSolverInfo().m_splitImpulsePenetrationThreshold = 0;\n"
             "// each body: body->setCollisionFlags(body->getCollisionFlags() | "
-            "btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);\n"),
+            "btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);\n"
+            "// each body: body->setContactProcessingThreshold(0);\n"),
         .has_function = 1),
-    ROW(BULLET_STIFFNESS,
-        OF("src/BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.cpp", "source", "3.24"),
-        "setContactStiffnessAndDamping", "damping of the pair, kg/s", LINEAR, ZERO_FORCE, NUMBER(dashpot), IMPLICIT,
-        EVERYWHERE(
-            "body->setContactStiffnessAndDamping({2K}, {n/2}); // each of two bodies, or of a body and a wall\n")),
+    ROW(BULLET_STIFFNESS, OF_BULLET("BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.cpp"),
+        "setContactStiffnessAndDamping", "damping of the pair, kg/s", LINEAR, ZERO_FORCE, NUMBER(dashpot),
+        IMPLICIT " A face that touches at four points has four times K and damping.",
+        EVERYWHERE("body->setContactStiffnessAndDamping({2K}, {n/2}); // each of two bodies, or of a body and a "
+                   "wall\n" BULLET_TOUCH)),
 };
 
 static const struct cor_simulator_model gazebo[] = {
@@ -680,20 +684,27 @@ static const struct cor_simulator_model gazebo[] = {
                    "?<!-- ODE without Gazebo, at the step {dt} s: soft_erp = {erp}, soft_cfm = {cfm} -->\n")),
 };
 
+#define PHYSX_TGS " That is ePGS; eTGS divides the step, and with 50 steps was within 0.02 of eps with short steps."
 static const struct cor_simulator_model physx[] = {
-    ROW(PHYSX_COMPLIANT, OF("PxMaterial", "documentation", "its documentation of 5.5"), "compliant contact",
-        "damping, kg/s", LINEAR, ZERO_FORCE, NUMBER(dashpot), IMPLICIT,
+    ROW(PHYSX_COMPLIANT, OF("lowleveldynamics/src/DyContactPrepShared.h", "run", "5.6.1"), "compliant contact",
+        "damping, kg/s", LINEAR, ZERO_FORCE, NUMBER(dashpot), IMPLICIT PHYSX_TGS,
         EVERYWHERE("material->setRestitution(-{K}); // of both bodies; up to PhysX 5.3 with eCOMPLIANT_CONTACT\n"
-                   "material->setDamping({n});\n")),
+                   "material->setDamping({n});\n"
+                   "shape->setContactOffset(1e-9f); // of both bodies: no force before they touch\n"
+                   "body->setSolverIterationCounts(4, 0); // of both: eTGS damps more with velocity iterations\n")),
 };
 
 static const struct cor_simulator_model isaac[] = {
     ROW(ISAAC_COMPLIANT, OF("PhysxMaterialAPI", "documentation", "its USD schema of 2026"), "compliant contact",
-        "compliantContactDamping, kg/s", LINEAR, ZERO_FORCE, NUMBER(dashpot), IMPLICIT,
-        EVERYWHERE("cor_material = PhysxSchema.PhysxMaterialAPI.Apply(material.GetPrim()) # of both bodies\n"
-                   "cor_material.CreateCompliantContactAccelerationSpringAttr().Set(False)\n"
-                   "cor_material.CreateCompliantContactStiffnessAttr().Set({K})\n"
-                   "cor_material.CreateCompliantContactDampingAttr().Set({n})\n")),
+        "compliantContactDamping, kg/s", LINEAR, ZERO_FORCE, NUMBER(dashpot), IMPLICIT PHYSX_TGS,
+        EVERYWHERE(
+            "cor_material = PhysxSchema.PhysxMaterialAPI.Apply(material.GetPrim()) # of both bodies\n"
+            "cor_material.CreateCompliantContactAccelerationSpringAttr().Set(False)\n"
+            "cor_material.CreateCompliantContactStiffnessAttr().Set({K})\n"
+            "cor_material.CreateCompliantContactDampingAttr().Set({n})\n"
+            "# of both bodies: no force before they touch; TGS damps more with velocity iterations\n"
+            "PhysxSchema.PhysxCollisionAPI.Apply(collider.GetPrim()).CreateContactOffsetAttr().Set(1e-9)\n"
+            "PhysxSchema.PhysxRigidBodyAPI.Apply(body.GetPrim()).CreateSolverVelocityIterationCountAttr().Set(0)\n")),
 };
 
 static const struct cor_simulator_model lethe[] = {

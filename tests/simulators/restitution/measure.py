@@ -11,6 +11,7 @@ A simulator that is not installed is skipped by name. tests/simulators/run runs 
 import collections
 import copy
 import functools
+import itertools
 import math
 import os
 import re
@@ -76,6 +77,7 @@ class Case:
         self.law, self.e, self.duration, self.expected, self.own, self.wall = law, e, duration, expected, own, wall
         self.eps = self.eps_most = None  # equal if the place within a time step does not matter
         self.change = 0.0
+        self.numbers = ()  # for a compiled driver
 
 
 HEADING = r"(Instead, [^:]*: |For eps = [^:]*: )?[^:,]*, (.*) \(([^()]*)\): contacts end at (.*)"
@@ -261,7 +263,7 @@ def run_compiled(host, flags, signature, lines_of, cases, work):
     for number, case in enumerate(cases):
         scope, lines = lines_of(case, number == [c.model for c in cases].index(case.model), work)
         functions += [scope, "static void set_%d(%s)\n{\n%s\n}" % (number, signature, "\n".join(lines))]
-        rows.append('{"%d", set_%d%s}' % (number, number, ", %.17g" % case.speed if hasattr(case, "speed") else ""))
+        rows.append('{"%d", set_%d%s}' % (number, number, "".join(", %.17g" % x for x in case.numbers)))
     with open(os.path.join(work, host + "_cases.inc"), "w", encoding="ascii") as file:
         file.write("\n".join(functions))
         file.write("\nstatic const %s_case %s_cases[] = {%s};\n" % (host, host, ", ".join(rows)))
@@ -305,24 +307,41 @@ def simbody_cases():
     return cases
 
 
+def stepped_cases(host, word):
+    """Returns cases of an implicit method at its printed time step, at which corgen states the mean eps. word: only
+    models whose name has it."""
+    cases = []
+    for e, wall in itertools.product(RESTITUTIONS, (False, True)):
+        text = text_for(host, "linear", e, "--end", "zero-force", "--speed", "1", wall=wall)
+        for block in blocks_of(text):
+            if word in block.model:
+                cases.append(Case(block, "linear", e, math.nan, block.realised, wall=wall))
+                cases[-1].step = float(re.search(r"time step: at most (\S+) s|$", text)[1])
+    return cases
+
+
 def bullet_cases():
     cases = []
-    exact = [case for case in cases_of("bullet", ["linear"], walls=(False, )) if "Stiffness" not in case.model]
-    for case in exact:
-        case.speed = 1.0
+    for case in cases_of("bullet", ["linear"]):
+        if "Stiffness" in case.model:
+            continue
+        case.numbers = (1, case.wall, 0, 1 / 240)
         # Bullet's defaults; the number does not change
         own = copy.copy(case)
         own.model, own.own = "setRestitution of both bodies, product e, Bullet's defaults", True
         own.lines = [line for line in case.lines if "setRestitution(" in line]
-        cases += [case, own]
+        cases += [case] if case.wall else [case, own]
+    for case in stepped_cases("bullet", "setContactStiffnessAndDamping"):
+        case.numbers = (1, case.wall, 1, case.step)
+        cases.append(case)
     # contact callback: the eps of viscoelastic spheres, 0.5 at 1 m/s
-    text = text_for("bullet", "viscoelastic", "0.5", "--end", "zero-force")
-    block = next(block for block in blocks_of(text) if any("cor_eps.h" in line for line in block.lines))
-    for speed in CALLBACK_SPEEDS:
-        eps = first_row(*contact_of("viscoelastic", "0.5"), *["--end", "zero-force", "--speed", str(speed)])
+    for wall, speed in itertools.product((False, True), CALLBACK_SPEEDS):
+        text = text_for("bullet", "viscoelastic", "0.5", "--end", "zero-force", wall=wall)
+        block = next(block for block in blocks_of(text) if any("cor_eps.h" in line for line in block.lines))
+        eps = first_row(*contact_of("viscoelastic", "0.5", wall), *["--end", "zero-force", "--speed", str(speed)])
         expected = float(eps["eps_zero_force"])
-        cases.append(Case(block, "viscoelastic", "eps(%g m/s)" % speed, math.nan, expected))
-        cases[-1].speed = speed
+        cases.append(Case(block, "viscoelastic", "eps(%g m/s)" % speed, math.nan, expected, wall=wall))
+        cases[-1].numbers = (speed, wall, 0, 1 / 240)
     return cases
 
 
