@@ -530,11 +530,11 @@ COR_INLINE struct cor_inline_place cor_inline_octaves_place(struct cor_inline_oc
 /* The only evaluator of the sphere's tables. The scalar functions, the array functions and the header for embedding use
  * it.
  *
- * For beta from 0 to 8 (eps: to 7 at zero overlap, to 16 at zero force) a row of a table gives a quantity: a short
- * polynomial around the nearest node of a uniform grid. For larger beta a quantity is a power of beta times a function
- * of ln(beta). Up to beta = exp(10) rows give this function. Beyond, three orders in mu = beta^(-5/3) with their
- * logarithms give it. The first coefficient of a row is a double-double and dominates, so the final addition causes
- * nearly all of the rounding error.
+ * For beta from 0 to 8 (eps: to 7 at zero overlap, to 16 at zero force) a row of a table gives a quantity. A row is a
+ * short polynomial around the nearest node of a uniform grid. For larger beta a quantity is a power of beta times a
+ * function of ln(beta). Up to beta = exp(10) rows give this function. Beyond, three orders in mu = beta^(-5/3) with
+ * their logarithms give it. The first coefficient of a row is a double-double and dominates, so the final addition
+ * causes nearly all of the rounding error.
  *
  * Errors are in units of the last place (ulp) of the exact value. "Worst known" is the largest error, and its argument,
  * that tests/accuracy/test_accuracy --points 1e9 found. tests/unit/test_sphere.c tests these arguments.
@@ -667,8 +667,8 @@ COR_INLINE double cor_inline_eps_zero_force(double beta)
 }
 
 /* Return eps at beta = x^(1/5), where x is the product of an impact speed g and beta_per_root^5. For x from 2^-40 to
- * 2^14 or 2^20 (beta from 1/256 to 7 or 16), rows in x give eps without a root, and only a fifth of the product's
- * rounding error reaches beta. For larger x, eps at zero overlap is h*^5/x. */
+ * 2^14 or 2^20 (beta from 1/256 to 7 or 16), rows in x give eps without a root. Only a fifth of the product's rounding
+ * error reaches beta. For larger x, eps at zero overlap is h*^5/x. */
 COR_INLINE double cor_inline_eps_zero_overlap_root(double x)
 {
     const struct cor_inline_octaves grid = COR_INLINE_OCTAVES(COR_ROWS_POWER_EPS_ZERO_OVERLAP);
