@@ -409,10 +409,11 @@ WEB_EXPORT(web_block) const char *web_block(char *names, const double *number, s
     for (size_t i = 0; i < count; i++) {
         const double *const x = number + NUMBERS * i, radius = isnan(x[3]) ? (double)INFINITY : x[3];
         const double mass = isnan(x[3]) ? (double)INFINITY : cor_sphere_mass_kg(x[3], x[2]);
-        material[i] = (struct cor_material){strtok(i == 0 ? names : NULL, "\n"), {x[0], x[1], NAN, radius, mass}, NAN};
+        material[i] =
+            (struct cor_material){strtok(i == 0 ? names : NULL, "\n"), {x[0], x[1], NAN, radius, mass}, NAN, NULL};
         for (size_t ball = 0; ball < count && !isnan(x[4]); ball++)
             if (isnan(x[3]) ? !isnan(number[NUMBERS * ball + 3]) : ball == i)
-                pair[pairs++] = (struct cor_material_pair){ball, i, x[4], x[5], COR_BOTH_ENDS};
+                pair[pairs++] = (struct cor_material_pair){ball, i, x[4], x[5], COR_BOTH_ENDS, NAN};
     }
     struct cor_simulator_request lines = request_of(&scene);
     lines.materials = material;

@@ -242,7 +242,8 @@ static int print_for_simulator(const struct contact_arguments *o, const struct c
     scene.solver = contact_enclosed;
     request.scene = o->materials ? &scene : request.scene;
     const struct oblique_request oblique = oblique_of(o);
-    if (contacts && oblique.count > 0 && contact_oblique_lines(&request, contacts, &oblique) != STATUS_OK)
+    if ((contacts ? oblique.count > 0 : o->materials && o->friction.text) &&
+        contact_oblique_lines(&request, contacts, &oblique) != STATUS_OK)
         return STATUS_USAGE;
     char *const text =
         o->materials ? contact_materials_text(request, o->materials, o->pairs) : contact_simulator_text(&request);
@@ -389,7 +390,9 @@ static const struct option_rule options[] = {
     OPTION("cfm", REAL, cfm, .range.number = &option_positive, .needs = "erp", .unit = "m/(N s)"),
     OPTION("for", TEXT, simulator, .range.words = contact_simulator_names, .excludes = "format plot"),
     OPTION("simulator-version", TEXT, version, .needs = "for"),
-    OPTION("materials", TEXT, materials, .needs = "speed", .excludes = "plot format friction" SCENE_NUMBERS_APART),
+    OPTION("materials", TEXT, materials, .needs = "speed",
+           .excludes =
+               "plot format tangential-stiffness tangential-damping tangential-restitution walton" SCENE_NUMBERS_APART),
     OPTION("pairs", TEXT, pairs, .needs = "materials"),
     OPTION("friction", REAL, friction, .range.number = &option_not_negative),
     OPTION("angle", LIST, angle, .range.values = &angles, .needs = "friction", .excludes = "tangential-speed"),

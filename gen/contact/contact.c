@@ -197,10 +197,10 @@ char *contact_own_lines(const struct own_law *law, const struct embed_request *r
 /* ---- several materials ---- */
 
 enum { CONTACT_MOST_MATERIALS = 64 };
-enum { NAME, YOUNG, POISSON, DENSITY, RADIUS, RADIUS_MAX, TIME, WALL, LINE, MATERIAL_COLUMNS };
+enum { NAME, YOUNG, POISSON, DENSITY, RADIUS, RADIUS_MAX, TIME, WALL, MADE_OF, LINE, MATERIAL_COLUMNS };
 static const char material_columns[] =
-    "name,young_pa,poisson,density_kg_m3,radius_m,radius_max_m,dissipation_time_s,wall";
-enum { A, B, RESTITUTION, AT, END, PAIR_LINE, PAIR_COLUMNS };
+    "name,young_pa,poisson,density_kg_m3,radius_m,radius_max_m,dissipation_time_s,wall,made_of";
+enum { A, B, RESTITUTION, AT, END, FRICTION, PAIR_LINE, PAIR_COLUMNS };
 
 /* Reads a number of a row, in the range of a scene's number. An empty cell is NaN. Returns an exit status. */
 static int read_cell(double *value, const char *option, const struct table *t, char *const *row, int column,
@@ -236,6 +236,7 @@ static int read_material(struct cor_material *m, const struct table *t, char *co
     const bool wall = strcmp(row[WALL], "1") == 0;
     int status = STATUS_OK;
     m->name = row[NAME];
+    m->made_of = *row[MADE_OF] ? row[MADE_OF] : NULL;
     for (size_t i = 0; i < sizeof cells / sizeof *cells && status == STATUS_OK; i++)
         status = read_cell(cells[i].value, "materials", t, row, cells[i].column, cells[i].number);
     if (status == STATUS_OK && !wall && *row[WALL] && strcmp(row[WALL], "0") != 0)
@@ -264,8 +265,13 @@ static int read_pair(struct cor_material_pair *p, const struct table *t, char *c
         return usage_error("--pairs, line %s, end: '%s' is not zero-overlap, zero-force or empty", row[PAIR_LINE],
                            row[END]);
     p->end = *row[END] ? p->end : COR_BOTH_ENDS;
-    const int status = read_cell(&p->restitution, "pairs", t, row, RESTITUTION, COR_SCENE_RESTITUTION);
-    return status == STATUS_OK ? read_cell(&p->at_m_s, "pairs", t, row, AT, COR_SCENE_AT) : status;
+    if (!*row[RESTITUTION] && !*row[FRICTION])
+        return usage_error("--pairs, line %s: restitution and friction are empty; give one, or leave out the row",
+                           row[PAIR_LINE]);
+    int status = read_cell(&p->restitution, "pairs", t, row, RESTITUTION, COR_SCENE_RESTITUTION);
+    if (status == STATUS_OK)
+        status = read_cell(&p->at_m_s, "pairs", t, row, AT, COR_SCENE_AT);
+    return status == STATUS_OK ? read_cell(&p->friction, "pairs", t, row, FRICTION, COR_SCENE_ZETA) : status;
 }
 
 char *contact_materials_text(struct cor_simulator_request request, const char *materials, const char *pairs)
@@ -273,7 +279,7 @@ char *contact_materials_text(struct cor_simulator_request request, const char *m
     struct table m = {0}, p = {0};
     int status = table_read(&m, "materials", materials, material_columns, 5);
     if (status == STATUS_OK && pairs)
-        status = table_read(&p, "pairs", pairs, "a,b,restitution,at_m_s,end", 3);
+        status = table_read(&p, "pairs", pairs, "a,b,restitution,at_m_s,end,friction", 2);
     const size_t count = (size_t)(m.cells / MATERIAL_COLUMNS), measured = (size_t)(p.cells / PAIR_COLUMNS);
     struct cor_material *const material = xmalloc((count + 1) * sizeof *material);
     struct cor_material_pair *const pair = xmalloc((measured + 1) * sizeof *pair);

@@ -192,8 +192,10 @@ int contact_oblique(struct table *table, const struct contacts *contacts, const 
 int contact_oblique_lines(struct cor_simulator_request *lines, const struct contacts *contacts,
                           const struct oblique_request *request)
 {
-    const int id = model_of(request->model ? request->model : lines->simulator, &contacts->contact[0]);
-    const int end = contact_end(contacts, 0) == COR_END_ZERO_FORCE;
+    const struct cor_scene_contact of_law = {.law = lines->scene->law};
+    const char *const name =
+        request->model || contacts ? request->model ? request->model : lines->simulator : "displacement";
+    const int id = model_of(name, contacts ? &contacts->contact[0] : &of_law);
     if (id < 0)
         return STATUS_USAGE;
     lines->friction = request->friction;
@@ -201,5 +203,8 @@ int contact_oblique_lines(struct cor_simulator_request *lines, const struct cont
     lines->oblique = request->given;
     lines->obliques = request->count;
     lines->in_degrees = request->angles;
+    if (!contacts) /* each contact of several materials has its own spring */
+        return STATUS_OK;
+    const int end = contact_end(contacts, 0) == COR_END_ZERO_FORCE;
     return spring_of(&lines->tangential_stiffness, &lines->tangential_damping, contacts, 0, end, id, request);
 }

@@ -670,14 +670,17 @@ struct cor_material {
     const char *name;
     struct cor_body body; /* the smallest ball; infinite radius and mass: a wall; dissipation time NaN: not known */
     double radius_max_m;  /* of the largest ball, of the same density; NaN: all balls have one radius */
+    const char *made_of; /* name of the material whose elasticity, and dissipation time if NaN, it has; NULL: its own */
 };
 
-/* A restitution measured between the smallest balls of materials a and b, counted from 0, or between a ball and a wall.
- * at_m_s NaN: at every speed, where q = 0. end: COR_BOTH_ENDS means the end of the scene. */
+/* A restitution measured between the smallest balls of materials a and b, counted from 0, or between a ball and a wall;
+ * NaN: not measured. at_m_s NaN: at every speed, where q = 0. end: COR_BOTH_ENDS means the end of the scene. friction
+ * NaN: as in the request. */
 struct cor_material_pair {
     size_t a, b;
     double restitution, at_m_s;
     int end;
+    double friction;
 };
 
 /* The contact of two materials, filled by cor_simulator_lines */
@@ -687,6 +690,7 @@ struct cor_material_contact {
     int count;
     const struct cor_material_pair *measured; /* NULL: the damping follows from the dissipation times */
     double number;                            /* the number of the model in the lines */
+    double friction, tangential_stiffness;    /* the stiffness is Mindlin's */
 };
 
 /* The input of cor_simulator_lines. The end of the scene is the requested end of contacts. With a wall the lines define
@@ -711,9 +715,10 @@ struct cor_simulator_request {
     const struct cor_material_pair *pairs; /* the measured ones */
     size_t material_count, pair_count;
     struct cor_material_contact *memory;
-    /* Friction of two bodies of one material, or at a wall; 0: none. tangential: the model, which the simulator must
-     * have. Its spring and damper are as in cor_scene_tangential_scaled. oblique: angles in degrees, or tangential
-     * speeds in m/s, for which the text states the tangential restitution */
+    /* Friction of two bodies of one material, at a wall, or of all pairs of materials without their own; 0: none.
+     * tangential: the model, which the simulator must have; of materials also COR_TANGENTIAL_DISPLACEMENT, its first
+     * one. Its spring, Mindlin's for materials, and damper are as in cor_scene_tangential_scaled. oblique: angles in
+     * degrees, or tangential speeds in m/s, for which the text states the tangential restitution */
     double friction, tangential_stiffness, tangential_damping;
     enum cor_tangential_id tangential;
     const double *oblique;

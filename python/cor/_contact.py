@@ -48,6 +48,17 @@ def _exponents(elastic: Any, damping: Any) -> Tuple[int, int, int]:
     return int(a * whole), int(b * whole), whole
 
 
+def _spring_of_engine(law: Optional[str], erp: Any, cfm: Any, time_step: Any) -> Dict[str, float]:
+    """Returns K = ERP/(h CFM) and C = (1 - ERP)/CFM, from exact decimals as in corgen."""
+    given = {"erp": erp, "cfm": cfm, "time_step": time_step}
+    values = [float(number(name, x)) for name, x in given.items() if x is not None]
+    if law not in (None, "linear") or len(values) < 3 or not all(0 < x < math.inf for x in values) or values[0] > 1:
+        raise ValueError("erp, cfm, time_step: give all three, above 0 and erp up to 1, and no law except linear")
+    e, c, h = (Fraction(repr(x)) for x in values)
+    damping = {"zeta": 0.0} if e == 1 else {"damping_coefficient": float((1 - e) / c)}
+    return {"stiffness": float(e / (h * c)), **damping}
+
+
 class Contact:
     """A contact of two bodies in SI units, with all numbers that corgen contact computes.
 
@@ -58,6 +69,7 @@ class Contact:
         bodies      young, poisson, radius, density or mass; young_2, ...; wall=True; plate_thickness
         a spring    stiffness or duration, effective_mass; equivalent="energy" or "duration" with law="linear", bodies
                     and at: the spring that equals Hertz's contact at that speed
+        an engine   erp, cfm and time_step with effective_mass: the linear spring of implicit steps, as in ODE
         damping     dissipation_time, viscosity and bulk_viscosity, g_star, restitution and at, damping_coefficient,
                     beta and at, or zeta
         law         a name of cor.law.laws(), "plate" or "elastic-plastic"; or the exponents elastic and damping of
@@ -82,10 +94,16 @@ class Contact:
         wall: bool = False,
         adhesion_model: str = "none",
         equivalent: str = "none",
+        erp: Optional[float] = None,
+        cfm: Optional[float] = None,
+        time_step: Optional[float] = None,
         **numbers: float,
     ) -> None:
         self._options = {"law": law, "elastic": elastic, "damping": damping, "end": end, "wall": wall}
         self._options.update(adhesion_model=adhesion_model, equivalent=equivalent, **numbers)
+        self._options.update(erp=erp, cfm=cfm, time_step=time_step)
+        if erp is not None or cfm is not None or time_step is not None:
+            law, numbers = "linear", {**_spring_of_engine(law, erp, cfm, time_step), **numbers}
         self._bodies = bodies
         self._scene = scene = ffi.new("struct cor_scene *")
         scene.number = [math.nan] * lib.COR_SCENE_NUMBERS

@@ -93,7 +93,7 @@ def realised(simulator: str, model: str, e: ArrayLike) -> Any:
 # Columns of numbers, with the arguments of cor.Contact of equal range
 _MATERIAL = {"young_pa": "young", "poisson": "poisson", "density_kg_m3": "density", "radius_m": "radius", "wall": ""}
 _MATERIAL.update(radius_max_m="radius", dissipation_time_s="dissipation_time")
-_PAIR = {"restitution": "restitution", "at_m_s": "at"}
+_PAIR = {"restitution": "restitution", "at_m_s": "at", "friction": "zeta"}
 
 
 def _row(argument: str, row: Mapping[str, Any], texts: Tuple[str, ...], numbers: Dict[str, str]) -> Dict[str, Any]:
@@ -109,15 +109,15 @@ def _row(argument: str, row: Mapping[str, Any], texts: Tuple[str, ...], numbers:
             if numbers.get(column) and not math.isnan(cells[column]):
                 option_number(numbers[column], cells[column])
         except ValueError as error:
-            raise ValueError(f"{argument}: {column}: {error}") from None
+            raise ValueError(f"{argument}: {column}: {str(error).replace('zeta: ', '')}") from None
     return cells
 
 
 def _many(request: Any, materials: Sequence[Mapping[str, Any]], pairs: Sequence[Mapping[str, Any]]) -> List[Any]:
     """Puts several materials into a request. Returns the objects that must exist as long as the request."""
-    rows = [_row("materials", row, ("name",), _MATERIAL) for row in materials]
+    rows = [_row("materials", row, ("name", "made_of"), _MATERIAL) for row in materials]
     names = [row["name"] for row in rows]
-    texts = [ffi.new("char[]", _text("materials", name)) for name in names]
+    texts = [ffi.new("char[]", _text("materials", text)) for text in names + [row["made_of"] for row in rows]]
     made, measured = ffi.new("struct cor_material[]", len(rows) + 1), []
     for k, row in enumerate(rows):
         if row["wall"] not in (0, 1) and not math.isnan(row["wall"]):
@@ -126,12 +126,14 @@ def _many(request: Any, materials: Sequence[Mapping[str, Any]], pairs: Sequence[
         radius = math.inf if wall and math.isnan(row["radius_m"]) else row["radius_m"]
         mass = math.inf if wall else float(sphere_mass_kg(radius, row["density_kg_m3"]))
         body = (row["young_pa"], row["poisson"], row["dissipation_time_s"], radius, mass)
-        made[k] = (texts[k], body, row["radius_max_m"])
+        source = texts[len(rows) + k] if row["made_of"] else ffi.NULL
+        made[k] = (texts[k], body, row["radius_max_m"], source)
     for row in [_row("pairs", row, ("a", "b", "end"), _PAIR) for row in pairs]:
         if row["a"] not in names or row["b"] not in names:
             raise ValueError(f"pairs: {row['a']}, {row['b']}: not two names of materials")
         end = one_of("pairs: end", row["end"], ("zero_overlap", "zero_force")) if row["end"] else lib.COR_BOTH_ENDS
-        measured.append((names.index(row["a"]), names.index(row["b"]), row["restitution"], row["at_m_s"], end))
+        numbers = row["restitution"], row["at_m_s"], end, row["friction"]
+        measured.append((names.index(row["a"]), names.index(row["b"]), *numbers))
     request.material_count, request.pair_count = len(rows), len(measured)
     of_pairs = ffi.new("struct cor_material_pair[]", measured or 1)
     memory = ffi.new("struct cor_material_contact[]", len(rows) ** 2 + 1)
@@ -145,6 +147,7 @@ def lines(
     *,
     materials: Optional[Sequence[Mapping[str, Any]]] = None,
     pairs: Sequence[Mapping[str, Any]] = (),
+    friction: float = 0.0,
     speeds: ArrayLike = (),
     version: Optional[str] = None,
     time_step: Optional[float] = None,
@@ -157,8 +160,11 @@ def lines(
     corgen contact --for. Raises ValueError if impossible. speeds: impact speeds at which the text states eps.
 
     materials: instead of a contact, rows as from csv.DictReader with the columns of corgen contact --materials;
-    pairs: rows of the measured pairs. Keywords are then law, elastic, damping and end, and speeds are required."""
+    pairs: rows of the measured pairs; friction: of all others. Keywords are then law, elastic, damping and end, and
+    speeds are required."""
     request = ffi.new("struct cor_simulator_request *")
+    if materials is None and friction:
+        raise TypeError("friction: allowed with materials")
     if materials is None:
         made = _contact(contact, scene)
     elif contact is not None or set(scene) - {"law", "elastic", "damping", "end"} or not np.size(speeds):
@@ -168,13 +174,16 @@ def lines(
         made._scene.number = [math.nan] * lib.COR_SCENE_NUMBERS
         kept = _many(request, materials, pairs)  # noqa: F841
     _positive(time_step=time_step, steps=steps, step_tolerance=step_tolerance)
-    name, array, number = ffi.new("char[]", _text("simulator", simulator)), *_speeds(speeds)
+    name, array, values = ffi.new("char[]", _text("simulator", simulator)), *_speeds(speeds)
     version_text = _version(version)
     request.simulator, request.version = name, version_text
     request.scene, request.contacts, request.count = made._scene, made._contacts, made._count
-    request.speed_m_s, request.speeds = number, array.size
+    request.speed_m_s, request.speeds = values, array.size
     request.time_step_s, request.steps = time_step or 0, steps or 0
     request.step_tolerance, request.step_corrected = step_tolerance or 0, step_corrected
+    request.friction = float(number("friction", friction))
+    if not 0 <= request.friction < math.inf:
+        raise ValueError(f"friction: {friction!r} is not a finite number, 0 or more")
     request.step_errors = time_step is not None or steps is not None
     request.integrator = lib.COR_NO_INTEGRATOR
     text = ffi.new("char[]", lib.COR_SIMULATOR_REASON)
@@ -192,17 +201,23 @@ _STEP_ERROR = [name for name, _ in ffi.typeof("struct cor_step_error").fields]
 def step_error(
     contact: _Bodies,
     speed: ArrayLike,
-    steps: ArrayLike,
+    steps: Optional[ArrayLike] = None,
     *,
-    integrator: str = _VERLET,
+    integrator: Optional[str] = None,
     **scene: Any,
 ) -> Any:
     """Returns the error of eps from a time step (cor_scene_step_error): a record, or an array of records. It has the
     mean of the error over all phases of the first step (bias), its standard deviation (scatter), least and most. steps:
-    time steps in the duration of a contact without damping at the speed, m/s. NaN: the motion leaves the range of
-    doubles, or needs too many steps."""
+    time steps in the duration of a contact without damping at the speed, m/s. A contact of erp and cfm has its own
+    steps and the integrator implicit-euler; others have verlet-half-step. NaN: the motion leaves the range of doubles,
+    or needs too many steps."""
     made = _contact(contact, scene)
-    method = one_of("integrator", integrator, _INTEGRATORS)
+    own = made._options["time_step"]
+    method = one_of("integrator", integrator or ("implicit-euler" if own else _VERLET), _INTEGRATORS)
+    if steps is None and not own:
+        raise TypeError("steps: a number is needed, except for a contact of erp and cfm")
+    if steps is None:
+        steps = lib.cor_scene_elastic_duration_s(made._contacts, 1.0) / own
     at, count = np.broadcast_arrays(np.asarray(speed, np.float64), np.asarray(steps, np.float64))
     for argument, given in (("speed", at), ("steps", count)):
         if not (np.all(given > 0) and np.all(np.isfinite(given))):

@@ -161,6 +161,7 @@ struct task {
     int types;    /* types of bodies: 2 for two different bodies, or a body and a wall */
     int has_law;  /* some model has the law of the contact */
     int pressed;  /* pressed by gravity; eps then depends on it */
+    int slides;   /* some contact has friction */
     int same_eps; /* for a given damping, too, the next block has the eps at the requested end */
     /* For each end at which the restitution may have been measured, or the contact of the request */
     struct cor_scene_contact contact[CONTACTS][COR_SCENE_ENDS];
@@ -226,12 +227,45 @@ struct block {
     char reason[SENTENCE];     /* why it has no numbers, or no corrected ones */
 };
 
+/* Returns the type of the material that a type is made of, itself if none is named; the number of types if the name is
+ * unknown. */
+static size_t source_of(const struct cor_simulator_request *request, size_t type)
+{
+    const char *const name = material_of(request, type)->made_of;
+    size_t source = name ? 0 : type;
+    while (name && source < request->material_count && strcmp(material_of(request, source)->name, name) != 0)
+        source++;
+    return source;
+}
+
+/* Returns a body of a type with the elasticity of its material. */
+static struct cor_body body_of(const struct cor_simulator_request *request, size_t type)
+{
+    const struct cor_body source = material_of(request, source_of(request, type))->body;
+    struct cor_body body = material_of(request, type)->body;
+    body.young_modulus_pa = source.young_modulus_pa;
+    body.poisson_ratio = source.poisson_ratio;
+    return body;
+}
+
+/* Makes the contact of two types the contact of the request in task->own. */
+static const struct cor_material_contact *own_contact(struct task *task, size_t i, size_t j)
+{
+    const struct cor_material_contact *const c = contact_of(task->request, i, j);
+    task->own = *task->request;
+    task->own.contacts = c->contact;
+    task->own.friction = c->friction;
+    task->own.tangential_stiffness = c->tangential_stiffness;
+    task->request = &task->own;
+    task->i = i;
+    task->j = j;
+    return c;
+}
+
 /* Makes the contact of types i and j the source of the numbers of words. */
 static void turn_to_contact(struct task *task, struct block *block, size_t i, size_t j)
 {
-    const struct cor_material_contact *const c = contact_of(task->request, i, j);
-    task->i = i;
-    task->j = j;
+    const struct cor_material_contact *const c = own_contact(task, i, j);
     task->target[PAIR].scene = &c->scene;
     task->target[PAIR].contacts = c->contact;
     block->number[PAIR] = c->number;
@@ -580,7 +614,7 @@ static double word_number(const char *word, const struct block *block, const str
 {
     const struct cor_simulator_target *const target = &task->target[pair];
     const struct cor_simulator_request *const r = task->request;
-    const struct cor_body one = r->materials ? material_of(r, task->i)->body : cor_scene_body(target->scene, 1),
+    const struct cor_body one = r->materials ? body_of(r, task->i) : cor_scene_body(target->scene, 1),
                           two = cor_scene_body(target->scene, 2);
     const double i = (double)task->i, j = (double)task->j,
                  types = r->materials ? (double)r->material_count : task->types;
@@ -630,7 +664,7 @@ static double word_number(const char *word, const struct block *block, const str
                  {"kp", cor_quiet_product(task->hardening, task->k1)},
                  {"kp/k1", task->hardening},
                  {"depth", task->depth},
-                 {"mu", r->friction > 0 ? r->friction : (double)NAN},
+                 {"mu", task->slides ? r->friction : (double)NAN},
                  {"phi", atan(r->friction)},
                  {"kt", hertz ? cor_quiet_quotient(kt, sqrt(radius)) : kt},
                  {"kt0", r->friction > 0 ? kt : (double)NAN},
@@ -661,7 +695,8 @@ static const char *word_text(const char *word, const struct task *task, int pair
     } words[] = {{"model", hooke ? "hooke" : "hertz"},
                  {"Model", hooke ? "Hooke" : "Hertz"},
                  {"pair", two && pair < PAIRS ? pairs[pair] : "* *"},
-                 {"nofriction", task->request->friction > 0 ? "" : " Friction is 0 in these lines; add yours."},
+                 {"nofriction", task->slides ? "" : " Friction is 0 in these lines; add yours."},
+                 {"undamped", task->slides ? " tangential_damping off" : ""},
                  {"s", two || task->request->material_count > 1 ? "s" : ""}};
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (strcmp(words[i].word, word) == 0)
@@ -706,7 +741,7 @@ static void put_tangential(struct text *t, const struct block *block, const stru
     const int lammps = task->simulator->tangential >> COR_LAMMPS_MINDLIN & 1;
     const double normal = cor_scene_damping(r->contacts, COR_SCENE_DAMPING_COEFFICIENT);
     if (!(r->friction > 0) || !lammps) {
-        put_text(t, lammps ? "linear_nohistory 0 0" : r->friction > 0 ? "history tangential_damping off" : "off");
+        put_text(t, lammps ? "linear_nohistory 0 0" : task->slides ? "history" : "off");
         return;
     }
     put_text(t, model->name);
@@ -1241,15 +1276,20 @@ static int check_friction(struct task *task)
     const struct cor_tangential_model *const model = &cor_tangential_models[r->tangential];
     const int lammps = task->simulator->tangential >> COR_LAMMPS_MINDLIN & 1,
               linear = cor_law_is(&r->contacts->law, 2, 0);
-    if (!(r->friction > 0))
+    task->slides = r->friction > 0;
+    for (size_t k = 0; k < r->pair_count; k++)
+        task->slides = task->slides || r->pairs[k].friction > 0;
+    if (!task->slides)
         return 1;
     const int history = r->tangential == COR_LIGGGHTS_HISTORY || model->memory == COR_REMEMBERS_NOTHING;
     if ((task->simulator->tangential >> r->tangential & 1) == 0 ||
         (!history && model->constant_stiffness != linear && !(lammps && !linear)))
-        return refuse_task(task,
-                           "cor knows no tangential force '%s' of %s for this spring; --friction has lines for "
-                           "lammps, liggghts and yade, and for mercurydpm with --law linear",
-                           model->name, task->simulator->title);
+        return refuse_task(
+            task,
+            "cor knows no tangential force '%s' of %s for this spring; --friction has lines for "
+            "lammps, liggghts and yade, and for mercurydpm with --law linear. For others leave out --friction, "
+            "and add it to your input",
+            model->name, task->simulator->title);
     if (task->types == 2 && !r->scene->wall)
         return refuse_task(task, "lines with --friction need two bodies of one material and size, or a wall");
     return lammps || !(r->tangential_damping > 0) ||
@@ -1345,8 +1385,8 @@ static struct cor_scene scene_of_types(const struct cor_simulator_request *reque
         const struct cor_material *const m = material_of(request, body ? j : i);
         double *const number = scene.number + body * COR_SCENE_BODY;
         const double radius = m->body.radius_m, ratio = largest ? cor_quiet_quotient(m->radius_max_m, radius) : 1;
-        number[COR_SCENE_YOUNG] = m->body.young_modulus_pa;
-        number[COR_SCENE_POISSON] = m->body.poisson_ratio;
+        number[COR_SCENE_YOUNG] = body_of(request, body ? j : i).young_modulus_pa;
+        number[COR_SCENE_POISSON] = body_of(request, body ? j : i).poisson_ratio;
         scene.wall = is_wall(m);
         if (scene.wall)
             continue;
@@ -1361,10 +1401,12 @@ static struct cor_scene scene_of_types(const struct cor_simulator_request *reque
  * 2 if it depends on the end at which that contact was measured */
 static double dissipation_time(const struct cor_simulator_request *request, size_t type, int end, int *ends)
 {
-    const struct cor_material *const m = material_of(request, type);
-    const struct cor_material_contact *const like = contact_of(request, type, type);
-    if (!isnan(m->body.dissipation_time_s) || is_wall(m) || !like->measured)
-        return m->body.dissipation_time_s;
+    const double own = material_of(request, type)->body.dissipation_time_s;
+    const size_t source = source_of(request, type);
+    const struct cor_material *const m = material_of(request, source);
+    const struct cor_material_contact *const like = contact_of(request, source, source);
+    if (!isnan(own) || !isnan(m->body.dissipation_time_s) || is_wall(m) || !like->measured)
+        return isnan(own) ? m->body.dissipation_time_s : own;
     *ends = like->count > *ends ? like->count : *ends;
     return cor_scene_damping(&like->contact[like->count > 1 ? end : 0], COR_SCENE_DISSIPATION_TIME);
 }
@@ -1387,10 +1429,13 @@ static int find_contact(struct task *task, size_t i, size_t j)
     int ends = 1;
     c->scene = scene_of_types(r, i, j, 0);
     c->measured = NULL;
+    c->friction = r->friction;
     for (const struct cor_material_pair *p = r->pairs; p < r->pairs + r->pair_count; p++)
         if ((&r->materials[p->a] == one && &r->materials[p->b] == two) ||
-            (&r->materials[p->a] == two && &r->materials[p->b] == one))
-            c->measured = p;
+            (&r->materials[p->a] == two && &r->materials[p->b] == one)) {
+            c->measured = isnan(p->restitution) ? NULL : p;
+            c->friction = isnan(p->friction) ? r->friction : p->friction;
+        }
     for (int end = 0; end < ends; end++) {
         if (c->measured) {
             number[COR_SCENE_RESTITUTION] = c->measured->restitution;
@@ -1411,6 +1456,10 @@ static int find_contact(struct task *task, size_t i, size_t j)
         }
         memcpy(c->contact + end, found, sizeof *found * (size_t)c->count);
     }
+    const struct cor_body a = cor_scene_body(&c->scene, 1), b = cor_scene_body(&c->scene, 2);
+    c->tangential_stiffness =
+        c->contact->stiffness / 3.5 *
+        cor_tangential_kappa(a.young_modulus_pa, a.poisson_ratio, b.young_modulus_pa, b.poisson_ratio);
     c->count = c->measured ? c->count : ends;
     if (c->measured && r->scene->end != COR_BOTH_ENDS && c->scene.end != r->scene->end) { /* eps is for the other end */
         number[COR_SCENE_RESTITUTION] = number[COR_SCENE_AT] = NAN;
@@ -1446,6 +1495,13 @@ static int check_materials(struct task *task)
             if (strcmp(m->name, other->name) == 0)
                 return refuse_task(task, "%s: two materials have this name", m->name);
     }
+    for (size_t k = 0; k < types; k++) {
+        const struct cor_material *const m = material_of(r, k);
+        const size_t source = source_of(r, k);
+        if (m->made_of && (source == types || source == k || material_of(r, source)->made_of))
+            return refuse_task(task, "%s: made of '%.40s', which is not another material with its own elasticity",
+                               m->name, m->made_of);
+    }
     if (balls == 0)
         return refuse_task(task, "no material has balls: at least one is to have a radius, and no wall");
     if (task->simulator->one_wall && types > balls + 1)
@@ -1471,12 +1527,10 @@ static int check_materials(struct task *task)
 /* Starts the task of one contact. False after a refusal of the whole request */
 static int start_contact(struct task *own, struct task *task, size_t i, size_t j)
 {
-    const struct cor_material_contact *const c = contact_of(task->request, i, j);
-    *own = (struct task){.i = i, .j = j, .own = *task->request};
+    *own = (struct task){.request = task->request, .slides = task->slides};
+    const struct cor_material_contact *const c = own_contact(own, i, j);
     own->own.scene = &c->scene;
-    own->own.contacts = c->contact;
     own->own.count = c->count;
-    own->request = &own->own;
     if (check_numbers(own) && check_task(own) && find_speed(own)) {
         memcpy(task->law, own->law, sizeof task->law);
         task->has_law = own->has_law;
@@ -1553,7 +1607,10 @@ static void put_contact(struct text *t, const struct block *block, const struct 
     else
         put_comment(t, "%d %d, %s and %s: not measured, from the dissipation times %s s and %s s", i, j, one, two,
                     TEXT(dissipation_time(r, own->i, end, &ends)), TEXT(dissipation_time(r, own->j, end, &ends)));
+    if (own->slides)
+        put_comment(t, "friction %s", TEXT(r->friction));
     put_realised(t, block, own);
+    put_oblique(t, block, own);
     put_largest(t, block, own);
     if (has_soft_wall(own))
         put_comment(t, "%s", own->simulator->wall);
@@ -1561,8 +1618,8 @@ static void put_contact(struct text *t, const struct block *block, const struct 
 
 /* True if a line of a template for several materials is repeated for types i and j. m: each type; b: each ball; g: each
  * ball, if the scene has a wall; v: each wall. p: each two balls; u: each two different types; w: each ball and wall;
- * c: each contact; -: only once. */
-static int repeats_line(char letter, size_t i, size_t j, size_t balls, size_t types)
+ * c: each contact; f: each contact, if some contact has friction; F: then once; -: only once. */
+static int repeats_line(char letter, size_t i, size_t j, size_t balls, size_t types, int slides)
 {
     const int contact = i <= j && i < balls;
     return letter == 'm'   ? i == j
@@ -1573,6 +1630,8 @@ static int repeats_line(char letter, size_t i, size_t j, size_t balls, size_t ty
            : letter == 'u' ? contact && i != j
            : letter == 'w' ? contact && j >= balls
            : letter == 'c' ? contact
+           : letter == 'f' ? contact && slides
+           : letter == 'F' ? i + j == 0 && slides
                            : i + j == 0;
 }
 
@@ -1581,7 +1640,7 @@ static void put_many(struct text *t, const char *template, struct block *block, 
     const size_t types = task->request->material_count, balls = count_balls(task->request);
     for (; *template; template = strchr(template, '\n') + 1)
         for (size_t k = 0; k < types * types; k++)
-            if (repeats_line(*template, k / types, k % types, balls, types)) {
+            if (repeats_line(*template, k / types, k % types, balls, types, task->slides)) {
                 const struct text before = *t;
                 turn_to_contact(task, block, k / types, k % types);
                 t->known = 1;
@@ -1599,10 +1658,14 @@ static int put_materials(struct text *t, struct task *task)
     const struct cor_simulator *const s = task->simulator;
     struct block block, best = {.model = NULL};
     int rank = -1;
-    task->own = *given;
-    task->own.contacts = given->memory->contact;
+    own_contact(task, 0, 0);
+    task->own.friction = given->friction;
     task->own.step_corrected = 0;
-    task->request = &task->own;
+    for (int id = COR_TANGENTIAL_MODELS - 1; id > 0 && given->tangential == COR_TANGENTIAL_DISPLACEMENT; id--)
+        if (s->tangential >> id & 1 && !(cor_tangential_models[id].constant_stiffness && task->own.tangential))
+            task->own.tangential = (enum cor_tangential_id)id;
+    if (!check_friction(task))
+        return 0;
     for (int i = 0; i < s->model_count; i++) {
         const int suits = s->models[i].many ? fill_contacts(task, &s->models[i], &block) : -1;
         best = suits > rank ? block : best;

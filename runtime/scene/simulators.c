@@ -217,10 +217,10 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
                   " zplane 0 NULL\n",                                                                                  \
     .many = "-# Put these lines after create_atoms or read_data: a group has only the atoms that exist.\n"             \
             "-pair_style granular\n"                                                                                   \
-            "ppair_coeff {i} {j} " spring " {n} tangential linear_nohistory 0 0 damping " damping "\n"                 \
+            "ppair_coeff {i} {j} " spring " {n} tangential {tangential} damping " damping "\n"                         \
             "ggroup cor_{i} type {i}\n" WALL_PLANE(                                                                    \
                 "zplane 0 NULL") "wfix cor_wall_{i}_{j} cor_{i} wall/gran granular " spring                            \
-                                 " {n} tangential linear_nohistory 0 0 damping " damping " {plane}\n",                 \
+                                 " {n} tangential {tangential} damping " damping " {plane}\n",                         \
     .pairs = COR_PAIRS_LINES
 /* The plane of a material's wall. Users may define the variable before these lines. */
 #define WALL_PLANE(plane)                                                                                              \
@@ -231,13 +231,14 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
     .lines = LIGGGHTS_PAIR(model, limit, properties),                                                                  \
     .wall_lines =                                                                                                      \
         LIGGGHTS_PAIR(model, limit, properties) "fix cor_wall all wall/gran model " model                              \
-                                                " tangential {tangential} primitive type 2 zplane 0" limit "\n",       \
+                                                " tangential {tangential} primitive type 2 zplane 0{undamped}" limit   \
+                                                "\n",                                                                  \
     .many = LIGGGHTS_PAIR(model, limit, properties)                                                                    \
         WALL_PLANE("zplane 0") "vfix cor_wall_{j} all wall/gran model " model                                          \
-                               " tangential off primitive type {j} {plane}" limit "\n",                                \
+                               " tangential {tangential} primitive type {j} {plane}{undamped}" limit "\n",             \
     .pairs = COR_PAIRS_MATRIX
 #define LIGGGHTS_PAIR(model, limit, properties)                                                                        \
-    "-pair_style gran model " model " tangential {tangential}" limit "\n"                                              \
+    "-pair_style gran model " model " tangential {tangential}{undamped}" limit "\n"                                    \
     "-pair_coeff * *\n" properties                                                                                     \
     "?fix cor_friction all property/global coefficientFriction peratomtypepair {types} {mu[]}\n"
 #define LIGGGHTS_E                                                                                                     \
@@ -263,8 +264,9 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
                 "mO.materials.append(cor_material_{i})\n-cor_contact = InteractionLoop(\n"                             \
                 "-    [Ig2_Sphere_Sphere_ScGeom(), Ig2_Facet_Sphere_ScGeom(), Ig2_Wall_Sphere_ScGeom()],\n"            \
                 "-    [Ip2_FrictMat_FrictMat_MindlinPhys(" number "=MatchMaker(matches=(\n"                            \
-                "c        (cor_material_{i}.id, cor_material_{j}.id, {n}),\n"                                          \
-                "-    )), " others ")],\n-    [Law2_ScGeom_MindlinPhys_Mindlin()])\n"
+                "c        (cor_material_{i}.id, cor_material_{j}.id, {n}),\n-    )),\n"                                \
+                "F    frictAngle=MatchMaker(matches=(\nf        (cor_material_{i}.id, cor_material_{j}.id, {phi}),\n"  \
+                "F    )),\n-    " others ")],\n-    [Law2_ScGeom_MindlinPhys_Mindlin()])\n"
 #define YADE_FRICTION                                                                                                  \
     "?cor_material = FrictMat(young={young}, poisson={poisson}, {density}frictionAngle={phi})\n"                       \
     "?cor_material_2 = FrictMat(young={young2}, poisson={poisson2}, {density2}frictionAngle={phi})\n"

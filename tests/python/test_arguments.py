@@ -25,6 +25,7 @@ LAMMPS, AT_ONE = ("lammps", BODY), {"speeds": 1.0}
 AUDITED = {"radius": 2e-3, "density": 1.0, "time_step": 1e-7, "tolerance": 0.9, "version": "2 Aug 2023"}
 CONTACT = cor.Contact(BODY, end="zero_force")
 MATERIALS = [dict(name="steel", young_pa=2e11, poisson=0.3, density_kg_m3=7850, radius_m=1e-3, dissipation_time_s=1e-8)]
+STEPS, ENGINE = dict(end="zero_force", steps=9), dict(erp=0.8, cfm=1.0, time_step=1.0)
 STEEL = dict(a="steel", b="steel", restitution=0.8, at_m_s=1)
 
 # A function, the arguments of its call, and another value for each of its optional arguments
@@ -33,7 +34,9 @@ OPTIONAL = [
     (simulators.lines, LAMMPS, {**AT_ONE, "steps": 12}, {"steps": 30, "time_step": 1e-8, "step_corrected": True}),
     (simulators.lines, LAMMPS, AT_ONE, {"step_tolerance": 1e-3}),
     (simulators.lines, LAMMPS[:1], {**AT_ONE, "materials": MATERIALS}, {"materials": [], "pairs": [STEEL]}),
-    (simulators.step_error, (BODY, 0.1, 12), {"end": "zero_force"}, {"integrator": "verlet-full-step"}),
+    (simulators.lines, LAMMPS[:1], {**AT_ONE, "materials": MATERIALS}, {"friction": 0.2}),
+    (simulators.step_error, (BODY, 0.1), STEPS, {"integrator": "verlet-full-step", "steps": 12}),
+    (cor.Contact, (), {"effective_mass": 1.0, **ENGINE}, {"erp": 0.5, "cfm": 2.0, "time_step": 2.0}),
     (cor.Contact, (BODY,), MEASURED, {"end": "zero_force", "wall": True, "law": "tsuji", "elastic": 1, "damping": 1}),
     (cor.Contact, (BODY,), {"adhesion": 1.0, "adhesion_model": "dmt"}, {"adhesion_model": "jkr"}),
     (cor.Contact, (BODY,), {"law": "linear", "restitution": 0.8, "at": 3.0}, {"equivalent": "energy"}),

@@ -76,6 +76,7 @@ PAIRS = [
     {"a": "glass", "b": "glass", "restitution": 0.9, "at_m_s": 1.0, "end": "zero-force"},
     {"a": "steel", "b": "steel", "restitution": 0.8, "at_m_s": 2.0, "end": ""},
 ]
+SLIDES = {"a": "glass", "b": "steel", "friction": 0.1}
 
 
 def written(path, rows):
@@ -92,6 +93,29 @@ def test_lines_of_several_materials_are_those_of_corgen(tmp_path):
         done = corgen("contact", **files, **{"for": simulator, "speed": 0.5, "end": "zero-force", "steps": 30})
         options = dict(speeds=0.5, end="zero_force", steps=30)
         assert simulators.lines(simulator, materials=MATERIALS, pairs=PAIRS, **options) == done.stdout != ""
+    made = [*MATERIALS, {"name": "side", "wall": 1, "made_of": "glass"}]
+    files = dict(materials=written(tmp_path / "m.csv", made), pairs=written(tmp_path / "p.csv", [*PAIRS, SLIDES]))
+    done = corgen("contact", **files, **{"for": "lammps", "speed": 0.5, "friction": 0.3})
+    text = simulators.lines("lammps", materials=made, pairs=[*PAIRS, SLIDES], friction=0.3, speeds=0.5)
+    assert text == done.stdout and " 0.3 damping" in text and " 0.1 damping" in text
+
+
+def test_an_engine_is_that_of_corgen():
+    engine = dict(erp=0.8, cfm=1e-3, time_step=0.01, effective_mass=1.0, end="zero_force")
+    given = {**engine, "end": "zero-force"}
+    done = corgen("contact", **given, speed=1, format="csv")
+    row = next(csv.DictReader(io.StringIO(done.stdout)))
+    contact = cor.Contact(**engine)
+    assert contact.eps_zero_force(1.0) == pytest.approx(float(row["eps_zero_force"]), rel=1e-11)
+    error = simulators.step_error(contact, 1.0)
+    assert [error.bias, error.scatter] == pytest.approx([float(row["step_bias"]), float(row["step_scatter"])], rel=1e-3)
+    assert contact == pickle.loads(pickle.dumps(contact)) and "erp=0.8" in repr(contact)
+    assert cor.Contact(**{**engine, "erp": 1}).eps_zero_force(1.0) == 1
+    for wrong in dict(erp=1.1), dict(erp=0), dict(cfm=-1), dict(cfm=None), dict(time_step=None), dict(law="tsuji"):
+        with pytest.raises(ValueError, match="^erp, cfm, time_step: "):
+            cor.Contact(**{**engine, **wrong})
+    with pytest.raises(TypeError, match="^steps: "):
+        simulators.step_error(BODY, 1.0)
 
 
 def test_a_measured_contact_gives_the_measured_eps():

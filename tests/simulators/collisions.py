@@ -479,7 +479,7 @@ def unlike(host, work, seed):
 
 def several(host, work, seed):
     """Measured contacts have their eps. Other contacts have the eps that follows from the dissipation times of equal
-    bodies. The comment on larger balls of one material is right."""
+    bodies. The comment on larger balls of one material is right. At the wall each ball slips with its own friction."""
     draw, end = random.Random(seed + 1), "zero-force" if host == "yade" else "zero-overlap"
     low, high, names = (1e7, 0.1, 2e-3, 1000), (1e9, 0.45, 6e-3, 8000), ["young", "poisson", "radius", "density"]
     balls = [["%.6g" % draw.uniform(*bounds) for bounds in zip(low, high)] for _ in "12"]
@@ -496,10 +496,10 @@ def several(host, work, seed):
         for name, ball, largest in zip(("one", "two"), balls, ("%g" % (1.3 * float(balls[0][2])), "")))
     materials = written(work, "materials.csv", "name,young_pa,poisson,density_kg_m3,radius_m,radius_max_m,"
                         "dissipation_time_s,wall\n" + rows)
-    pairs = written(work, "pairs.csv", "restitution,a,b,at_m_s\n%s,one,one,1\n%s,two,two,1\n%s,floor,one,1\n" %
-                    (e[0, 0], e[1, 1], e[0, 2]))
-    text = output_of([CORGEN, "contact", "--materials", materials, "--pairs", pairs, "--speed=1", "--end", end, "--for",
-                      host, "--steps=%d" % UNLIKE_STEPS] + ["--simulator-version=2023.02"] * (host == "yade"))
+    pairs = written(work, "pairs.csv", "restitution,a,b,at_m_s,friction\n%s,one,one,1,\n%s,two,two,1,\n%s,floor,one,1,\n"
+                    ",two,floor,,0.1\n" % (e[0, 0], e[1, 1], e[0, 2]))
+    text = output_of([CORGEN, "contact", "--materials", materials, "--pairs", pairs, "--speed=1", "--end", end,
+                      "--friction=0.3", "--for", host, "--steps=%d" % UNLIKE_STEPS] + ["--simulator-version=2023.02"] * (host == "yade"))
     paste, dt = written(work, "several", text), float(re.search(r"^(?:timestep|O\.dt =) (\S+)", text, re.M)[1])
     kinds = [(*pair, 1, float(eps)) for pair, eps in e.items()] + [
         (0, 0, 1.3, float(eps)) for eps in re.findall(r"between the largest balls it realises eps = (\S+) at", text)[:1]]
@@ -507,17 +507,22 @@ def several(host, work, seed):
     for i, j, factor, _ in kinds:
         radii = [factor * float(balls[k % 2][2]) for k in (i, j)]
         masses = [4 / 3 * math.pi * radius**3 * float(balls[k % 2][3]) for radius, k in zip(radii, (i, j))]
-        shared = {"paste": paste, "wall": int(j == 2), "duration": dt * (n + 0.5)}
+        shared = {"paste": paste, "wall": int(j == 2), "duration": dt * (n + 0.5), "side": 10 * int(j == 2)}
         commands.append({**shared, "n": [n], "radius": radii, "material": [i, j]} if host == "yade" else
                         script(LMP if host == "lammps" else LIGGGHTS, "restitution/%s.in" % host, **shared, n=n, types=3,
                                r1=radii[0], r2=radii[1], m1=masses[0], m2=masses[1], t1=i + 1, t2=j % 2 + 1,
                                cor_wall_3="zplane %d" % -(j < 2) + " NULL" * (host == "lammps")))
-    seen = [row for command in ([yade(*commands)] if host == "yade" else commands) for row in lines_of(command, "eps")]
+    output = "".join(output_of(command) for command in ([yade(*commands)] if host == "yade" else commands))
+    seen = [row.split() for row in re.findall("^eps (.*)", output, re.M)]
+    slid = [float(row) for row in re.findall("^side .* (.*)", output, re.M)]
     for (i, j, factor, wanted), row in zip(kinds, seen):
         verdict(abs(float(row[-2]) - wanted) < 1e-3 and abs(float(row[-1])) < 1e-9,
                 "%s, seed %d, materials %d and %d, radius times %g: eps %.5f, wanted %.5f" %
                 (host.upper(), seed, i + 1, j + 1, factor, float(row[-2]), wanted))
-    verdict(len(seen) == 6 - (host == "yade"), "%s: all contacts of three materials" % host.upper())
+    verdict(len(seen) == 6 - (host == "yade") and len(slid) == 2, "%s: all contacts of three materials" % host.upper())
+    for mu, kind, u in zip((0.3, 0.1), [kind for kind in kinds if kind[1] == 2], slid):
+        right = (1 if host == "lammps" else 3.5) * mu * (1 + kind[3]) / 10  # overlaps shorten lever arms
+        verdict(abs(1 - u - right) < 0.1 * right, "%s, friction %g: 1 - u'/u = %.5f, not %.5f" % (host.upper(), mu, 1 - u, right))
 
 
 def main():

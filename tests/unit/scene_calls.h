@@ -192,12 +192,14 @@ static void scene_arguments_load(const struct scene_arguments *s)
             const double radius = i == 1 ? INFINITY : 1e-3 * (i + 1);
             materials[i] = (struct cor_material){(const char *const[]){"a", "b", "c"}[i],
                                                  {1e9, 0.3, 1e-7, radius, 1e-2 * radius},
-                                                 i ? (double)NAN : 2e-3};
+                                                 i ? (double)NAN : 2e-3,
+                                                 i == 2 ? "a" : NULL};
         }
         request[0].simulator = many[s->number / 3 % 6];
         request[0].scene = &of_law;
         request[0].materials = materials;
         request[0].material_count = 3;
+        request[0].friction = s->x[1];
         request[0].memory = material_memory;
     }
     memset(&out, 0, sizeof out);

@@ -397,7 +397,9 @@ TEST(several_materials)
     static char text[20000];
     struct cor_material material[TYPES];
     struct cor_material_contact memory[TYPES * TYPES];
-    struct cor_material_pair pair[] = {{2, 2, 0, 0.3, COR_END_ZERO_OVERLAP}, {0, 1, 0, 2, COR_END_ZERO_FORCE}};
+    struct cor_material_pair pair[] = {{2, 2, 0, 0.3, COR_END_ZERO_OVERLAP, NAN},
+                                       {0, 1, 0, 2, COR_END_ZERO_FORCE, 0},
+                                       {2, 3, NAN, NAN, COR_BOTH_ENDS, 0.25}};
     struct cor_scene scene = scene_without_numbers(COR_LAW_VISCOELASTIC);
     double n[TYPES][OF_BODY], kn[TYPES][TYPES], eta[TYPES][TYPES], gn[TYPES][TYPES], least = INFINITY;
     char words[100];
@@ -408,7 +410,7 @@ TEST(several_materials)
         const double radius = k % 3 ? n[k][2] : INFINITY;
         const double mass_kg = k % 3 ? 4 * PI / 3 * pow(radius, 3) * n[k][3] : INFINITY;
         material[k] = (struct cor_material){
-            names[k], {n[k][0], n[k][1], k != 2 ? n[k][4] : (double)NAN, radius, mass_kg}, (double)NAN};
+            names[k], {n[k][0], n[k][1], k != 2 ? n[k][4] : (double)NAN, radius, mass_kg}, (double)NAN, NULL};
         all_speeds[k] = random_log(&draw, 1e-2, 10);
     }
     for (int i = 0; i < 2; i++)
@@ -437,8 +439,9 @@ TEST(several_materials)
                                             .materials = material,
                                             .pairs = pair,
                                             .material_count = TYPES,
-                                            .pair_count = 2,
-                                            .memory = memory};
+                                            .pair_count = 3,
+                                            .memory = memory,
+                                            .friction = 0.5};
     assert_true(cor_simulator_lines(text, sizeof text, &request) > 0);
     is_near(found(text, "\ntimestep "), least / 40, 1e-5);
     for (int i = 0; i < 2; i++)
@@ -449,6 +452,15 @@ TEST(several_materials)
             const char *const at = found(text, words);
             is_near(at, kn[i][j], 1e-10);
             is_near(strchr(at, ' '), eta[i][j], 1e-9);
+            /* 8 G*, 1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2, with G = Y/(2 (1 + nu)); the first wall has no friction */
+            const double *const one = n[place[i]], *const two = n[place[j]];
+            const int slips = i == 0 && j == 2;
+            const char *const slide = found(at, slips ? " linear_nohistory 0 0 damping " : " tangential mindlin ");
+            assert_true(slide < strchr(at, '\n'));
+            if (slips)
+                continue;
+            is_near(slide, 4 / ((2 - one[1]) * (1 + one[1]) / one[0] + (2 - two[1]) * (1 + two[1]) / two[0]), 1e-10);
+            is_near(found(slide, " 0 "), i == 1 && j == 3 ? 0.25 : 0.5, 1e-10);
         }
     found(found(found(text, "\n# type 2: b b, radius "), "\n# 1 3, a and base: measured at zero force, eps = "),
           "\n# 2 4, b b and side: not measured, from the dissipation times ");
@@ -465,6 +477,8 @@ TEST(several_materials)
     request.simulator = "lammps";
     assert_true(cor_simulator_lines(text, sizeof text, &request) > 0);
     found(text, " damping viscoelastic limit_damping\n");
+    request.friction = 0;
+    request.pair_count = 2;
     request.simulator = "chrono";
     assert_true(cor_simulator_lines(text, sizeof text, &request) > 0);
     at = found(found(text, "CombineDampingCoefficient"), "pair[] = {\n            ");

@@ -49,8 +49,8 @@ def collide(text, step, steps, wall=0, speed=1, g=0, side=0, radius=None, materi
         height = O.bodies[0].state.pos[2] - radius[0]
         values.append(((up**2 + 2 * g * height)**0.5 if g else up) / speed)
     if side:  # u'/u of the contact point
-        ends = [body.state.vel[0] - sign * body.shape.radius * body.state.angVel[1] for body, sign in
-                zip(O.bodies, (1, -1))]
+        ends = [body.state.vel[0] - sign * getattr(body.shape, "radius", 0) * body.state.angVel[1]
+                for body, sign in zip(O.bodies, (1, -1))]
         print("side %s %d %.12g" % (paste, count, (ends[0] - ends[1]) / (side * speed)))
     return values
 
