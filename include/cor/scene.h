@@ -670,7 +670,7 @@ struct cor_material {
     const char *name;
     struct cor_body body; /* the smallest ball; infinite radius and mass: a wall; dissipation time NaN: not known */
     double radius_max_m;  /* of the largest ball, of the same density; NaN: all balls have one radius */
-    const char *made_of; /* name of the material whose elasticity, and dissipation time if NaN, it has; NULL: its own */
+    const char *made_of; /* the material that gives its elasticity, and a dissipation time that is NaN; NULL: none */
 };
 
 /* A restitution measured between the smallest balls of materials a and b, counted from 0, or between a ball and a wall;
@@ -715,10 +715,10 @@ struct cor_simulator_request {
     const struct cor_material_pair *pairs; /* the measured ones */
     size_t material_count, pair_count;
     struct cor_material_contact *memory;
-    /* Friction of two bodies of one material, at a wall, or of all pairs of materials without their own; 0: none.
-     * tangential: the model, which the simulator must have; of materials also COR_TANGENTIAL_DISPLACEMENT, its first
-     * one. Its spring, Mindlin's for materials, and damper are as in cor_scene_tangential_scaled. oblique: angles in
-     * degrees, or tangential speeds in m/s, for which the text states the tangential restitution */
+    /* Friction of two bodies of one material, at a wall, or of pairs of materials that have none of their own; 0: none.
+     * tangential: a model that the simulator must have; with materials COR_TANGENTIAL_DISPLACEMENT selects its first
+     * one. Spring and damper are as in cor_scene_tangential_scaled; with materials the spring is Mindlin's. oblique:
+     * angles in degrees, or tangential speeds in m/s, for which the text states the tangential restitution */
     double friction, tangential_stiffness, tangential_damping;
     enum cor_tangential_id tangential;
     const double *oblique;

@@ -227,7 +227,7 @@ struct block {
     char reason[SENTENCE];     /* why it has no numbers, or no corrected ones */
 };
 
-/* Returns the type of the material that a type is made of, itself if none is named; the number of types if the name is
+/* Returns the type whose elasticity a type has: itself if made_of is NULL, the number of types if the name is
  * unknown. */
 static size_t source_of(const struct cor_simulator_request *request, size_t type)
 {
@@ -248,7 +248,7 @@ static struct cor_body body_of(const struct cor_simulator_request *request, size
     return body;
 }
 
-/* Makes the contact of two types the contact of the request in task->own. */
+/* Turns task->own into a request for the contact of two types. */
 static const struct cor_material_contact *own_contact(struct task *task, size_t i, size_t j)
 {
     const struct cor_material_contact *const c = contact_of(task->request, i, j);
@@ -262,7 +262,7 @@ static const struct cor_material_contact *own_contact(struct task *task, size_t 
     return c;
 }
 
-/* Makes the contact of types i and j the source of the numbers of words. */
+/* Makes words take their numbers from the contact of types i and j. */
 static void turn_to_contact(struct task *task, struct block *block, size_t i, size_t j)
 {
     const struct cor_material_contact *const c = own_contact(task, i, j);
