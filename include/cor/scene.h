@@ -670,7 +670,7 @@ struct cor_material {
     const char *name;
     struct cor_body body; /* the smallest ball; infinite radius and mass: a wall; dissipation time NaN: not known */
     double radius_max_m;  /* of the largest ball, of the same density; NaN: all balls have one radius */
-    const char *made_of; /* the material that gives its elasticity, and a dissipation time that is NaN; NULL: none */
+    const char *made_of;  /* the material that gives its elasticity, and a dissipation time that is NaN; NULL: none */
 };
 
 /* A restitution measured between the smallest balls of materials a and b, counted from 0, or between a ball and a wall;
