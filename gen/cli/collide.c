@@ -32,10 +32,8 @@ static const struct {
     {{"t_surface", "duration_s_surface"}, "time until the bodies are there again", END_SURFACE},
     {{NULL, "max_force_n"}, "largest force between the bodies", OPTIONS_NOT_GIVEN},
     /* --threshold */
-    {{"sticking_force_zero_overlap", NULL},
-     "force from which on the overlap never vanishes again",
-     COR_END_ZERO_OVERLAP},
-    {{"sticking_force_surface", NULL}, "force from which on the bodies never reach the surface again", END_SURFACE}};
+    {{"sticking_force_zero_overlap", NULL}, "force above which the overlap never vanishes again", COR_END_ZERO_OVERLAP},
+    {{"sticking_force_surface", NULL}, "force above which the bodies never reach the surface again", END_SURFACE}};
 
 #define BETA_MAX 1e6
 
@@ -170,8 +168,8 @@ static int run_collide(const void *arguments)
 {
     const struct collide_arguments *const o = arguments;
     if (!in_si(o) && !o->beta.text)
-        return usage_error("collide needs --beta, as --beta 0.1, or a collision in SI units, as --stiffness 1e5 "
-                           "--effective-mass 1e-3 --damping-coefficient 5 --speed 1");
+        return usage_error("corgen collide needs --beta, for example --beta 0.1, or a collision in SI units, for "
+                           "example --stiffness 1e5 --effective-mass 1e-3 --damping-coefficient 5 --speed 1");
     if (in_si(o)) {
         LOCAL(arb, beta, time_unit);
         set_scales(beta, time_unit, o, 64);
@@ -179,7 +177,8 @@ static int run_collide(const void *arguments)
             return usage_error("beta of this collision is %.3g; allowed: up to %g", ball_middle(beta), BETA_MAX);
     }
     if (o->threshold && fmpq_is_zero(o->beta.value))
-        return usage_error("--threshold: without damping no force keeps the bodies together; --beta must be above 0");
+        return usage_error(
+            "--threshold needs --beta above 0, because without damping no force holds the bodies together");
     int end = o->end;
     if (contact_end_given(&end, is_pressed(o)) != STATUS_OK)
         return STATUS_USAGE;
@@ -190,25 +189,26 @@ static int run_collide(const void *arguments)
 static const char help[] =
     "Usage: corgen collide --beta B [OPTION]...\n\n"
     "Solves x'' + beta sqrt(x) x' + x^(3/2) = 0, x(0) = 0, x'(0) = 1 and prints the largest\n"
-    "overlap, its time, and restitution and duration at both ends of contact.\n\n"
-    "  --beta B         dissipation parameter, from 0 to 1e6, such as 0.1, 1.5e-3 or 2/3\n"
+    "overlap, its time, and eps and duration at both ends of contact.\n\n"
+    "  --beta B         dissipation parameter, 0 to 1e6, such as 0.1, 1.5e-3 or 2/3\n"
     "  --stiffness K --effective-mass M --damping-coefficient C --speed G\n"
-    "                   instead, a collision in SI units: the force K x^(3/2) + C sqrt(x) x' between bodies\n"
-    "                   with M = m_1 m_2/(m_1 + m_2), at the impact speed G; prints the largest force, too\n"
-    "  --force F        a constant force that presses the bodies together, 0 or more: in units of m g/T,\n"
-    "                   in SI units newtons; bodies that stay together have eps 0 and t inf, proved\n"
-    "  --threshold      instead the force from which on they do, in units of m g/T\n"
-    "  --end E          compute only zero-overlap or zero-force, without waiting for the other end\n"
-    "                   (default: both); under a force zero-overlap or surface\n" HELP_DIGITS
-    "  --format F       text (default), csv or json\n" HELP_JSON_STRINGS HELP_LAW HELP_COMMON
-    "\nColumns: beta,x_max,t_max,eps_zero_overlap,t_zero_overlap,eps_zero_force,t_zero_force;\n"
+    "                   a collision in SI units instead of --beta: the force K x^(3/2) + C sqrt(x) x'\n"
+    "                   between bodies with M = m_1 m_2/(m_1 + m_2), at the impact speed G, m/s; adds\n"
+    "                   the largest force\n"
+    "  --force F        constant force that presses the bodies together, 0 or more, in units of m g/T, or\n"
+    "                   in N in SI units; bodies that stay together have eps 0 and t inf, proved\n"
+    "  --threshold      print the force above which the bodies stay together, in units of m g/T\n"
+    "  --end E          the only end to compute, zero-overlap or zero-force, or under a force\n"
+    "                   zero-overlap or surface (default: both ends)\n" HELP_DIGITS
+    "  --format F       output format, text, csv or json (default text)\n" HELP_JSON_STRINGS HELP_LAW HELP_COMMON "\n"
+    "Columns: beta,x_max,t_max,eps_zero_overlap,t_zero_overlap,eps_zero_force,t_zero_force;\n"
     "with --end, without the columns of the other end. In SI units beta,max_overlap_m,\n"
     "time_of_max_overlap_s,eps_zero_overlap,duration_s_zero_overlap,eps_zero_force,\n"
     "duration_s_zero_force,max_force_n. Under a force the last is missing, and eps_surface,t_surface or\n"
     "duration_s_surface are in place of those at zero force: the bodies part where the contact force\n"
     "vanishes and fly to the surface, the place of first contact. With --threshold beta,\n"
-    "sticking_force_zero_overlap,sticking_force_surface.\n"
-    "\nExample: corgen collide --beta 0.1 --digits 30\n";
+    "sticking_force_zero_overlap,sticking_force_surface.\n\n"
+    "Example: corgen collide --beta 0.1 --digits 30\n";
 
 static const struct option_numbers beta_numbers = {.range = {"0", "1e6", true, true, false, "a number from 0 to 1e6"},
                                                    .forms = DECIMAL_RATIO};

@@ -42,57 +42,55 @@ static int check_options(const struct contact_arguments *o, const struct contact
     const struct cor_scene_contact *const c = &contacts->contact[0];
     const char *const option = o->time_step.text ? "time-step" : o->step_tolerance.text ? "step-tolerance" : NULL;
     if (option && isnan(c->mass_kg))
-        return usage_error("--%s: mass and stiffness are not known; give bodies, or --stiffness and --effective-mass",
-                           option);
+        return usage_error("--%s needs mass and stiffness: give bodies, or --stiffness and --effective-mass", option);
     const bool oblique = o->angle.count + o->tangential_speed.count > 0;
     if (o->friction.text && !oblique && (o->simulator || o->speed.count > 0))
-        return usage_error("--friction with --speed or --for needs --angle LIST or --tangential-speed LIST, as --angle "
-                           "10,30,60");
+        return usage_error("--friction with --speed or --for needs --angle LIST or --tangential-speed LIST, for "
+                           "example --angle 10,30,60");
     if (oblique && o->speed.count == 0)
         return usage_error("--angle and --tangential-speed need --speed LIST, the normal component of the velocity");
     if (o->walton && o->angle.count + o->tangential_speed.count < 3)
-        return usage_error("--walton needs three angles or more, as --angle 1:89:lin:89");
+        return usage_error("--walton needs three angles or more, for example --angle 1:89:lin:89");
     if (o->walton && o->simulator)
-        return usage_error("--walton and --for exclude each other: without --for, --walton prints its numbers");
+        return usage_error("--walton and --for exclude each other; leave out --for");
     if (oblique && (isnan(c->mass_kg) || contacts->scene.plate || c->adhesion_j_m2 > 0))
-        return usage_error("oblique impacts need two bodies, or --stiffness and --effective-mass, and no plate and no "
-                           "adhesion of JKR");
+        return usage_error("oblique impacts need two bodies, or --stiffness and --effective-mass; leave out "
+                           "--plate-thickness and --adhesion-model jkr");
     if (o->friction.text && !oblique && (contacts->scene.plate || isnan(c->radius_m)))
-        return usage_error("--friction needs two spheres, or a sphere and a wall, with --poisson NU, as --young 7e10 "
-                           "--poisson 0.2 --radius 1e-3 --density 2500: their stiffness against sliding is Mindlin's");
+        return usage_error("--friction needs two spheres, or a sphere and a wall, with --poisson NU for Mindlin's "
+                           "tangential stiffness, for example --young 7e10 --poisson 0.2 --radius 1e-3 --density 2500");
     if (o->friction.text && (c->plastic || c->liquid_speed_m_s > 0))
-        return usage_error("--friction has no answer for --law elastic-plastic or a contact in a liquid");
+        return usage_error(
+            "--friction is not possible with --law elastic-plastic or in a liquid; leave out --friction");
     double spring, dashpot;
     const int end = contact_end(contacts, 0);
     if (o->tangential.text && !oblique && (o->speed.count > 0 || o->simulator))
         return usage_error("--tangential-restitution with --speed or --for needs --friction MU and --angle LIST");
     if (o->tangential.text && end == COR_BOTH_ENDS)
-        return usage_error("--tangential-restitution needs --end zero-overlap or zero-force: the duration differs");
+        return usage_error(
+            "--tangential-restitution needs --end zero-overlap or zero-force, because the duration depends on the end");
     if (o->tangential.text &&
         cor_scene_tangential(&spring, &dashpot, c, options_number(&o->tangential, NAN), end) != STATUS_OK)
         return usage_error("--tangential-restitution needs --law linear with --stiffness or --duration and "
-                           "--effective-mass, bodies that part, and no --gravity, as --law linear --stiffness 1e5 "
-                           "--effective-mass 1e-3 --restitution 0.9");
+                           "--effective-mass, bodies that part, and no --gravity, for example --law linear --stiffness "
+                           "1e5 --effective-mass 1e-3 --restitution 0.9");
     if (o->step_corrected && !o->simulator && contact_end(contacts, 0) == COR_BOTH_ENDS)
-        return usage_error("--step-corrected needs --end zero-overlap or %s: the damping differs",
+        return usage_error("--step-corrected needs --end zero-overlap or %s, because the damping depends on the end",
                            c->force_n > 0 ? "surface" : "zero-force");
     if (c->adhesion_j_m2 > 0 && o->scene.end != OPTIONS_NOT_GIVEN)
-        return usage_error(
-            "--end: a contact that adheres as in JKR ends with its tail or at the largest pull; leave it "
-            "out, and both are printed");
+        return usage_error("--end does not apply to --adhesion-model jkr, which prints two ends, the tail and the "
+                           "largest pull; leave out --end");
     if (o->integrator == COR_IMPLICIT_EULER && !(c->law.elastic == c->law.denominator && c->law.damping == 0))
-        return usage_error(
-            "--integrator implicit-euler is for --law linear, a spring and a dashpot as engines have them");
+        return usage_error("--integrator implicit-euler needs --law linear, the spring and dashpot of physics engines");
     if (contacts->scene.end == COR_END_APPROACH_ONLY && (!cor_scene_has_end(c, COR_END_APPROACH_ONLY) || o->plot))
-        return usage_error("--end approach-only: eps of this end is known for the laws viscoelastic, linear, tsuji, "
-                           "hertz-dashpot and hunt-crossley, without force, yield and liquid, and --plot lacks it");
+        return usage_error("--end approach-only needs the law viscoelastic, linear, tsuji, hertz-dashpot or "
+                           "hunt-crossley, without force, yield and liquid, and without --plot");
     const bool refused = c->adhesion_j_m2 > 0 || c->liquid_speed_m_s > 0;
     if ((c->plastic || (!o->simulator && (refused || contacts->scene.end == COR_END_APPROACH_ONLY))) &&
         request_of(o, NULL).step_errors)
         return usage_error("the error of a time step is not known for --end approach-only, --adhesion-model jkr, "
-                           "--viscosity-liquid and --law "
-                           "elastic-plastic; leave out these options, or --steps, --time-step, --step-tolerance, "
-                           "--step-corrected and --integrator");
+                           "--viscosity-liquid and --law elastic-plastic; leave out these options, or leave out "
+                           "--steps, --time-step, --step-tolerance, --step-corrected and --integrator");
     return STATUS_OK;
 }
 
@@ -277,12 +275,13 @@ static int run_contact(const void *arguments)
     if (o->plot && gnuplot_check(o->plot) != STATUS_OK)
         return STATUS_USAGE;
     if (o->erp.text && !(o->time_step.text && embed_given(&o->scene, COR_SCENE_EFFECTIVE_MASS)))
-        return usage_error("--erp and --cfm need --time-step and --effective-mass, as --erp 0.8 --cfm 1e-3 "
+        return usage_error("--erp and --cfm need --time-step and --effective-mass, for example --erp 0.8 --cfm 1e-3 "
                            "--time-step 0.01 --effective-mass 1 --speed 1");
     if (o->erp.text)
         set_engine(&copy, &stiffness, &damping);
     if (o->materials && !o->simulator)
-        return usage_error("--materials needs --for SIMULATOR, as --for lammps; --for list names them");
+        return usage_error(
+            "--materials needs --for SIMULATOR, for example --for lammps; --for list prints all simulators");
     /* a list, an unknown name, and materials need no contact */
     if (o->simulator && (o->materials || (o->version && strcmp(o->version, CONTACT_SIMULATOR_LIST) == 0) ||
                          !cor_simulator_named(o->simulator)))
@@ -311,49 +310,50 @@ const char help_contact[] = HELP_CONTACT_TEXT;
 
 static const char help[] =
     "Usage: corgen contact BODIES DISSIPATION [--law L] [--speed LIST] [OPTION]...\n\n"
-    "One contact of two bodies: dissipation time A, g*, beta or zeta, and\n"
-    "for each impact speed eps, durations, largest overlap and force, and a time step.\n"
-    "A contact ends at zero overlap, or at zero force, where the force would become attractive.\n" HELP_CONTACT
-    "\nOutput:\n"
-    "  --speed LIST     impact speeds, m/s: values and ranges such as 0.1,1,10 or 0.01:10:log:7;\n"
-    "                   @FILE: from a file\n"
-    "  --end E          zero-overlap, zero-force, approach-only, surface under a constant force:\n"
-    "                   where eps was measured, what --plot shows (both)\n"
-    "  --steps N        time_step_s is the shortest duration over N (default " DEFAULT_STEPS ")\n"
-    "  --time-step DT   time_step_s is DT, s\n"
-    "  --step-tolerance T   time_step_s is the largest at which bias and scatter stay below T\n"
-    "                   each of the three adds step_bias and step_scatter, mean and standard deviation of\n"
-    "                   the error of eps over the phases of the first step\n"
-    "  --step-corrected   also the damping that makes it 0, and the factor to it\n"
-    "  --integrator I   verlet-half-step (default, LAMMPS; the next two give the same), leapfrog,\n"
-    "                   symplectic-euler, verlet-full-step, implicit-euler (--law linear); with --for that\n"
-    "                   of the simulator\n"
-    "  --erp E --cfm C  with --time-step and --effective-mass: an engine with implicit steps, such as ODE\n"
-    "  --for HOST       lines for the input of a simulator, such as LAMMPS; --for list names them\n"
-    "  --materials FILE, --pairs FILE   for it, csv of several materials (docs/contact.md)\n"
-    "  --simulator-version V   for this version, as '29 Sep 2021' or 3.8.1; list names the models\n"
-    "  --friction MU    of spheres: kappa, the tangential velocity after over before an elastic impact\n"
-    "                   without slip, and the angle up to which it sticks when they touch\n"
-    "  --angle LIST | --tangential-speed LIST   with --friction and --speed (the normal component):\n"
-    "                   oblique impacts, tan(angle) = tangential speed/speed\n"
-    "  --tangential MODEL   of the tangential force: displacement (default), force, rescaled, viscous,\n"
-    "                   or as a simulator has it, such as mindlin_rescale, history, yade\n"
-    "  --tangential-stiffness KT, --tangential-damping X   its spring (default: Mindlin's), and its damper\n"
-    "                   over the normal one (0; viscous: 1)\n"
-    "  --walton         the best friction and beta_0 of Walton over these angles\n"
-    "  --tangential-restitution E   of linear: tangential spring k_t and dashpot\n"
-    "  --equivalent Q   energy or duration: the linear spring that equals Hertz's contact at the speed --at;\n"
-    "                   adds hertz_eps,hertz_duration_s,hertz_max_overlap_m of that contact at each --speed\n"
-    "  --plot FILE      eps over the speed as .svg, .png or .pdf, by gnuplot\n"
-    "  --format F       text (default), csv or json\n" HELP_COMMON
-    "\nColumns: speed_m_s,beta,eps_zero_overlap,eps_zero_force,duration_s_zero_overlap,\n"
+    "Prints the dissipation time A, g*, beta or zeta of one contact of two bodies, and for each impact speed\n"
+    "eps, durations, largest overlap and force, and a time step. A contact ends at zero overlap, or at\n"
+    "zero force, where the force would become attractive.\n" HELP_CONTACT "\n"
+    "Output:\n"
+    "  --speed LIST     impact speeds, m/s, as values and ranges such as 0.1,1,10 or 0.01:10:log:7, or\n"
+    "                   @FILE to read them from a file\n"
+    "  --end E          end at which eps was measured, and which --plot shows: zero-overlap, zero-force,\n"
+    "                   approach-only, or under a constant force zero-overlap or surface (default both)\n"
+    "  --steps N        time steps in the shortest duration, 1 to 1e9, for time_step_s (default " DEFAULT_STEPS ")\n"
+    "  --time-step DT   time step, s, instead of --steps\n"
+    "  --step-tolerance T   largest step_bias and step_scatter, 1e-5 to 1, instead of --steps. All three\n"
+    "                   add these columns, mean and standard deviation of the error of eps over the\n"
+    "                   phases of the first step\n"
+    "  --step-corrected   print also the damping that makes step_bias 0, and the factor to it\n"
+    "  --integrator I   integrator, verlet-half-step (as LAMMPS), leapfrog, symplectic-euler (both like\n"
+    "                   the first), verlet-full-step, or with --law linear implicit-euler\n"
+    "                   (default verlet-half-step; with --for the simulator's)\n"
+    "  --erp E --cfm C  ERP and CFM of an engine with implicit steps, such as ODE; need --time-step and\n"
+    "                   --effective-mass\n"
+    "  --for HOST       simulator whose input lines are printed, such as lammps; list prints all names\n"
+    "  --materials FILE, --pairs FILE   csv files of several materials for --for (docs/contact.md)\n"
+    "  --simulator-version V   version of the simulator, such as '29 Sep 2021' or 3.8.1\n"
+    "  --friction MU    friction coefficient of spheres, 0 or more; prints kappa, the ratio of tangential\n"
+    "                   velocities of an elastic impact without slip, and the largest angle of sticking\n"
+    "  --angle LIST | --tangential-speed LIST   oblique impacts with --friction and --speed (the normal\n"
+    "                   component): angles, degrees, 0 to below 90, or tangential speeds, m/s\n"
+    "  --tangential MODEL   tangential force, displacement, force, rescaled, viscous, or a name such as\n"
+    "                   mindlin_rescale, history or yade in a simulator (default displacement)\n"
+    "  --tangential-stiffness KT, --tangential-damping X   tangential stiffness (default Mindlin's), and\n"
+    "                   ratio of tangential to normal damping (default 0; viscous 1)\n"
+    "  --walton         print the best friction and beta_0 of Walton over the angles\n"
+    "  --tangential-restitution E   tangential e of --law linear, for its tangential spring and dashpot\n"
+    "  --equivalent Q   quantity, energy or duration, at which a linear spring equals Hertz's contact at\n"
+    "                   the speed --at; adds columns hertz_ of Hertz's contact at each --speed\n"
+    "  --plot FILE      picture of eps over the speed, .svg, .png or .pdf, by gnuplot\n"
+    "  --format F       output format, text, csv or json (default text)\n" HELP_COMMON "\n"
+    "Columns: speed_m_s,beta,eps_zero_overlap,eps_zero_force,duration_s_zero_overlap,\n"
     "duration_s_zero_force,max_overlap_m,max_force_n,time_step_s (surface for zero_force under a\n"
     "force); step_bias,step_scatter of the end, or of both; damping_correction and that damping;\n"
     "measured_end without --end; contact_radius_m,max_pressure_pa. Without --speed quantity,value,unit.\n"
     "With angles speed_m_s,angle_degrees,tangential_speed_m_s,tangential_restitution (-u'/u),\n"
     "rebound_angle_degrees,spin_rad_s (of body 1),regime (stick, slip, both); with --walton\n"
-    "speed_m_s,eps,friction,beta_0,largest_error; end, where it matters and is not given.\n"
-    "\nExample: corgen contact --young 7e10 --poisson 0.2 --radius 5e-3 --density 2500 --restitution 0.9 \\\n"
+    "speed_m_s,eps,friction,beta_0,largest_error; end, where it matters and is not given.\n\n"
+    "Example: corgen contact --young 7e10 --poisson 0.2 --radius 5e-3 --density 2500 --restitution 0.9 \\\n"
     "             --at 1 --end zero-force --speed 0.1,1,10\n";
 
 static const struct option_numbers steps_numbers = {{"1", "1e9", true, true, true, "a number from 1 to 1e9"},

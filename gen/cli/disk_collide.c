@@ -30,7 +30,7 @@ static int read_part(struct sweep *sweep, const char *text)
     sweep->parts = is_part ? atol(text + first + 1) : 0;
     return sweep->part > 0 && sweep->part <= sweep->parts && sweep->parts <= MOST_PARTS
                ? STATUS_OK
-               : usage_error("--part: '%s' is not I/N, two whole numbers with 1 <= I <= N <= %d, as 2/8", text,
+               : usage_error("--part: '%s' is not I/N, two whole numbers with 1 <= I <= N <= %d, for example 2/8", text,
                              MOST_PARTS);
 }
 
@@ -46,8 +46,8 @@ static int run_disk_collide(const void *arguments)
                                                                          : NULL;
     if (missing)
         return usage_error(
-            "corgen disk-collide needs --%s, as --%s 500, or --hard-wall; see corgen disk-collide --help", missing,
-            missing);
+            "corgen disk-collide needs --%s, for example --%s 500, or --hard-wall; see corgen disk-collide --help",
+            missing, missing);
     if (sweep->hard_wall && o->tolerance.text &&
         options_check_real("tolerance", &hard_wall_tolerance, &o->tolerance) != STATUS_OK)
         return STATUS_USAGE;
@@ -58,7 +58,7 @@ static int run_disk_collide(const void *arguments)
     if (o->part && read_part(sweep, o->part) != STATUS_OK)
         return STATUS_USAGE;
     if (o->part && output_is_direct(o->common.output))
-        return usage_error("--part needs --output FILE, the name of a regular file, as --output eps.csv");
+        return usage_error("--part needs --output FILE with the name of a regular file, for example --output eps.csv");
     if (request.plot && gnuplot_check(request.plot) != STATUS_OK)
         return STATUS_USAGE;
     sweep->tolerance =
@@ -73,42 +73,42 @@ static const char help[] =
     "Usage: corgen disk-collide --speed LIST --poisson LIST --alpha LIST --modes LIST [OPTION]...\n"
     "       corgen disk-collide --hard-wall --speed LIST --poisson LIST [OPTION]...\n"
     "       corgen disk-collide --rayleigh --speed LIST --poisson LIST --modes LIST [OPTION]...\n\n"
-    "Collides an elastic disk, with the modes given, with a wall of potential exp(alpha x)/alpha, or the\n"
-    "disk of all its modes with a rigid wall, or takes Rayleigh's integral for the energy that the modes\n"
-    "keep, for every combination of the lists. Units: E = rho = R = 1.\n\n"
-    "  --hard-wall      a rigid wall and all modes: the limit of alpha and of the number of modes\n"
-    "  --rayleigh       Rayleigh's energy to first order: fraction of the modes, tail of all higher ones, and\n"
-    "                   eps = sqrt(1 - fraction - tail)\n"
-    "  --speed LIST     impact speeds, above 0 and up to 0.5\n"
+    "Computes the collision of an elastic disk for every combination of the lists: with a wall of\n"
+    "potential exp(alpha x)/alpha and the given number of modes, with a rigid wall and all modes, or by\n"
+    "Rayleigh's integral for the energy of the vibrations. Units: E = rho = R = 1.\n\n"
+    "  --hard-wall      use a rigid wall and all modes, the limit of large alpha and of many modes\n"
+    "  --rayleigh       use Rayleigh's energy to first order: fraction of the modes, tail of all higher\n"
+    "                   modes, and eps = sqrt(1 - fraction - tail)\n"
+    "  --speed LIST     impact speeds, sqrt(E/rho), above 0 and up to 0.5\n"
     "  --poisson LIST   Poisson's ratios in plane stress, between -1 and 1\n"
     "  --alpha LIST     hardnesses of the wall, 40 to 1e5\n"
     "  --modes LIST     numbers of modes, 1 to 10000000\n"
-    "  --tolerance T    allowed error of eps, 1e-13 to below 1 (default " DEFAULT_TOLERANCE "); with --hard-wall\n"
-    "                   in 1 - eps^2, 1e-7 to below 1 (default " DEFAULT_HARD_WALL_TOLERANCE ")\n"
-    "  --phi-points M   angles on a quadrant where the wall's force is evaluated, 1 to 16384\n"
-    "                   (default: as many as the tolerance needs)\n"
-    "  --part I/N       compute every N-th row from row I, 1 <= I <= N <= 1000, into FILE.I-of-N.part of --output "
-    "FILE\n"
-    "  --join N         check the files of N parts, 1 to 1000, and join them to --output, as csv unless --format\n"
-    "                   is given: the bytes of the same command with this format and without --part\n"
-    "  --threads K      1 to 1024 (default: as many as processors)\n"
-    "  --plot FILE      eps over the speed as .svg, .png or .pdf, by gnuplot; up to 12 curves\n"
-    "  --format F       text (default), csv or json\n"
-    "  --output FILE    write to FILE (default: standard output). FILE.part keeps the rows until all are\n"
-    "                   there; the same command continues an interrupted run\n"
-    "  --profile        print the seconds of each step and the peak memory on standard error\n"
-    "\nLIST: values and ranges, separated by commas; or @FILE, a file of them with commas, spaces or lines\n"
-    "between, where # begins a comment. A value is 0.1, 1.5e-3 or 1/3; a range is\n"
+    "  --tolerance T    largest error of eps, 1e-13 to below 1 (default " DEFAULT_TOLERANCE "), or with --hard-wall\n"
+    "                   of 1 - eps^2, 1e-7 to below 1 (default " DEFAULT_HARD_WALL_TOLERANCE ")\n"
+    "  --phi-points M   number of angles in a quadrant at which the wall's force is evaluated, 1 to 16384\n"
+    "                   (default: the number that the tolerance needs)\n"
+    "  --part I/N       part of the rows, row I and every N-th row after it, 1 <= I <= N <= 1000, computed\n"
+    "                   into FILE.I-of-N.part of --output FILE\n"
+    "  --join N         number of parts, 1 to 1000, whose files are checked and joined to --output, as csv or in\n"
+    "                   the given --format, with the same bytes as without --part\n"
+    "  --threads K      number of threads, 1 to 1024 (default: the number of processors)\n"
+    "  --plot FILE      picture of eps over the speed, .svg, .png or .pdf, by gnuplot; up to 12 curves\n"
+    "  --format F       output format, text, csv or json (default text)\n"
+    "  --output FILE    file for the output (default standard output). FILE.part contains the rows until\n"
+    "                   all are computed; the same command continues an interrupted run\n"
+    "  --profile        print the seconds of each step and the peak memory on standard error\n\n"
+    "LIST: values and ranges, separated by commas; or @FILE, a file of values and ranges, separated by\n"
+    "commas, spaces or lines, where # begins a comment. A value is 0.1, 1.5e-3 or 1/3. A range is\n"
     "  A:B:+S     A, A + S, A + 2 S, ... up to B      (-S: down to B)\n"
     "  A:B:lin:N  N values from A to B at equal distances\n"
-    "  A:B:log:N  N values from A to B at equal ratios\n"
-    "\nColumns: speed,nu,alpha,modes,eps,one_minus_eps2,contact_time,max_compression,energy_drift,\n"
+    "  A:B:log:N  N values from A to B at equal ratios\n\n"
+    "Columns: speed,nu,alpha,modes,eps,one_minus_eps2,contact_time,max_compression,energy_drift,\n"
     "steps,error_estimate,status; with --hard-wall: speed,nu,one_minus_eps2,eps,contact_time,\n"
     "max_compression,error_estimate,status; with --rayleigh: speed,nu,modes,fraction,tail,eps,\n"
     "contact_time,error_estimate,status. Digits end with the second one of error_estimate. The speed\n"
-    "varies fastest, then modes, alpha, poisson. A row whose status is not ok is kept, and the exit\n"
-    "status is then 1.\n"
-    "\nExample: corgen disk-collide --speed 0.01:0.3:log:12 --poisson 0.33,0.9 --alpha 500 --modes 100\n";
+    "varies fastest, then modes, alpha, poisson. If the status of a row is not ok, the exit\n"
+    "status is 1.\n\n"
+    "Example: corgen disk-collide --speed 0.01:0.3:log:12 --poisson 0.33,0.9 --alpha 500 --modes 100\n";
 
 #define ARGUMENTS struct disk_collide_arguments
 static const struct option_rule options[] = {
@@ -118,14 +118,15 @@ static const struct option_rule options[] = {
     OPTION("modes", LIST, request.sweep.modes, .range.values = &sweep_modes),
     OPTION("tolerance", REAL, tolerance, .range.number = &tolerance_numbers),
     OPTION("phi-points", WHOLE, request.sweep.phi_points, .range.whole = {1, COR_DISK_COLLISION_MAX_PHI_POINTS},
-           .why = "walls that need more are not computed"),
+           .why = "corgen does not compute walls that need more"),
     OPTION("hard-wall", FLAG, request.sweep.hard_wall, .excludes = "alpha modes phi-points"),
     OPTION("rayleigh", FLAG, request.sweep.rayleigh, .excludes = "alpha tolerance phi-points hard-wall"),
     OPTION("plot", FILE, request.plot, .excludes = "part"),
     OPTION("part", TEXT, part, .needs = "output", .excludes = "join format"),
-    OPTION("join", WHOLE, join, .range.whole = {1, MOST_PARTS}, .why = "all files are open at once", .needs = "output"),
+    OPTION("join", WHOLE, join, .range.whole = {1, MOST_PARTS}, .why = "corgen opens all files at once",
+           .needs = "output"),
     OPTION("threads", WHOLE, request.threads, .range.whole = {1, PARALLEL_MAX_THREADS},
-           .why = "no machine has use for more"),
+           .why = "more threads do not help"),
     OPTION_FORMAT(option_formats),
     OPTION_COMMON,
 };

@@ -61,13 +61,14 @@ static int run_disk_modes(const void *arguments)
 
 static const char help[] =
     "Usage: corgen disk-modes --poisson NU --count N [OPTION]...\n\n"
-    "Prints the N lowest free modes of an elastic disk by increasing frequency; none is missing: n\n"
-    "nodal diameters, l = 0, 1, ... among the modes of that n, frequency omega in sqrt(E/rho)/R, and\n"
+    "Prints the N lowest free modes of an elastic disk by increasing frequency, without gaps (proved):\n"
+    "n nodal diameters, l = 0, 1, ... among the modes of that n, frequency omega in sqrt(E/rho)/R, and\n"
     "the displacements C (radial, positive) and S (tangential) at the rim, normalised to the area.\n\n"
-    "  --poisson NU     Poisson's ratio in plane stress, between -1 and 1, as 0.33 or 1/3\n"
+    "  --poisson NU     Poisson's ratio in plane stress, between -1 and 1, such as 0.33 or 1/3\n"
     "  --count N        number of modes, 1 to 10000000\n" HELP_DIGITS
-    "  --format F       text (default), csv or json\n" HELP_JSON_STRINGS HELP_COMMON "\nColumns: n,l,omega,C,S.\n"
-    "\nExample: corgen disk-modes --poisson 0.33 --count 10\n";
+    "  --format F       output format, text, csv or json (default text)\n" HELP_JSON_STRINGS HELP_COMMON "\n"
+    "Columns: n,l,omega,C,S.\n\n"
+    "Example: corgen disk-modes --poisson 0.33 --count 10\n";
 
 #define ARGUMENTS struct disk_modes_arguments
 static const struct option_rule options[] = {

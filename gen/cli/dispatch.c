@@ -49,7 +49,7 @@ static void print_subcommand_help(const struct subcommand *cmd, const char *help
 static int print_help(const struct subcommand *const *table, int argc, char **argv)
 {
     if (argc > 1)
-        return usage_error("corgen help takes one subcommand, not '%s' too", argv[1]);
+        return usage_error("corgen help accepts one subcommand; leave out '%s'", argv[1]);
     const struct subcommand *const cmd = argc == 0 ? NULL : subcommand_named(table, argv[0]);
     if (argc == 0)
         overview_print(table, stdout);
@@ -72,7 +72,7 @@ static int run_word(const struct subcommand *const *table, const char *version, 
     if (strcmp(name, "--completion") == 0)
         return argc == 3 && completion_print(argv[2], table, stdout)
                    ? STATUS_OK
-                   : usage_error("--completion takes one shell, bash or zsh, as corgen --completion bash");
+                   : usage_error("--completion needs one shell, bash or zsh, for example corgen --completion bash");
     const struct subcommand *const cmd = subcommand_named(table, argc < 2 ? NULL : name);
     if (!cmd)
         return STATUS_USAGE;

@@ -21,9 +21,8 @@ static int run_embed(const void *arguments)
         status = contacts_without_jkr(&contacts, &o->scene);
     if (status == STATUS_OK && !own && contacts.contact[0].force_n > 0 && law_is_linear(&contacts.scene.law) &&
         contacts.contact[0].damping > 0)
-        status =
-            usage_error("under --gravity or --adhesion headers hold for laws whose eps depends on the speed without "
-                        "them, too, not for linear and tsuji; corgen sample tabulates eps");
+        status = usage_error("headers with --gravity or --adhesion are not possible for the laws linear and tsuji, "
+                             "whose eps does not depend on the speed without them; use corgen sample for a table");
     if (status != STATUS_OK)
         return status;
     if (!own)
@@ -56,17 +55,17 @@ static int run_embed(const void *arguments)
 
 static const char help[] =
     "Usage: corgen embed --speed-min G --speed-max G --tolerance T BODIES DISSIPATION [OPTION]...\n\n"
-    "Writes a self-contained header, C99, C++11, CUDA and HIP, with one function from the impact\n"
-    "speed in m/s to eps: the cheapest form that meets the tolerance between the two speeds.\n"
-    "Under --gravity or --adhesion it is 0 up to the sticking speed.\n\n"
-    "  --speed-min G, --speed-max G   the range of speeds in m/s; speeds outside give the value of the nearer end\n"
-    "  --tolerance T    allowed relative error of eps, 1e-15 (float: 4e-7) to 0.1\n" HELP_END_PRESSED
-    "  --type T         double (default) or float\n"
-    "  --for USE        optimize for scalar (single calls), array (loops that become vectors) or balanced\n"
-    "                   (default, both); rebound: scalar, with a callback NAME_callback for REBOUND\n"
+    "Writes a self-contained header (C99, C++11, CUDA and HIP) with one function from the impact speed\n"
+    "to eps: the cheapest form that meets the tolerance between the two speeds. With --gravity or\n"
+    "--adhesion it is 0 up to the sticking speed.\n\n"
+    "  --speed-min G, --speed-max G   range of speeds, m/s; other speeds give the value of the nearer end\n"
+    "  --tolerance T    largest relative error of eps, 1e-15 (float: 4e-7) to 0.1\n" HELP_END_PRESSED
+    "  --type T         type of the numbers, double or float (default double)\n"
+    "  --for USE        use to optimise for, scalar (single calls), array (vectorised loops), balanced (both)\n"
+    "                   or rebound (scalar, with NAME_callback for REBOUND) (default balanced)\n"
     "  --name NAME      name of the function and of the include guard (default cor_scene_eps)\n" HELP_CONTACT
-    "\n" HELP_COMMON
-    "\nExample: corgen embed --g-star 20 --speed-min 0.01 --speed-max 10 --tolerance 1e-6 --output cor_scene_eps.h\n";
+    "\n" HELP_COMMON "\n"
+    "Example: corgen embed --g-star 20 --speed-min 0.01 --speed-max 10 --tolerance 1e-6 --output cor_scene_eps.h\n";
 
 #define ARGUMENTS struct embed_arguments
 static const struct option_rule options[] = {

@@ -10,9 +10,9 @@ static int run_law(const void *arguments)
 {
     const struct law_arguments *const o = arguments;
     if (!o->law.elastic || !o->law.damping)
-        return usage_error("corgen law needs --elastic and --damping, as --elastic 3/2 --damping 0");
+        return usage_error("corgen law needs --elastic and --damping, for example --elastic 3/2 --damping 0");
     if (strlen(o->name) > LAW_NAME_MAX)
-        return usage_error("--name: at most %d characters", LAW_NAME_MAX);
+        return usage_error("--name is too long; allowed: up to %d characters", LAW_NAME_MAX);
     struct output out;
     if (output_open(&out, o->common.output) != STATUS_OK)
         return STATUS_FAILED;
@@ -24,14 +24,14 @@ static int run_law(const void *arguments)
 
 static const char help[] =
     "Usage: corgen law --elastic A --damping B --name NAME [--output FILE]\n\n"
-    "Writes a self-contained header, C99, C++11, CUDA and HIP, for the contact law\n"
+    "Writes a self-contained header (C99, C++11, CUDA and HIP) for the contact law\n"
     "x'' + beta x^B x' + x^A = 0, x(0) = 0, x'(0) = 1, with functions of beta from 0 to infinity:\n"
     "NAME_eps_zero_overlap, _loss_, _beta_ (the inverse), _beta_of_loss_ and _duration_, each for both\n"
-    "ends of contact, NAME_max_overlap and NAME_time_of_max_overlap. It takes minutes.\n\n"
-    "  --elastic A      elastic exponent, such as 3/2 or 1.5\n"
-    "  --damping B      damping exponent, such as 0 or 1/4\n"
-    "  --name NAME      the beginning of the functions' names, an identifier of C\n" HELP_COMMON
-    "\nExample: corgen law --elastic 1 --damping 1/2 --name hooke --output hooke.h\n";
+    "ends of contact, NAME_max_overlap and NAME_time_of_max_overlap. The command needs minutes.\n\n"
+    "  --elastic A      elastic exponent, 0 to 24, such as 3/2 or 1.5\n"
+    "  --damping B      damping exponent, 0 to 24, such as 0 or 1/4\n"
+    "  --name NAME      first part of the functions' names, a C identifier\n" HELP_COMMON "\n"
+    "Example: corgen law --elastic 1 --damping 1/2 --name hooke --output hooke.h\n";
 
 #define ARGUMENTS struct law_arguments
 static const struct option_rule options[] = {

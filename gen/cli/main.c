@@ -22,12 +22,12 @@ static const struct subcommand *const subcommands[] = {&command_trajectory, &com
 static int refuse_moved(const char *name)
 {
     if (strcmp(name, "audit") == 0)
-        return usage_error("audit is a subcommand of cor, with the same options; type: cor audit FILE. To install cor: "
-                           "apt-get install python3-cor on Debian, or pip install cor");
+        return usage_error("audit is a subcommand of cor, with the same options; type: cor audit FILE. Install cor by "
+                           "apt-get install python3-cor on Debian, or by pip install cor");
     if (strcmp(name, "fit") != 0)
         return STATUS_OK;
-    return usage_error("fit is a subcommand of cor, with the same options; type: cor fit DATA.csv. To install cor: "
-                       "apt-get install python3-cor python3-scipy on Debian, or pip install 'cor[fit]'");
+    return usage_error("fit is a subcommand of cor, with the same options; type: cor fit DATA.csv. Install cor by "
+                       "apt-get install python3-cor python3-scipy on Debian, or by pip install 'cor[fit]'");
 }
 
 int main(int argc, char **argv)

@@ -30,7 +30,7 @@ const struct option_numbers option_own_exponent = {{"-100", "100", true, true, t
 const struct option_numbers option_own_eps = {{"0", "1", true, false, true, "a number from 0 to below 1"},
                                               DECIMAL_PLAIN};
 const struct values_rule option_speeds = {
-    "speed", {"0", NULL, false, false, true, "a finite number above 0 m/s"}, false};
+    "speed", {"0", NULL, false, false, true, "a finite number above 0 in m/s"}, false};
 _Static_assert(sizeof(enum cor_end) == sizeof(int), "OPTION_WORD fills an int");
 
 static size_t count_rules(const struct option_rule *rules)
@@ -54,9 +54,9 @@ static bool has_word(const char *words, const char *word)
 
 static int refuse_real(const char *name, const struct option_numbers *numbers, const char *unit, const char *text)
 {
-    return usage_error("--%s: '%s' is not %s, written as 0.1, 1.5e-3 (exponent of at most %d digits)%s%s%s", name, text,
-                       numbers->range.allowed, DECIMAL_EXPONENT_DIGITS, numbers->forms & DECIMAL_RATIO ? " or 2/3" : "",
-                       unit ? ", in " : "", unit ? unit : "");
+    return usage_error("--%s: '%s' is not %s%s%s; write it as 0.1, 1.5e-3 (up to %d digits in the exponent)%s", name,
+                       text, numbers->range.allowed, unit ? " in " : "", unit ? unit : "", DECIMAL_EXPONENT_DIGITS,
+                       numbers->forms & DECIMAL_RATIO ? " or 2/3" : "");
 }
 
 int options_check_real(const char *name, const struct option_numbers *numbers, const struct decimal *value)
@@ -125,7 +125,7 @@ static int check_unit(const struct option_rule *rule, const char *text)
     const int size = snprintf(number, sizeof number, "%.*s", (int)digits, text);
     if (power + exponent != 0 && size < (int)sizeof number)
         snprintf(number + size, sizeof number - (size_t)size, "e%d", power + exponent);
-    return usage_error("--%s: '%.*s' has a unit: write %s, in %s", rule->name, (int)length, text, number, unit);
+    return usage_error("--%s: '%.*s' has a unit; write %s, in %s", rule->name, (int)length, text, number, unit);
 }
 
 static int parse_value(void *field, const struct option_rule *rule, const char *text)
@@ -165,17 +165,18 @@ static int parse_value(void *field, const struct option_rule *rule, const char *
         return values_parse(field, rule->range.values, text);
     case OPTION_C_NAME: /* no keyword or reserved name of C and C++ */
         if (strspn(text, LETTERS) == 0 || strspn(text, LETTERS "0123456789") != length || length > OPTIONS_MAX_NAME)
-            return usage_error("--%s: '%s' is not a name for a function of C: letters, digits and _, %d at most", name,
-                               text, OPTIONS_MAX_NAME);
+            return usage_error("--%s: '%s' is not the name of a C function; allowed: letters, digits and _, up to %d, "
+                               "and no digit first",
+                               name, text, OPTIONS_MAX_NAME);
         if (c_name_is_reserved(text))
-            return usage_error("--%s: C or C++ reserves '%s'; allowed: another name, as my_eps", name, text);
+            return usage_error("--%s: C or C++ reserves '%s'; give another name, for example my_eps", name, text);
         break;
     case OPTION_TEXT:
     case OPTION_FILE:
     case OPTION_FOLDER:
     case OPTION_ELASTIC:
         if (length == 0)
-            return usage_error("--%s: the name is empty", name);
+            return usage_error("--%s: the name is empty; give a name", name);
     }
     *(const char **)field = text;
     return STATUS_OK;
@@ -218,7 +219,7 @@ static const char *example_of(const struct option_rule *rule)
     } else if (rule->kind == OPTION_TEXT || rule->kind == OPTION_ELASTIC) {
         return "";
     }
-    snprintf(text, sizeof text, ", as --%s%s%s", rule->name, *value ? " " : "", value);
+    snprintf(text, sizeof text, ", for example --%s%s%s", rule->name, *value ? " " : "", value);
     return text;
 }
 
@@ -232,7 +233,7 @@ static int refuse_option(const struct option_rule *rules, int key, char **argv)
         return usage_error("%s needs a value%s; see corgen %s --help", argv[optind - 1],
                            example_of(&rules[optopt - LONG_OPTION]), argv[0]);
     if (optopt >= LONG_OPTION)
-        return usage_error("--%s takes no value",
+        return usage_error("--%s accepts no value; leave out = and the value",
                            optopt == LONG_OPTION + (int)count ? help_name : rules[optopt - LONG_OPTION].name);
     const char short_option[] = {'-', (char)optopt, '\0'}, *const option = optopt ? short_option : argv[optind - 1];
     const char **name = xmalloc((count + 2) * sizeof *name);
@@ -244,7 +245,7 @@ static int refuse_option(const struct option_rule *rules, int key, char **argv)
     char word[OPTIONS_MAX_NAME + 1]; /* --NAME=VALUE without dashes and value */
     snprintf(word, sizeof word, "%.*s", (int)strcspn(option, "="), option);
     const int status =
-        refuse_word(word + strspn(word, "-"), name, "--", "corgen %s does not know '%s'", argv[0], option);
+        refuse_word(word + strspn(word, "-"), name, "--", "corgen %s has no option '%s'", argv[0], option);
     free(name);
     return status;
 }
@@ -288,7 +289,7 @@ static int check_files(const void *arguments, const struct option_rule *rules, c
             const char *const other =
                 given[j] ? *(const char *const *)((const char *)arguments + rules[j].offset) : "/dev/stdout";
             if (output_same_file(path, other))
-                return usage_error("--%s and %s%s name the same file, %s; allowed: two files", rules[i].name,
+                return usage_error("--%s and %s%s name the same file, %s; give two different files", rules[i].name,
                                    given[j] ? "--" : "standard ", rules[j].name, path);
         }
     int status = STATUS_OK; /* before anything is computed */
@@ -332,14 +333,14 @@ static int parse_all(void *arguments, const struct option_rule *rules, const str
             return STATUS_OK;
         }
         if (given[i])
-            return usage_error("--%s is given twice", rules[i].name);
+            return usage_error("--%s is given twice; give it once", rules[i].name);
         given[i] = true;
         const int status = parse_value((char *)arguments + rules[i].offset, &rules[i], optarg);
         if (status != STATUS_OK)
             return status;
     }
     if (optind < argc)
-        return usage_error("corgen %s takes options only, not '%s'; see corgen %s --help", argv[0], argv[optind],
+        return usage_error("corgen %s accepts only options, not '%s'; see corgen %s --help", argv[0], argv[optind],
                            argv[0]);
     const int status = check_given(rules, given, argv[0]);
     const struct option_common *const common = arguments;
@@ -408,6 +409,6 @@ int options_disk_poisson(const struct decimal *poisson)
     decimal_clear(&least);
     const bool apart = fmpq_sgn(below) > 0 && fmpq_sgn(above) > 0;
     return apart ? STATUS_OK
-                 : usage_error("--poisson: '%s' is nearer than " DISK_MARGIN " to -1 or 1, where a disk has no modes",
+                 : usage_error("--poisson: '%s' is closer than " DISK_MARGIN " to -1 or 1, where a disk has no modes",
                                poisson->text);
 }

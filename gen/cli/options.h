@@ -86,7 +86,7 @@ struct option_common {
 #define OPTION_END_OF(FIELD, WORDS) OPTION("end", WORD, FIELD, .range.words = (WORDS), .why = "an end of contact")
 #define OPTION_END(FIELD) OPTION_END_OF(FIELD, contact_end_options)
 #define OPTION_LAW OPTION_PLAIN("elastic", ELASTIC, law), OPTION_PLAIN("damping", TEXT, law.damping)
-#define OPTION_COUNT_WHY "the time grows like the power 3/2 of it, past ten hours"
+#define OPTION_COUNT_WHY "the time grows like the power 3/2 of the count; more modes take over ten hours"
 
 #define OPTIONS_MAX_DIGITS 10000000
 #define OPTIONS_DEFAULT_DIGITS 20
@@ -141,13 +141,13 @@ struct subcommand {
 /* Parts of help texts; a form feed is replaced by help_contact, which describes a contact */
 extern const char help_contact[];
 #define HELP_LAW                                                                                                       \
-    "  --elastic A, --damping B   exponents of x'' + beta x^B x' + x^A = 0, from 0 to 24, such as 3/2\n"               \
-    "                             (default 3/2 and 1/2: viscoelastic spheres)\n"
-#define HELP_DIGITS "  --digits D       significant digits, all of them proved; 1 to 10000000 (default 20)\n"
-#define HELP_JSON_STRINGS "  --json-strings   in json, numbers with more digits than a double holds as strings\n"
-#define HELP_END "  --end E          the contact ends at zero-overlap (default) or zero-force\n"
+    "  --elastic A, --damping B   exponents of x'' + beta x^B x' + x^A = 0, 0 to 24, such as 3/2 or 1.5\n"             \
+    "                             (default 3/2 and 1/2, viscoelastic spheres)\n"
+#define HELP_DIGITS "  --digits D       number of significant digits, all proved, 1 to 10000000 (default 20)\n"
+#define HELP_JSON_STRINGS "  --json-strings   print json numbers that have more digits than a double as strings\n"
+#define HELP_END "  --end E          end of contact, zero-overlap or zero-force (default zero-overlap)\n"
 #define HELP_COMMON                                                                                                    \
-    "  --output FILE    write to FILE, which changes only if everything succeeds (default: standard output)\n"         \
+    "  --output FILE    file for the output, changed only if everything succeeds (default standard output)\n"          \
     "  --profile        print the seconds of each step and the peak memory on standard error\n"
 
 /* Chooses a subcommand from a table that ends with NULL, and runs it. Returns the exit status. */

@@ -19,7 +19,7 @@ struct overview_task {
 static const struct overview_task tasks[] = {
     {"I have materials",
      {{"contact", "eps, durations, forces and a time step of one contact"},
-      {"plan", "the cheapest model that is good enough for a range of speeds"}},
+      {"plan", "the cheapest model of eps for a tolerance and a range of speeds"}},
      "contact --young 7e10 --poisson 0.2 --radius 5e-3 --density 2500 --dissipation-time 1e-6 --speed 0.1,1,10"},
     {"I have a measurement",
      {{"contact", "A and g* from eps measured once: --restitution E --at SPEED"}},
@@ -42,7 +42,7 @@ static const struct overview_task tasks[] = {
     {"I simulate disks",
      {{"disk-collide", "collisions with a wall, over lists of parameters"},
       {"disk-modes", "the free modes of a disk"},
-      {"plan", "with --disks, the cheapest model that is good enough"},
+      {"plan", "with --disks, the cheapest model for a tolerance"},
       {"tables", "with --poisson NU, the modes of a material as a C header and a file"}},
      "disk-collide --hard-wall --speed 0.05 --poisson 0.3 --tolerance 1e-3"},
     {"I develop cor", {{"tables", "write or check generated/"}}, "tables --check"},
@@ -52,12 +52,12 @@ enum { TASKS = sizeof tasks / sizeof *tasks };
 static const char *const terms[][2] = {
     {"speed", "impact speed g, at which the bodies approach each other along the line of their centres, m/s"},
     {"eps", "coefficient of restitution: rebound speed over impact speed, from 0 to 1"},
-    {"overlap", "length x by which two bodies are pressed together, m; elastic spheres have the force K x^(3/2)"},
+    {"overlap", "length x by which two bodies are compressed, m; elastic spheres have the force K x^(3/2)"},
     {"zero overlap", "one end of contact: the bodies part when the overlap is zero again"},
     {"zero force", "the other end: they part when the force would become attractive; eps is a little larger"},
     {"A", "dissipation time of viscoelastic materials, s: the force is K (x^(3/2) + (3/2) A sqrt(x) x')"},
     {"g*", "characteristic speed, m/s: eps = 1 - (g/g*)^(1/5) + ... for viscoelastic spheres"},
-    {"beta", "dimensionless damping, the one number on which eps depends; beta = 0.867 (g/g*)^(1/5)"},
+    {"beta", "dimensionless damping, the only number on which eps depends; beta = 0.867 (g/g*)^(1/5)"},
     {"zeta", "damping ratio of the laws linear and tsuji, whose eps is the same at every speed"},
     {"law", "exponents a and b of the force K x^a + C x^b x', or a name for them"},
     {"host", "a simulator whose contact model is known to corgen"},
@@ -74,8 +74,8 @@ static bool in_table(const struct subcommand *const *table, const char *name)
 
 void overview_print(const struct subcommand *const *table, FILE *file)
 {
-    fputs("corgen computes what a simulation needs of a collision: the coefficient of restitution eps, durations and\n"
-          "forces, in SI units, and the series, tables and C headers behind them with proved digits.\n\n"
+    fputs("corgen computes collisions for simulations: the coefficient of restitution eps, durations and forces in SI\n"
+          "units, and series, tables and C headers with proved digits.\n\n"
           "Usage: corgen SUBCOMMAND [OPTION]...\n",
           file);
     for (const struct overview_task *task = tasks; task < tasks + TASKS; task++) {
@@ -94,10 +94,11 @@ void overview_print(const struct subcommand *const *table, FILE *file)
     fputs("\nTerms:\n", file);
     for (size_t i = 0; i < TERMS; i++)
         fprintf(file, "  %-14s %s\n", terms[i][0], terms[i][1]);
-    fputs("\nOptions:\n"
-          "  --help               this text; corgen SUBCOMMAND --help, or corgen help SUBCOMMAND: its options\n"
-          "  --version            versions of corgen and its libraries\n"
-          "  --completion SHELL   what bash or zsh needs to complete a command line of corgen\n"
-          "\nExit status: 0 success, 1 failure, 2 wrong command line.\n",
+    fputs("\n"
+          "Options:\n"
+          "  --help               print this text; corgen SUBCOMMAND --help prints the options of a subcommand\n"
+          "  --version            print the versions of corgen and its libraries\n"
+          "  --completion SHELL   print the completion of corgen for bash or zsh\n\n"
+          "Exit status: 0 success, 1 failure, 2 wrong command line.\n",
           file);
 }

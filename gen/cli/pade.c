@@ -123,9 +123,8 @@ static void print_text(FILE *file, const struct table *table, const void *argume
                 k == 1 ? "numerator" : "denominator", k == 1 ? 1 : k - 1);
         free(text);
     }
-    fprintf(file, "d_0 is near zero, so a_3 and a_4 rounded to six decimals fix d_1, d_2, d_3 to "
-                  "about 2e-4 only.\nx = (g/g*)^(1/5). C_3 and C_4 behind these numbers are wrong: "
-                  "corgen series has the right ones.\n");
+    fprintf(file, "d_0 is near zero, so a_3 and a_4 rounded to six decimals fix d_1, d_2, d_3 to about 2e-4 only.\n"
+                  "x = (g/g*)^(1/5). C_3 and C_4 behind these numbers are wrong: corgen series has the right ones.\n");
 }
 
 /* Adds the coefficients as rows, up to the first that is undecided. */
@@ -164,7 +163,7 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
     char *const defects = pade_defects(problem->analysis);
     const bool refused = defects && !o->force;
     if (refused)
-        fail("no header for a Padé with %s (--force writes it)", defects);
+        fail("--header: the Padé approximant has %s; give other degrees, or --force to write the header", defects);
     free(defects);
     return refused ? STATUS_FAILED : write_header(problem);
 }
@@ -179,15 +178,16 @@ static int run_pade(const void *arguments)
     r->kind = o->as_published ? PADE_AS_PUBLISHED : o->two_point ? PADE_TWO_POINT : PADE_ORDINARY;
     r->law = o->law.exponents;
     if (o->as_published && !law_is_sphere(&r->law))
-        return usage_error("--as-published is the sphere's");
+        return usage_error("--as-published needs the law of viscoelastic spheres; leave out --elastic and --damping");
     if (o->as_published && r->end != COR_END_ZERO_OVERLAP)
-        return usage_error("--as-published: the paper ends the contact at zero overlap");
+        return usage_error("--as-published needs --end zero-overlap, the end of contact in the paper");
     if (o->as_published && r->numerator <= 0 && r->denominator <= 0) { /* not given */
         r->numerator = PUBLISHED_NUMERATOR;
         r->denominator = PUBLISHED_DENOMINATOR;
     }
     if (r->numerator < 0 || r->denominator < 0)
-        return usage_error("pade needs --numerator and --denominator");
+        return usage_error(
+            "corgen pade needs --numerator and --denominator, for example --numerator 4 --denominator 7");
     const char *const why = pade_refusal(r);
     const struct proved_table table = {o->digits, &problem, fill_table, print_text};
     return why ? usage_error("%s", why) : proved_table_write(&table, &o->common);
@@ -195,24 +195,24 @@ static int run_pade(const void *arguments)
 
 static const char help[] =
     "Usage: corgen pade --numerator M --denominator N [OPTION]...\n\n"
-    "Prints the coefficients of the [M/N] Pade approximant of eps, in powers of beta at zero\n"
-    "overlap and of sqrt(beta) at zero force.\n\n"
-    "  --numerator M    degree, 0 to 2000\n"
-    "  --denominator N  degree, 0 to 2000\n"
-    "  --two-point      also match the limit of large beta (zero overlap; needs N = M + 5)\n"
+    "Prints the coefficients of the [M/N] Pade approximant of eps, in powers of beta at zero overlap\n"
+    "and of sqrt(beta) at zero force.\n\n"
+    "  --numerator M    degree of the numerator, 0 to 2000\n"
+    "  --denominator N  degree of the denominator, 0 to 2000\n"
+    "  --two-point      match the limit of large beta, too; needs zero overlap and N = M + 5\n"
     "  --as-published   reproduce the published [1/4] from its printed coefficients\n" HELP_DIGITS HELP_END
-    "  --header FILE    also write C functions of eps and of 1 - eps with their errors up to beta = 2\n"
-    "                   (two-point: 1000), unless the approximant has a pole or a zero on beta > 0\n"
-    "  --force          write the header even then\n"
-    "  --format F       text (default), csv or json\n" HELP_JSON_STRINGS HELP_LAW HELP_COMMON
-    "\nExample: corgen pade --numerator 4 --denominator 7 --digits 20\n";
+    "  --header FILE    write also C functions of eps and 1 - eps, with their errors up to beta = 2\n"
+    "                   (two-point: 1000), unless the approximant has a pole or a zero at beta > 0\n"
+    "  --force          write the header also if the approximant has a pole or a zero at beta > 0\n"
+    "  --format F       text (default), csv or json\n" HELP_JSON_STRINGS HELP_LAW HELP_COMMON "\n"
+    "Example: corgen pade --numerator 4 --denominator 7 --digits 20\n";
 
 #define ARGUMENTS struct pade_arguments
 static const struct option_rule options[] = {
     OPTION("numerator", WHOLE, request.numerator, .range.whole = {0, MAX_DEGREE},
-           .why = "a degree needs a linear system of that size"),
+           .why = "a degree needs a linear system of its size"),
     OPTION("denominator", WHOLE, request.denominator, .range.whole = {0, MAX_DEGREE},
-           .why = "a degree needs a linear system of that size"),
+           .why = "a degree needs a linear system of its size"),
     OPTION("two-point", FLAG, two_point, .excludes = "as-published"),
     OPTION_PLAIN("as-published", FLAG, as_published),
     OPTION_DIGITS,

@@ -40,8 +40,8 @@ static int plan_of_spheres(struct plan *plan, const struct plan_arguments *o)
     if (status == STATUS_OK)
         status = contacts_of_request(&contacts, &scene);
     if (status == STATUS_OK && (contacts.contact[0].plastic || contacts.contact[0].liquid_speed_m_s > 0))
-        status = usage_error("the models are those of dry contacts that do not yield; corgen contact, sample and embed "
-                             "have --law elastic-plastic and --viscosity-liquid");
+        status = usage_error("corgen plan has models only of dry contacts that do not yield; use corgen contact, "
+                             "sample or embed with --law elastic-plastic and --viscosity-liquid");
     if (status == STATUS_OK) {
         contact_warn_yield(&contacts, embed_number(&scene, EMBED_SPEED_MAX));
         status = plan_spheres(plan, &scene, contacts.contact, &o->scene, pressed.contact, o->points);
@@ -61,7 +61,7 @@ static int run_plan(const void *arguments)
     struct output out;
     int status = STATUS_OK;
     if (o->disks && !poisson->text)
-        return usage_error("corgen plan --disks needs --poisson, as --poisson 0.33; see corgen plan --help");
+        return usage_error("corgen plan --disks needs --poisson, for example --poisson 0.33; see corgen plan --help");
     if (poisson->text && !o->disks) {
         const struct option_numbers numbers = options_numbers(&sphere_poisson);
         status = options_check_real(sphere_poisson.name, &numbers, poisson);
@@ -77,7 +77,8 @@ static int run_plan(const void *arguments)
         status = output_commit(&out);
     }
     if (status == STATUS_OK && plan.chosen < 0)
-        status = fail("no model meets the tolerance %s", o->scene.number[EMBED_TOLERANCE].text);
+        status = fail("no model meets the tolerance %s; give a larger --tolerance or a narrower range of speeds",
+                      o->scene.number[EMBED_TOLERANCE].text);
     plan_clear(&plan);
     return status;
 }
@@ -85,23 +86,23 @@ static int run_plan(const void *arguments)
 static const char help[] =
     "Usage: corgen plan --speed-min G --speed-max G --tolerance T BODIES DISSIPATION [OPTION]...\n"
     "       corgen plan --disks --speed-min V --speed-max V --tolerance T --poisson NU [OPTION]...\n\n"
-    "Compares models of restitution with collisions over a range of speeds, and names the cheapest\n"
-    "that meets the tolerance, with the command or call to use.\n\n"
-    "Spheres and other laws: speeds in m/s, T the relative error of eps, 1e-15 to below 1.\n" HELP_END_PRESSED
-    "  --for USE        compare the time of scalar (single calls), array (loops) or balanced\n"
-    "                   (default, both)\n" HELP_CONTACT "\n"
-    "Disks: speeds in sqrt(E/rho), 0.001 to 0.5; against a rigid wall, all modes counted.\n"
-    "  --disks          disks instead of spheres; they lose energy to their vibrations\n"
-    "  --poisson NU     Poisson's ratio in plane stress, between -1 and 1, as 0.33 or 1/3\n"
-    "  --quantity Q     eps (default; T is its error), contact-time or compression (the largest; T is\n"
-    "                   the relative error)\n\n"
-    "  --points N       number of speeds at which models are compared, 2 to 1000 (default 33; disks 9)\n"
-    "  --format F       text (default), csv or json\n" HELP_COMMON
-    "\nColumns of csv and json: model,beta (speed of disks),value,error,cost,uncertainty,verdict;\n"
+    "Compares models of eps with enclosed collisions over a range of speeds, and prints the cheapest\n"
+    "model that meets the tolerance, with the command or call to use.\n\n"
+    "Spheres and other laws: speeds in m/s; T is the relative error of eps, 1e-15 to below 1.\n" HELP_END_PRESSED
+    "  --for USE        use whose time is compared, scalar (single calls), array (loops) or balanced (both)\n"
+    "                   (default balanced)\n" HELP_CONTACT "\n"
+    "Disks that collide with a rigid wall, with all their modes: speeds in sqrt(E/rho), 0.001 to 0.5.\n"
+    "  --disks          use disks instead of spheres; disks lose energy to their vibrations\n"
+    "  --poisson NU     Poisson's ratio in plane stress, between -1 and 1, such as 0.33 or 1/3\n"
+    "  --quantity Q     quantity to compare, eps (T is its error), contact-time or largest compression,\n"
+    "                   compression (T is the relative error) (default eps)\n\n"
+    "  --points N       number of speeds at which models are compared, 2 to 1000 (default 33, disks 9)\n"
+    "  --format F       output format, text, csv or json (default text)\n" HELP_COMMON "\n"
+    "Columns of csv and json: model,beta (speed of disks),value,error,cost,uncertainty,verdict;\n"
     "a row for each model at each point; cost in ns; uncertainty of the exact value;\n"
     "verdict: chosen, meets, misses, outside (no value at some speed), shown (never chosen).\n"
-    "Exit status 1 if no model meets the tolerance.\n"
-    "\nExample: corgen plan --speed-min 0.01 --speed-max 1 --g-star 20 --end zero-force --tolerance 1e-4 --points 9\n";
+    "Exit status 1 if no model meets the tolerance.\n\n"
+    "Example: corgen plan --speed-min 0.01 --speed-max 1 --g-star 20 --end zero-force --tolerance 1e-4 --points 9\n";
 
 #define ARGUMENTS struct plan_arguments
 static const struct option_rule options[] = {
@@ -111,7 +112,7 @@ static const struct option_rule options[] = {
     OPTION_PLAIN("disks", FLAG, disks),
     OPTION("quantity", WORD, quantity, .range.words = plan_quantity_names, .why = "a quantity", .needs = "disks"),
     OPTION("points", WHOLE, points, .range.whole = {PLAN_MIN_POINTS, PLAN_MAX_POINTS},
-           .why = "every point takes collisions"),
+           .why = "each point needs several collisions"),
     OPTION_FORMAT(option_formats),
     OPTION_COMMON,
 };

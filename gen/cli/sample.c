@@ -30,7 +30,7 @@ static int run_sample(const void *arguments)
     if (status != STATUS_OK)
         return status;
     if ((o->log || o->cubic) && (format == SAMPLE_MODELICA || format == SAMPLE_OPENFOAM))
-        return usage_error("--format %s: its reader interpolates linearly in the speed; no --log or --cubic",
+        return usage_error("--format %s: its reader interpolates linearly in the speed; leave out --log and --cubic",
                            sample_format_names[format]);
     OWN_LAW(own);
     status = own_law_init(&own, &scene);
@@ -40,8 +40,8 @@ static int run_sample(const void *arguments)
         status = contacts_without_jkr(&contacts, &scene);
     request.own = own.law ? &own : NULL;
     if (status == STATUS_OK && !own.law && o->duration && isnan(contacts.contact[0].mass_kg))
-        status = usage_error("--durations needs bodies, or --stiffness and --effective-mass, which set the unit of "
-                             "time, as --stiffness 1e9 --effective-mass 1e-3");
+        status = usage_error("--durations needs bodies, or --stiffness and --effective-mass, for example --stiffness "
+                             "1e9 --effective-mass 1e-3");
     if (status != STATUS_OK)
         return status;
     if (!own.law) {
@@ -61,18 +61,19 @@ static int run_sample(const void *arguments)
 
 static const char help[] =
     "Usage: corgen sample BODIES DISSIPATION --speed-min G --speed-max G --tolerance T [OPTION]...\n\n"
-    "eps of a contact over a range of impact speeds as the fewest points, on the curve, from which\n"
+    "Prints eps of a contact over a range of impact speeds as a table with the fewest points from which\n"
     "interpolation gives eps within a tolerance.\n\n"
-    "  --speed-min G, --speed-max G   the range, m/s; both ends are points\n"
-    "  --tolerance T    relative error of the interpolated eps, 1e-10 to 0.1\n"
-    "  --log            interpolation in the logarithm of the speed\n"
-    "  --cubic          cubic Hermite interpolation, with a column of slopes; otherwise linear\n"
-    "  --durations      the duration of contact in s, too, within the same tolerance\n" HELP_END_PRESSED
-    "  --format F       text (default; with the evenly spaced table beside it), csv, json, c, python,\n"
-    "                   modelica (CombiTable1Ds), openfoam (Function1 table)\n" HELP_CONTACT "\n" HELP_COMMON
-    "\nColumns: speed_m_s,eps; then eps_slope_s_m, or eps_slope_per_log with --log, where --cubic is\n"
-    "given; then duration_s with --durations, and its slope.\n"
-    "\nExample: corgen sample --g-star 0.2 --speed-min 0.01 --speed-max 10 --tolerance 1e-3 --log\n";
+    "  --speed-min G, --speed-max G   range of speeds, m/s; both ends are points\n"
+    "  --tolerance T    largest relative error of the interpolated eps, 1e-10 to 0.1\n"
+    "  --log            interpolate in the logarithm of the speed\n"
+    "  --cubic          use cubic Hermite interpolation, with a column of slopes, instead of linear\n"
+    "  --durations      print also the duration of contact, s, within the same tolerance\n" HELP_END_PRESSED
+    "  --format F       output format, text (with the evenly spaced table next to it), csv, json, c,\n"
+    "                   python, modelica (CombiTable1Ds) or openfoam (Function1 table) (default text)\n" HELP_CONTACT
+    "\n" HELP_COMMON "\n"
+    "Columns: speed_m_s,eps; then eps_slope_s_m, or eps_slope_per_log with --log, where --cubic is\n"
+    "given; then duration_s with --durations, and its slope.\n\n"
+    "Example: corgen sample --g-star 0.2 --speed-min 0.01 --speed-max 10 --tolerance 1e-3 --log\n";
 
 #define ARGUMENTS struct sample_arguments
 static const struct option_rule options[] = {

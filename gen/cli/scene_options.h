@@ -14,37 +14,46 @@
 #include "embed/request.h"
 
 #define HELP_END_PRESSED                                                                                               \
-    "  --end E          the contact ends at zero-overlap (default) or zero-force; under a constant force, at\n"        \
-    "                   zero-overlap or, limited to pushing, at the surface\n"
+    "  --end E          end of contact, zero-overlap or zero-force, or under a constant force zero-overlap or\n"       \
+    "                   surface (default zero-overlap)\n"
 #define HELP_CONTACT "\f" /* help_contact (options.h) is printed here: a literal has at most 4095 characters */
 #define HELP_CONTACT_TEXT                                                                                              \
-    "\nBodies, SI units; the second like the first where not given:\n"                                                 \
-    "  --young Y, --poisson NU   Young's modulus (Pa), Poisson's ratio\n"                                              \
-    "  --radius R, --density D or --mass M    m, kg/m^3, kg\n"                                                         \
+    "\n"                                                                                                               \
+    "Bodies, in SI units:\n"                                                                                           \
+    "  --young Y, --poisson NU   Young's modulus, Pa, and Poisson's ratio, above -1 and up to 0.5\n"                   \
+    "  --radius R, --density D or --mass M   radius, m, and density, kg/m^3, or mass, kg\n"                            \
     "  --young-2, --poisson-2, --radius-2, --density-2, --mass-2\n"                                                    \
-    "  --wall           the second is flat and held fast\n"                                                            \
-    "  --plate-thickness H   the second is a large plate (--law plate), m\n"                                           \
-    "or a spring K x^a: --stiffness K --effective-mass M, M = m_1 m_2/(m_1 + m_2)\n"                                   \
-    "  --duration T     s, of a contact at the speed --at, instead of --stiffness; linear without --at\n"              \
-    "\nDissipation, one of:\n"                                                                                         \
-    "  --dissipation-time A      s, and --dissipation-time-2, of viscoelastic spheres\n"                               \
-    "  --viscosity ETA1,ETA2     Pa s, twice the shear and the bulk viscosity; --viscosity-2\n"                        \
-    "  --g-star G       m/s, with eps = 1 - (speed/g*)^q + ..., q = 1/5 for spheres\n"                                 \
-    "  --restitution E --at G    eps = E measured once, at the speed G; linear and tsuji without --at\n"               \
-    "  --damping-coefficient C   of the force K x^a + C x^b x'\n"                                                      \
-    "  --beta B --at G  or, linear and tsuji, --zeta Z\n"                                                              \
-    "\nThe law:\n"                                                                                                     \
-    "  --law NAME       {law}\n"                                                                                       \
-    "                   (docs/laws.md; default viscoelastic)\n"                                                        \
-    "  --elastic A --damping B   instead, any exponents as 3/2 and 1/2\n"                                              \
-    "  or eps of the speed only, no bodies: power-law min(1, A v^-B), --coefficient A --exponent B;\n"                 \
-    "  exponential, --eps-inf E --decay-speed V; table, --table FILE (docs/ice.md)\n"                                  \
-    "\nYield, or a liquid:\n"                                                                                          \
-    "  --yield-stress Y   Pa: the yield speed, and a warning above it\n"                                               \
-    "  --viscosity-liquid ETA --gap-outer H --gap-inner h   Pa s, m: lubrication between both\n"                       \
-    "\nA constant force that presses the bodies together:\n"                                                           \
-    "  --gravity G      m/s^2, on a ball above a --wall or a plate\n"                                                  \
-    "  --adhesion W --adhesion-model M   J/m^2; dmt: the force 2 pi W R; jkr: columns _tail, _largest_pull\n"
+    "                   the same of the second body (default: as the first body)\n"                                    \
+    "  --wall           use a flat and fixed second body\n"                                                            \
+    "  --plate-thickness H   thickness of a large plate as second body, m, with --law plate\n"                         \
+    "or a spring K x^a instead of bodies:\n"                                                                           \
+    "  --stiffness K --effective-mass M   stiffness, N/m^a, and m_1 m_2/(m_1 + m_2), kg\n"                             \
+    "  --duration T     duration of contact at the speed --at, s, instead of --stiffness; linear without --at\n\n"     \
+    "Dissipation, one of:\n"                                                                                           \
+    "  --dissipation-time A   dissipation time of viscoelastic spheres, s; also --dissipation-time-2\n"                \
+    "  --viscosity ETA1,ETA2   twice the shear viscosity, and the bulk viscosity, Pa s; also --viscosity-2\n"          \
+    "  --g-star G       characteristic speed, m/s, of eps = 1 - (speed/g*)^q + ..., for spheres q = 1/5\n"             \
+    "  --restitution E --at G   measured eps, above 0 and up to 1, and its speed, m/s; linear, tsuji\n"                \
+    "                   without --at\n"                                                                                \
+    "  --damping-coefficient C   damping of the force K x^a + C x^b x', N s/m^(b+1)\n"                                 \
+    "  --beta B --at G  beta at the speed G, m/s\n"                                                                    \
+    "  --zeta Z         damping ratio of the laws linear and tsuji\n\n"                                                \
+    "Law:\n"                                                                                                           \
+    "  --law NAME       law of contact (docs/laws.md; default viscoelastic):\n"                                        \
+    "                   {law}\n"                                                                                       \
+    "  --elastic A --damping B   exponents of another law, 0 to 24, such as 3/2 and 1/2, instead of --law\n"           \
+    "Laws that give only eps of the speed, without bodies (docs/ice.md):\n"                                            \
+    "  --coefficient A --exponent B   with --law power-law, min(1, A v^-B)\n"                                          \
+    "  --eps-inf E --decay-speed V    with --law exponential, E + (1 - E) exp(-v/V)\n"                                 \
+    "  --table FILE                   with --law table, a csv file with the columns speed_m_s,eps\n\n"                 \
+    "Yield, or a liquid:\n"                                                                                            \
+    "  --yield-stress Y   yield stress, Pa; gives the yield speed, and a warning above it\n"                           \
+    "  --viscosity-liquid ETA --gap-outer H --gap-inner h\n"                                                           \
+    "                   viscosity, Pa s, and the gaps, m, between which the liquid lubricates the contact\n\n"         \
+    "A constant force that presses the bodies together:\n"                                                             \
+    "  --gravity G      gravity on a ball above a --wall or a plate, m/s^2\n"                                          \
+    "  --adhesion W --adhesion-model M   work of adhesion, J/m^2, and its model, dmt (the force 2 pi W R)\n"           \
+    "                   or jkr (columns _tail and _largest_pull)\n"
 
 /* The options of one contact except its law and end, and all options that contradict an own law */
 #define SCENE_NUMBERS_APART                                                                                            \

@@ -75,7 +75,7 @@ static int run_series(const void *arguments)
 {
     const struct series_arguments *const o = arguments;
     if (o->exact && o->end != COR_END_ZERO_FORCE)
-        return usage_error("--exact needs --end zero-force: the coefficients at zero overlap are irrational");
+        return usage_error("--exact needs --end zero-force, because the coefficients at zero overlap are irrational");
     const struct proved_table table = {o->digits, o, o->exact ? fill_exact : fill_series, NULL};
     return proved_table_write(&table, &o->common);
 }
@@ -84,20 +84,20 @@ static const char help[] =
     "Usage: corgen series --order K [OPTION]...\n\n"
     "Prints x_max = sum y_k beta^k, t_max = sum tau_k beta^k and eps = sum C_k beta^k. With\n"
     "--end zero-force, prints eps in powers of sqrt(beta) up to the power K.\n\n"
-    "  --order K        highest power, 0 to 100000\n" HELP_DIGITS HELP_END
-    "  --exact          with --end zero-force: print the rational coefficients of G and T in powers of w,\n"
+    "  --order K        highest power of beta, 0 to 100000\n" HELP_DIGITS HELP_END
+    "  --exact          print the rational coefficients of G and T in powers of w, with --end zero-force:\n"
     "                   eps_zero_force = eps_zero_overlap G(w), w = h^(5/2), h = beta eps^(1/5);\n"
-    "                   the force vanishes before the overlap, by the time h T(w) in the same units\n"
-    "  --format F       text (default), csv or json\n" HELP_JSON_STRINGS HELP_LAW HELP_COMMON
-    "\nColumns: k,y_k,tau_k,C_k; with --end zero-force power_of_sqrt_beta,coefficient\n"
+    "                   the force vanishes earlier than the overlap by the time h T(w), in the same units\n"
+    "  --format F       output format, text, csv or json (default text)\n" HELP_JSON_STRINGS HELP_LAW HELP_COMMON "\n"
+    "Columns: k,y_k,tau_k,C_k; with --end zero-force power_of_sqrt_beta,coefficient\n"
     "(or power_of_beta, or power_of_beta_root_R for powers of beta^(1/R), by the law);\n"
-    "with --exact power_of_w,G,T.\n"
-    "\nExample: corgen series --order 5 --digits 30\n";
+    "with --exact power_of_w,G,T.\n\n"
+    "Example: corgen series --order 5 --digits 30\n";
 
 #define ARGUMENTS struct series_arguments
 static const struct option_rule options[] = {
     OPTION("order", WHOLE, order, .range.whole = {0, MAX_ORDER},
-           .why = "an order needs all below it, and their cost grows faster than its cube", .required = true),
+           .why = "the time grows faster than the cube of the order", .required = true),
     OPTION_DIGITS,
     OPTION_END(end),
     OPTION("exact", FLAG, exact, .excludes = "digits"),

@@ -76,8 +76,8 @@ static int run_trajectory(const void *arguments)
 {
     const struct trajectory_arguments *const o = arguments;
     if ((o->order + 1) * (o->terms + 1) > COEFFICIENTS_MAX)
-        return usage_error("--order %ld with --terms %ld is more than %d coefficients, (order + 1) "
-                           "(terms + 1), which no memory holds as exact rationals",
+        return usage_error("--order %ld with --terms %ld needs (order + 1) (terms + 1) coefficients, more than %d, "
+                           "which do not fit into memory",
                            (long)o->order, (long)o->terms, COEFFICIENTS_MAX);
     const struct proved_table table = {1, o, fill_table, print_rows};
     return proved_table_write(&table, &o->common);
@@ -88,17 +88,18 @@ static const char help[] =
     "Prints x_0 .. x_K of x(t) = sum x_k(t) beta^k exactly; for spheres\n"
     "x_k(t) = t sum_j c[k][j] t^(3k/2 + 5j/2), j = 0 .. J.\n\n"
     "  --order K        highest power of beta, 0 to 100000\n"
-    "  --terms J        highest j, 0 to 100000\n"
-    "  --format F       text (default), csv, json or latex\n" HELP_JSON_STRINGS HELP_LAW HELP_COMMON
-    "\nColumns of csv and json: k,j,numerator,denominator.\n"
-    "\nExample: corgen trajectory --order 3 --terms 4\n";
+    "  --terms J        highest j of the terms, 0 to 100000\n"
+    "  --format F       format of the output, text, csv, json or latex (default text)\n" HELP_JSON_STRINGS HELP_LAW
+        HELP_COMMON "\n"
+    "Columns of csv and json: k,j,numerator,denominator.\n\n"
+    "Example: corgen trajectory --order 3 --terms 4\n";
 
 #define ARGUMENTS struct trajectory_arguments
 static const struct option_rule options[] = {
     OPTION("order", WHOLE, order, .range.whole = {0, MAX_ORDER},
-           .why = "an order needs all below it, and their cost grows faster than its cube", .required = true),
-    OPTION("terms", WHOLE, terms, .range.whole = {0, MAX_TERMS},
-           .why = "the exact rationals of more terms outgrow any memory", .required = true),
+           .why = "the time grows faster than the cube of the order", .required = true),
+    OPTION("terms", WHOLE, terms, .range.whole = {0, MAX_TERMS}, .why = "more terms do not fit into memory",
+           .required = true),
     OPTION_FORMAT(option_formats_latex),
     OPTION_JSON_STRINGS,
     OPTION_LAW,

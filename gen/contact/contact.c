@@ -21,10 +21,10 @@ enum { CONTACT_BITS = 64 };
 int contact_enclosed(struct cor_scaled_impact *impact, const struct cor_exponents *law, double beta, int end)
 {
     if (!(beta <= ENCLOSED_BETA_MAX))
-        return -usage_error(
-            "beta is %g at an impact; allowed for x'' + beta x^(%ld/%ld) x' + x^(%ld/%ld) = 0: up to %g", beta,
-            (long)law_damping(law).num, (long)law_damping(law).den, (long)law_elastic(law).num,
-            (long)law_elastic(law).den, ENCLOSED_BETA_MAX);
+        return -usage_error("beta is %g at an impact; allowed for x'' + beta x^(%ld/%ld) x' + x^(%ld/%ld) = 0: up to "
+                            "%g; use less damping",
+                            beta, (long)law_damping(law).num, (long)law_damping(law).den, (long)law_elastic(law).num,
+                            (long)law_elastic(law).den, ENCLOSED_BETA_MAX);
     LOCAL_INIT(collision, c, (&c));
     LOCAL(arb, x, force);
     arb_set_d(x, beta);
@@ -38,7 +38,7 @@ int contact_enclosed(struct cor_scaled_impact *impact, const struct cor_exponent
 int contact_status(int status)
 {
     if (status == COR_FAULT_PRESSED)
-        return fail("the damping of an impact is too strong to be integrated under gravity or adhesion");
+        return fail("the damping is too strong to integrate an impact under gravity or adhesion; use less damping");
     return status < 0 ? -status : status == COR_FAULT_NONE ? STATUS_OK : STATUS_FAILED;
 }
 
@@ -65,25 +65,24 @@ int contacts_of_request(struct contacts *contacts, const struct embed_request *r
     if (status <= 0)
         return status == COR_FAULT_NONE ? STATUS_OK : STATUS_FAILED;
     if (fault.fault == COR_FAULT_NO_DAMPING && contacts->scene.end == COR_END_APPROACH_ONLY)
-        return usage_error("--end approach-only: no damping is known for this restitution; allowed: the laws "
-                           "viscoelastic, linear, tsuji, hertz-dashpot and hunt-crossley, without force, yield and "
-                           "liquid");
+        return usage_error("--end approach-only with --restitution needs the law viscoelastic, linear, tsuji, "
+                           "hertz-dashpot or hunt-crossley, without force, yield and liquid");
     const struct cor_scene_contact *const c = &contacts->contact[0];
     const double at_m_s = isnan(contacts->at_m_s) ? 1 : contacts->at_m_s,
                  elastic_s = cor_scene_elastic_duration_s(c, at_m_s), duration_s = sphere.number[COR_SCENE_DURATION];
     if (fault.fault == COR_FAULT_NO_DURATION && !isnan(elastic_s)) {
         const bool longer = duration_s > elastic_s;
-        return usage_error("--duration %g: without damping this contact lasts for %.6g s. Damping prolongs it if it "
-                           "ends at zero overlap, and shortens it if it ends at zero force: give --end %s, or a %s "
-                           "--duration",
+        return usage_error("--duration %g: without damping this contact lasts for %.6g s. Damping prolongs a contact "
+                           "that ends at zero overlap and shortens a contact that ends at zero force; give --end %s, "
+                           "or a %s --duration",
                            duration_s, elastic_s, longer ? "zero-overlap" : "zero-force",
                            longer ? "shorter" : "longer");
     }
     if (fault.fault == COR_FAULT_NO_DAMPING)
-        return fail("no damping found for which eps is %g", embed_number(request, COR_SCENE_RESTITUTION));
+        return fail("found no damping that gives eps = %g", embed_number(request, COR_SCENE_RESTITUTION));
     if (fault.fault == COR_FAULT_VISCOSITY)
-        return usage_error("--%s: '%s' is not two numbers, 0 or more, with a comma between them: ETA1,ETA2 in Pa s, as "
-                           "1e3,2e3",
+        return usage_error("--%s: '%s' is not two numbers, 0 or more, with a comma between them: ETA1,ETA2 in Pa s, "
+                           "for example 1e3,2e3",
                            cor_scene_options[fault.number].name,
                            request->viscosity[fault.number == COR_SCENE_VISCOSITY_2]);
     cor_scene_fault_text(text, sizeof text, &fault, law_equation(&contacts->scene.law).text, NULL);
@@ -94,8 +93,8 @@ int contacts_without_jkr(struct contacts *contacts, const struct embed_request *
 {
     const int status = contacts_of_request(contacts, request);
     return status == STATUS_OK && contacts->contact[0].adhesion_j_m2 > 0
-               ? usage_error("--adhesion-model jkr: corgen contact has its numbers, at any list of speeds; allowed "
-                             "here: dmt")
+               ? usage_error(
+                     "--adhesion-model jkr works only in corgen contact, with any list of speeds; allowed here: dmt")
                : status;
 }
 
@@ -106,7 +105,7 @@ const char *contact_law_text(char text[CONTACT_LAW_TEXT], const struct cor_scene
                                   : snprintf(text, CONTACT_LAW_TEXT, "%s", law_equation(&contact->law).text);
     if (contact->liquid_speed_m_s > 0)
         snprintf(text + length, (size_t)(CONTACT_LAW_TEXT - length),
-                 ", in a liquid that takes %.6g m/s on the way in and on the way out", contact->liquid_speed_m_s);
+                 ", in a liquid that removes %.6g m/s on the way in and on the way out", contact->liquid_speed_m_s);
     return text;
 }
 
@@ -116,9 +115,8 @@ void contact_warn_yield(const struct contacts *contacts, double speed_m_s)
     const double speed = speed_m_s - c->liquid_speed_m_s;
     if (c->plastic || !(c->yield_speed_m_s > 0) || !(speed > c->yield_speed_m_s))
         return;
-    fail("warning: at %g m/s the largest Hertzian pressure would be %.4g Pa, above 1.6 times the yield "
-         "stress, %.4g Pa. The bodies yield from %.4g m/s on, and this law does not describe them there; "
-         "--law elastic-plastic does.",
+    fail("warning: at %g m/s the largest Hertzian pressure would be %.4g Pa, above 1.6 times the yield stress, %.4g "
+         "Pa. The bodies yield above %.4g m/s, which this law does not describe; use --law elastic-plastic.",
          speed_m_s, cor_scene_pressure(c, cor_scene_elastic_overlap(c, speed)),
          cor_scene_pressure(c, cor_scene_elastic_overlap(c, c->yield_speed_m_s)),
          c->yield_speed_m_s + c->liquid_speed_m_s);
@@ -168,8 +166,8 @@ char *contact_own_lines(const struct own_law *law, const struct embed_request *r
         if (known->models[k].has_function && known->models[k].law == COR_LAW_IMPULSE)
             model = &known->models[k];
     if (!model)
-        return usage_error("--for %s: %s computes eps of a spring and a dashpot, and --law %s has neither; allowed: "
-                           "rebound or bullet, which call a function of the speed",
+        return usage_error("--for %s: %s has a spring and a dashpot, but --law %s gives only eps; allowed: rebound or "
+                           "bullet, which call a function of the speed",
                            simulator, known->title, embed_law_names[law->law]),
                NULL;
     char *text = NULL, *const options = embed_options(request, INT_MAX);

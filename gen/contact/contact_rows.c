@@ -153,7 +153,8 @@ static int step_for(double *time_step, const struct row *row, size_t rows, const
         const int status =
             cor_scene_step_for(&n, &r->contact, r->speed_m_s, end, request->step_tolerance, request->integrator);
         if (status == COR_FAULT_STEP)
-            return fail("no time step found at which bias and scatter of eps stay below %g at %g m/s",
+            return fail("found no time step that keeps bias and scatter of eps below %g at %g m/s; give a larger "
+                        "--step-tolerance",
                         request->step_tolerance, r->speed_m_s);
         if (status != COR_FAULT_NONE)
             return contact_status(status);

@@ -25,10 +25,9 @@ static int model_of(const char *name, const struct cor_scene_contact *contact)
             return id;
         snprintf(names + length, sizeof names - length, "%s, ", model->name);
     }
-    return usage_error(
-               "'%s' is not a model of a tangential force; allowed for --tangential: %sor the name of a simulator: "
-               "lammps, liggghts, yade, mercurydpm",
-               name, names),
+    return usage_error("--tangential: '%s' is not a model of a tangential force; allowed: %sor the name of a "
+                       "simulator: lammps, liggghts, yade, mercurydpm",
+                       name, names),
            -1;
 }
 
@@ -49,8 +48,8 @@ static int spring_of(double *spring, double *damper, const struct contacts *cont
     if (!isnan(*spring))
         return STATUS_OK;
     if (!hertz)
-        return usage_error("the tangential stiffness of %s is not known: give --tangential-stiffness KT, in N/m%s",
-                           model->name, c->law.elastic == c->law.denominator ? ", or --tangential-restitution E" : "");
+        return usage_error("--tangential %s needs --tangential-stiffness KT in N/m%s", model->name,
+                           c->law.elastic == c->law.denominator ? ", or --tangential-restitution E" : "");
     const struct cor_body one = cor_scene_body(&contacts->scene, 1), two = cor_scene_body(&contacts->scene, 2);
     *spring = c->stiffness / 3.5 *
               cor_tangential_kappa(one.young_modulus_pa, one.poisson_ratio, two.young_modulus_pa, two.poisson_ratio);
@@ -70,11 +69,10 @@ static int impact_of(struct cor_oblique_impact *impact, const struct contacts *c
     status = cor_scene_tangential_scaled(&tangential, c, (enum cor_tangential_id)id, spring, damper, speed);
     if (status == COR_FAULT_NONE)
         status = cor_scene_oblique(impact, c, &tangential, request->friction, speed, tangent, end);
-    return status == COR_FAULT_NONE
-               ? STATUS_OK
-               : fail("the oblique impact at %g m/s with the tangential speed %g m/s is beyond the "
-                      "range of the integration",
-                      speed, speed * tangent);
+    return status == COR_FAULT_NONE ? STATUS_OK
+                                    : fail("cannot integrate the oblique impact at %g m/s with the tangential speed %g "
+                                           "m/s: its numbers are out of range",
+                                           speed, speed * tangent);
 }
 
 /* ---- Walton's three numbers ---- */

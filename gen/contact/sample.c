@@ -98,7 +98,8 @@ static int fill_pieces(struct sampler *c, double low, double high)
     double width = high - low;
     while (low < high) {
         if (c->pieces == PIECES_MOST)
-            return fail("eps changes too fast in this range of speeds to be sampled");
+            return fail(
+                "eps changes too fast with the speed to be sampled in this range; give a narrower range of speeds");
         struct piece *const piece = &c->piece[c->pieces];
         piece->low = low;
         piece->high = low + width < high * (1 - 1e-12) - 1e-12 ? low + width : high;
@@ -118,7 +119,9 @@ static int fill_pieces(struct sampler *c, double low, double high)
         if (error > PIECE_ERROR) {
             width = (piece->high - piece->low) / 2;
             if (width < 1e-3)
-                return fail("eps changes too fast near %g m/s to be sampled", exp(low));
+                return fail(
+                    "eps changes too fast with the speed to be sampled near %g m/s; give a range without this speed",
+                    exp(low));
             continue;
         }
         c->pieces++;
@@ -371,8 +374,8 @@ int sample_choose(struct sample *sample, const struct sample_request *request)
     for (int q = 0; q < c.quantities; q++) {
         const double low = function_value(&c, q, c.low), high = function_value(&c, q, c.high);
         if (!(fmin(low, high) > 1e-280 && fmax(low, high) < 1e280))
-            return usage_error("%s is %g at %g m/s and %g at %g m/s: a relative tolerance needs a number above 0; give "
-                               "a narrower range of speeds%s",
+            return usage_error("%s is %g at %g m/s and %g at %g m/s, but a relative tolerance needs values above 0; "
+                               "give a narrower range of speeds%s",
                                q == 0 ? "eps" : "the duration", low, request->speed_min, high, request->speed_max,
                                request->contact->force_n > 0 ? ", above the sticking speed of corgen contact"
                                                              : ", or --end zero-force");
@@ -386,7 +389,7 @@ int sample_choose(struct sample *sample, const struct sample_request *request)
     const double allowed = request->tolerance * (1 - 1e-6);
     const size_t segments = status == STATUS_OK ? place_points(&c, x, SAMPLE_MOST_POINTS, allowed, &last) : 0;
     if (segments >= SAMPLE_MOST_POINTS)
-        status = usage_error("--tolerance %g needs more than %d points: use --cubic, or corgen embed for a formula",
+        status = usage_error("--tolerance %g needs more than %d points; use --cubic, or corgen embed for a formula",
                              request->tolerance, SAMPLE_MOST_POINTS);
     if (status == STATUS_OK) {
         if (segments > 1 && segments <= MANY_SEGMENTS)

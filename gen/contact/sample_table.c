@@ -102,7 +102,7 @@ void sample_print(FILE *file, const struct sample *sample, const struct sample_r
     case SAMPLE_TEXT: /* also compares it with the evenly spaced table */
         column[columns++] = (struct column){"even_speed_m_s", sample->even.speed_m_s};
         column[columns++] = (struct column){"even_eps", sample->even.value[0]};
-        fprintf(file, "As many evenly spaced points: %.4g.", sample->even.error);
+        fprintf(file, "The same number of evenly spaced points: %.4g.", sample->even.error);
         if (isfinite(sample->error_of_fewer))
             fprintf(file, " One point fewer, placed as well as possible: %.4g.", sample->error_of_fewer);
         fputs("\n\n", file);

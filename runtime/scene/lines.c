@@ -466,10 +466,10 @@ static int correct_block(struct block *block, const struct task *task)
     if (block->model->law == COR_LAW_IMPULSE)
         return 1;
     snprintf(block->reason, SENTENCE, "its damping has no correction for the time step: %s",
-             task->request->speeds != 1 ? "it holds at one impact speed, which is to be given"
+             task->request->speeds != 1 ? "it holds at one impact speed; give one speed"
              : integrator_of(task) == COR_NO_INTEGRATOR
-                 ? "its method is implicit, or chooses its steps"
-                 : "the step is not known, or so long that no damping makes the mean right");
+                 ? "its integrator is implicit, or chooses its own steps"
+                 : "the step is not known, or too long for any damping to correct the mean");
     if (task->request->speeds != 1)
         return 0;
     for (int pair = PAIR; pair < PAIRS; pair++) {
@@ -533,25 +533,26 @@ static int fill_block(struct block *block, struct task *task, const struct cor_s
         block->number[pair] = cor_simulator_number(model, &task->target[pair], task->has_law, &status);
     const double requested = cor_simulator_damping(model, target, task->has_law), number = block->number[PAIR];
     if (status == COR_SIMULATOR_NO_CLOSED_FORM && task->pressed && !task->has_law) {
-        snprintf(block->reason, SENTENCE, "under gravity its lines need the spring of the contact");
-    } else if (status == COR_SIMULATOR_NO_CLOSED_FORM) {
         snprintf(block->reason, SENTENCE,
-                 "its end, %s, has no closed form of the damping: give --damping-coefficient C, or --end with "
-                 "--restitution",
-                 cor_end_names[model->end]);
+                 "under gravity it needs mass and stiffness: give bodies, or --stiffness and --effective-mass");
+    } else if (status == COR_SIMULATOR_NO_CLOSED_FORM) {
+        snprintf(
+            block->reason, SENTENCE,
+            "the damping of its end, %s, has no closed form: give --damping-coefficient C, or --end with --restitution",
+            cor_end_names[model->end]);
     } else if (status == COR_SIMULATOR_NO_SCALES) {
         snprintf(block->reason, SENTENCE, "it needs %s",
                  isnan(target->contacts->mass_kg)
                      ? "mass and stiffness: give bodies, or --stiffness and --effective-mass"
-                     : "the effective radius of bodies, which --stiffness and --effective-mass do not have");
+                     : "the effective radius of bodies: give bodies instead of --stiffness and --effective-mass");
     } else if (isnan(number)) {
         cor_simulator_reach(model, &least, &most);
-        snprintf(block->reason, SENTENCE, "no e realises %s, the e of this model reach %s to %s%s",
+        snprintf(block->reason, SENTENCE, "no e realises %s; the e of this model realise %s to %s%s",
                  TEXT(cor_law_eps(model->law, model->end, requested)), TEXT(least), TEXT(most),
                  status == COR_SIMULATOR_TOO_SMALL && model->end == COR_END_ZERO_FORCE
-                     ? " (its formula is that of contacts that end at zero overlap, and its force ends at zero, so "
-                       "e^-2 = 0.1353 is the least); set its damping coefficient instead, by --stiffness and "
-                       "--effective-mass, or choose a larger e"
+                     ? " (its formula assumes the end zero overlap, but its force ends at zero, so the least is "
+                       "exp(-2) = 0.1353); set its damping coefficient instead, by --stiffness and --effective-mass, "
+                       "or choose a larger e"
                      : "");
     }
     if (isnan(number))
@@ -1155,12 +1156,10 @@ static int put_all(struct text *t, struct task *task)
             *t = before;
             if (!*task->refusal)
                 refuse_task(task, "%s, %s: %s", task->simulator->name, model->model,
-                            !filled                                           ? block.reason
-                            : cor_law_is_hertz(&task->request->contacts->law) ? "it needs numbers that are not given: "
-                                                                                "bodies, or --stiffness and "
-                                                                                "--effective-mass"
-                                                                              : "its force is Hertz's: give bodies, "
-                                                                                "and leave out --law, or --law tsuji");
+                            !filled ? block.reason
+                            : cor_law_is_hertz(&task->request->contacts->law)
+                                ? "it needs bodies, or --stiffness and --effective-mass"
+                                : "its force is Hertz's: give bodies, and leave out --law, or write --law tsuji");
         }
     if (!active.model)
         return 0;
@@ -1220,21 +1219,21 @@ static int find_speed(struct task *task)
     double eps = NAN;
     if (!task->has_law && isnan(speed))
         return refuse_task(task,
-                           "%s does not have the law %s; its lines hold at one impact speed: give it by --speed G, as "
-                           "--speed 1",
+                           "%s does not have the law %s, so its lines hold at one impact speed: give it by --speed G, "
+                           "for example --speed 1",
                            task->simulator->name, task->law);
     if (cor_scene_given(scene, COR_SCENE_RESTITUTION) && (constant || speed == at)) {
         eps = scene->number[COR_SCENE_RESTITUTION];
     } else if (scene->end == COR_BOTH_ENDS && cor_scene_ends_differ(request->contacts)) {
         if (!task->has_law && !constant)
-            return refuse_task(
-                task,
-                "eps of this contact at zero overlap differs from that at the other end; give the one that %s "
-                "is to realise: --end zero-overlap or %s",
-                task->simulator->name, task->pressed ? "surface" : "zero-force");
+            return refuse_task(task,
+                               "eps of this contact differs between its two ends; give the end whose eps %s must "
+                               "realise: --end zero-overlap or %s",
+                               task->simulator->name, task->pressed ? "surface" : "zero-force");
     } else if ((!isnan(speed) || constant) &&
                cor_scene_eps(&eps, request->contacts, isnan(speed) ? 1 : speed, end_of(scene)) != COR_FAULT_NONE) {
-        return refuse_task(task, "eps of the law %s is not known without a solver", task->law);
+        return refuse_task(
+            task, "eps of the law %s needs a solver, which the library does not have; use corgen contact", task->law);
     }
     soften_wall(task);
     fill_pairs(task, task->request->contacts, request->count, speed, eps);
@@ -1291,7 +1290,7 @@ static int check_friction(struct task *task)
             "and add it to your input",
             model->name, task->simulator->title);
     if (task->types == 2 && !r->scene->wall)
-        return refuse_task(task, "lines with --friction need two bodies of one material and size, or a wall");
+        return refuse_task(task, "lines with --friction need two bodies of the same material and size, or a wall");
     return lammps || !(r->tangential_damping > 0) ||
            refuse_task(task, "only LAMMPS has lines with a tangential damping; leave out --tangential-damping");
 }
@@ -1310,13 +1309,11 @@ static int check_task(struct task *task)
                            request->version, task->simulator->title);
     task->pressed = contact->force_n > 0;
     if (cor_scene_given(request->scene, COR_SCENE_ADHESION) || contact->adhesion_j_m2 > 0)
-        return refuse_task(task,
-                           "no model of these lines adheres; leave out --adhesion, and see docs/contact.md for the eps "
-                           "with it");
+        return refuse_task(task, "none of the models in these lines has adhesion; leave out --adhesion "
+                                 "(docs/contact.md gives eps with adhesion)");
     if (contact->liquid_speed_m_s > 0)
-        return refuse_task(task,
-                           "no simulator has lines for a contact in a liquid; corgen sample tabulates its eps, for a "
-                           "host that calls a function of the speed");
+        return refuse_task(task, "no simulator has lines for a contact in a liquid; corgen sample writes a table of "
+                                 "its eps, for simulators that call a function of the speed");
     if (named >= 0)
         snprintf(task->law, NUMBER, "%s", cor_law_name((enum cor_law)named));
     else
@@ -1328,7 +1325,7 @@ static int check_task(struct task *task)
         has_wall = has_wall || task->simulator->models[i].wall_lines;
     }
     return !request->scene->wall || has_wall || request->materials ||
-           refuse_task(task, "no model of %s has lines for a wall", task->simulator->title);
+           refuse_task(task, "no model of %s has lines for a wall; leave out --wall", task->simulator->title);
 }
 
 /* Replaces a law that no model has. If a model is linear, the contact in *request becomes a spring of the same duration
@@ -1372,7 +1369,7 @@ static int check_numbers(struct task *task)
         moderate = moderate && cor_is_moderate(&request->contacts[i], 1);
     for (size_t i = 0; i < request->speeds; i++)
         moderate = moderate && cor_is_moderate(&request->contacts[0], request->speed_m_s[i]);
-    return moderate || refuse_task(task, "lines need numbers in SI units from 1e-48 to 1e48");
+    return moderate || refuse_task(task, "a number of these lines is out of range; allowed: 1e-48 to 1e48 in SI units");
 }
 
 /* ---- several materials ---- */
@@ -1446,8 +1443,8 @@ static int find_contact(struct task *task, size_t i, size_t j)
             number[COR_SCENE_DISSIPATION_TIME_2] = dissipation_time(r, j, end, &ends);
             if (isnan(number[COR_SCENE_DISSIPATION_TIME] + number[COR_SCENE_DISSIPATION_TIME_2]))
                 return refuse_contact(task, i, j,
-                                      "nothing gives the damping of their contact; allowed: a row of pairs for them, "
-                                      "or, for each, a dissipation time or a row of viscoelastic pairs with itself");
+                                      "the damping of their contact is missing; give a row of pairs for both, or, for "
+                                      "each of them, a dissipation time or a row of viscoelastic pairs with itself");
         }
         const int status = cor_scene_contacts(found, &c->count, &fault, &c->scene);
         if (status != COR_FAULT_NONE) {
@@ -1503,13 +1500,13 @@ static int check_materials(struct task *task)
                                m->name, m->made_of);
     }
     if (balls == 0)
-        return refuse_task(task, "no material has balls: at least one is to have a radius, and no wall");
+        return refuse_task(task, "no material has balls; give at least one row with a radius that is not a wall");
     if (task->simulator->one_wall && types > balls + 1)
-        return refuse_task(task, "%s has one material for all walls; leave out %s", task->simulator->title,
+        return refuse_task(task, "%s has one material for all walls; leave out the wall %s", task->simulator->title,
                            material_of(r, balls + 1)->name);
     for (const struct cor_material_pair *p = r->pairs; p < r->pairs + r->pair_count; p++) {
         if (p->a >= types || p->b >= types)
-            return refuse_task(task, "a pair has a material that is not in the list");
+            return refuse_task(task, "a pair has a material that is not in the list of materials");
         const struct cor_material *const a = &r->materials[p->a], *const b = &r->materials[p->b];
         if (is_wall(a) && is_wall(b))
             return refuse_task(task, "%s and %s: two walls never touch; leave out this pair", a->name, b->name);

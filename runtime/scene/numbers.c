@@ -94,89 +94,93 @@ int cor_scene_check_bodies(struct cor_scene_fault *fault, const struct cor_scene
 /* ---- messages of faults ---- */
 
 #define BODY_RULE                                                                                                      \
-    "a contact of bodies has --young, --poisson, --radius and --density or --mass, as --young 7e10 --poisson 0.17 "    \
-    "--radius 1e-3 --density 1600; -2 for the second body, or --wall"
+    "a contact of bodies needs --young, --poisson, --radius and --density or --mass, for example --young 7e10 "        \
+    "--poisson 0.17 --radius 1e-3 --density 1600; a different second body has the same options with -2, or --wall"
 #define PAIR_RULE                                                                                                      \
-    "With --effective-mass two of --stiffness, --damping-coefficient, --duration and one of the ratios "               \
-    "--restitution, --beta, --zeta determine a contact; two ratios do not"
+    "With --effective-mass, two of these determine a contact: --stiffness, --damping-coefficient, --duration and one " \
+    "ratio, --restitution, --beta or --zeta"
 #define WAY_RULE                                                                                                       \
-    "The dissipation is one of --dissipation-time A (s), --viscosity ETA1,ETA2 (Pa s), --g-star G (m/s), "             \
-    "--restitution E --at SPEED (as --restitution 0.9 --at 1), --damping-coefficient C, --beta B --at SPEED, --zeta Z"
+    "Give one dissipation: --dissipation-time A (s), --viscosity ETA1,ETA2 (Pa s), --g-star G (m/s), --restitution E " \
+    "--at SPEED (such as --restitution 0.9 --at 1), --damping-coefficient C, --beta B --at SPEED or --zeta Z"
 
 /* In braces: names of the fault's numbers, the law, the rule of bodies, the status of libcor, the text of more_of */
 static const char *const sentences[] = {
     [COR_FAULT_SOLVER] = "the law {law} has no functions in cor; corgen contact solves it",
-    [COR_FAULT_NO_DAMPING] = "no damping found for which eps is the --restitution",
+    [COR_FAULT_NO_DAMPING] = "found no damping that gives the eps of --restitution",
     [COR_FAULT_MISSING] = "--{number} is missing: {bodies}",
-    [COR_FAULT_ONE_OF] = "--{number} and --{other}: give one of them; {bodies}",
+    [COR_FAULT_ONE_OF] = "give exactly one of --{number} and --{other}; {bodies}",
     [COR_FAULT_EXCLUDED] = "--{number} and --{other} exclude each other",
-    [COR_FAULT_WALL] = "--wall is flat and held fast: no --radius-2{more} or --mass-2",
-    [COR_FAULT_MATERIAL] = "these bodies make no contact: {status}",
-    [COR_FAULT_VISCOSITY] = "--{number} is not two numbers, 0 or more: ETA1,ETA2 in Pa s, as 1e3,2e3",
+    [COR_FAULT_WALL] = "--wall is flat and fixed: leave out --radius-2{more} and --mass-2",
+    [COR_FAULT_MATERIAL] = "the numbers of these bodies give no contact: {status}",
+    [COR_FAULT_VISCOSITY] =
+        "--{number} is not two numbers, 0 or more, with a comma between them: ETA1,ETA2 in Pa s, for example 1e3,2e3",
     [COR_FAULT_PLATE_LAW] = "--plate-thickness needs --law plate",
-    [COR_FAULT_PLATE_END] =
-        "--end zero-force: a plate has the end zero-overlap alone; its contact force is never attractive",
+    [COR_FAULT_PLATE_END] = "--end zero-force does not apply to --law plate, whose contact force is never attractive; "
+                            "write --end zero-overlap",
     [COR_FAULT_PLATE_BODIES] =
-        "--law plate needs a sphere and a plate: --young, --poisson, --radius, --density or --mass, --plate-thickness, "
-        "and -2 of the plate, as --young 7e10 --poisson 0.24 --radius 5e-3 --density 2500 --plate-thickness 3e-3",
+        "--law plate needs a sphere and a plate, for example --young 7e10 --poisson 0.24 --radius 5e-3 --density 2500 "
+        "--plate-thickness 3e-3; a plate of another material has --young-2, --poisson-2 and --density-2",
     [COR_FAULT_PLATE_NUMBERS] =
-        "--law plate is a sphere on a plate of --plate-thickness H, as 3e-3, and, where they differ from the sphere's, "
-        "--young-2, --poisson-2 and --density-2; no --radius-2, --mass-2 or --wall",
-    [COR_FAULT_PLATE_DENSITY] = "--density-2 is missing: the density of the plate in kg/m^3, as 2500",
-    [COR_FAULT_PLATE_DAMPING] = "the plate dissipates by its own motion: --law plate takes no --{number}, only the "
-                                "--dissipation-time or --viscosity of the sphere",
-    [COR_FAULT_TWO_CONTACTS] = "--stiffness with --effective-mass and bodies exclude each other; {bodies}",
+        "--law plate needs --plate-thickness H in m, for example 3e-3; a plate of another material has --young-2, "
+        "--poisson-2 and --density-2, but no --radius-2, --mass-2 or --wall",
+    [COR_FAULT_PLATE_DENSITY] =
+        "--density-2 is missing: the density of the plate in kg/m^3, for example --density-2 2500",
+    [COR_FAULT_PLATE_DAMPING] = "--law plate has no --{number}, because the plate dissipates by its own motion; "
+                                "allowed: --dissipation-time or --viscosity of the sphere",
+    [COR_FAULT_TWO_CONTACTS] = "give bodies, or --stiffness with --effective-mass, but not both; {bodies}",
     [COR_FAULT_SPRING] =
-        "--{number} is missing: a spring has --stiffness K in N/m^a, or the --duration T of its contacts in s, and "
-        "--effective-mass m_1 m_2/(m_1 + m_2) in kg, as --stiffness 1e5 --effective-mass 1e-3{more}",
-    [COR_FAULT_NOT_HERTZ] = "two bodies have Hertz's force, x^(3/2); the law {law} needs --stiffness K in N/m^a and "
-                            "--effective-mass M in kg, as --stiffness 1e5 --effective-mass 1e-3",
-    [COR_FAULT_NO_WAY] = "no dissipation is given. A drop measures it: from the height H to H' on the rebound is "
-                         "--restitution E --at G with E = sqrt(H'/H) and G = sqrt(2 g H), as --restitution 0.9 --at 1; "
-                         "--dissipation-time 0 is elastic. " WAY_RULE,
+        "--{number} is missing: a spring needs --stiffness K in N/m^a, or the --duration T of its contacts in s, and "
+        "--effective-mass m_1 m_2/(m_1 + m_2) in kg, for example --stiffness 1e5 --effective-mass 1e-3{more}",
+    [COR_FAULT_NOT_HERTZ] =
+        "two bodies have Hertz's force, x^(3/2), but the law {law} has another; instead of bodies give --stiffness K "
+        "in N/m^a and --effective-mass M in kg, for example --stiffness 1e5 --effective-mass 1e-3",
+    [COR_FAULT_NO_WAY] = "no dissipation is given. A drop from the height H that rebounds to H' gives --restitution E "
+                         "--at G, with E = sqrt(H'/H) and G = sqrt(2 g H). --dissipation-time 0 is elastic. " WAY_RULE,
     [COR_FAULT_TWO_WAYS] = "--{number} and --{other} exclude each other{more}. " WAY_RULE ". " PAIR_RULE,
-    [COR_FAULT_NOT_SPHERE] = "--{number} is that of viscoelastic spheres, not of the law {law}: give --restitution "
+    [COR_FAULT_NOT_SPHERE] = "--{number} belongs to viscoelastic spheres, not to the law {law}; give --restitution "
                              "E{more} or --damping-coefficient C",
-    [COR_FAULT_CONSTANT] =
-        "--g-star: eps of the law {law} is the same at every speed; give --restitution E or --zeta Z, as --zeta 0.1",
-    [COR_FAULT_NOT_CONSTANT] = "--zeta is the damping ratio of the laws linear and tsuji; the law {law} takes "
+    [COR_FAULT_CONSTANT] = "--g-star: eps of the law {law} is the same at every speed; give --restitution E or --zeta "
+                           "Z, for example --zeta 0.1",
+    [COR_FAULT_NOT_CONSTANT] = "--zeta is the damping ratio of the laws linear and tsuji; for the law {law} give "
                                "--restitution E --at SPEED or --damping-coefficient C",
     [COR_FAULT_NO_BODIES] = "--{number} needs bodies{more}: {bodies}",
     [COR_FAULT_NO_SCALES] = "--{number} needs bodies, or --stiffness and --effective-mass: {bodies}",
-    [COR_FAULT_NO_SPEED] = "--{number} needs --at SPEED in m/s, as --at 1: {more}",
-    [COR_FAULT_SPEED_ALONE] = "--at is the speed of --restitution, --beta or --duration, and none is given",
-    [COR_FAULT_FIRST_MISSING] = "--{number} needs --{other}, that of the first body",
+    [COR_FAULT_NO_SPEED] = "--{number} needs --at SPEED in m/s, for example --at 1: {more}",
+    [COR_FAULT_SPEED_ALONE] =
+        "--at is the speed of --restitution, --beta or --duration; give one of them, or leave out --at",
+    [COR_FAULT_FIRST_MISSING] = "--{number} needs --{other} of the first body",
     [COR_FAULT_NO_SECOND_BODY] = "--{number} needs a second body that is viscoelastic",
-    [COR_FAULT_RANGE] = "a number of this contact, or its speed, is out of range: numbers with units are from 1e-250 "
-                        "to 1e250, and those of bodies and dissipation must not be too far apart",
-    [COR_FAULT_NO_STIFFNESS] = "no stiffness gives this contact both numbers: with this damping its bodies never part, "
-                               "or it has no damping, or the stiffness is beyond a double",
-    [COR_FAULT_PRESSED] = "the damping of the law {law} is too strong to be integrated under gravity or adhesion",
-    [COR_FAULT_GRAVITY] = "--gravity presses a ball to a --wall or a plate; two free bodies fall together, and their "
-                          "contact knows nothing of it",
+    [COR_FAULT_RANGE] = "a number of this contact, or its speed, is out of range; allowed: 1e-250 to 1e250 in SI "
+                        "units, if the numbers of bodies and dissipation are not too far apart",
+    [COR_FAULT_NO_STIFFNESS] = "no stiffness gives this contact both numbers: with this damping the bodies never part, "
+                               "or the damping is 0, or the stiffness is too large for a double",
+    [COR_FAULT_PRESSED] =
+        "the damping is too strong to integrate the law {law} under gravity or adhesion; use less damping",
+    [COR_FAULT_GRAVITY] = "--gravity needs a ball on a --wall or a plate, because gravity does not press two free "
+                          "bodies together; give --wall or leave out --gravity",
     [COR_FAULT_ADHESION] =
-        "--adhesion W, in J/m^2, and --adhesion-model go together, as --adhesion 0.05 --adhesion-model dmt",
+        "give --adhesion W in J/m^2 and --adhesion-model together, for example --adhesion 0.05 --adhesion-model dmt",
     [COR_FAULT_ADHESION_MODEL] =
-        "--adhesion-model jkr is for spheres alone, without gravity and yield, and for the laws viscoelastic, tsuji, "
-        "hunt-crossley and hertz-dashpot; dmt is the constant force 2 pi W R",
-    [COR_FAULT_PRESSED_LAW] = "--gravity and --adhesion have no answer for {more}",
-    [COR_FAULT_NO_YIELD] = "--law elastic-plastic needs --yield-stress Y in Pa, as --yield-stress 1e9, or "
-                           "--restitution E --at SPEED, measured where the bodies yield",
+        "--adhesion-model jkr needs spheres without gravity and yield, and the law viscoelastic, tsuji, hunt-crossley "
+        "or hertz-dashpot; otherwise write --adhesion-model dmt, the constant force 2 pi W R",
+    [COR_FAULT_PRESSED_LAW] = "--gravity and --adhesion are not possible with {more}; leave them out",
+    [COR_FAULT_NO_YIELD] = "--law elastic-plastic needs --yield-stress Y in Pa, for example --yield-stress 1e9, or "
+                           "--restitution E --at SPEED, measured at a speed at which the bodies yield",
     [COR_FAULT_YIELD_DAMPING] =
-        "--{number}: the law elastic-plastic has no damping; it takes --yield-stress Y, or --restitution E --at SPEED",
-    [COR_FAULT_LIQUID] = "--{number} is missing: a liquid has --viscosity-liquid ETA in Pa s and --gap-outer and "
-                         "--gap-inner in m, as --viscosity-liquid 1e-3 --gap-outer 1e-4 --gap-inner 1e-6",
-    [COR_FAULT_GAPS] = "--{number} is not larger than --{other}",
+        "--{number}: the law elastic-plastic has no damping; give --yield-stress Y, or --restitution E --at SPEED",
+    [COR_FAULT_LIQUID] = "--{number} is missing: a liquid needs --viscosity-liquid ETA in Pa s, --gap-outer and "
+                         "--gap-inner in m, for example --viscosity-liquid 1e-3 --gap-outer 1e-4 --gap-inner 1e-6",
+    [COR_FAULT_GAPS] = "--{number} must be larger than --{other}",
     [COR_FAULT_NO_DURATION] =
         "no damping makes this contact last for the --duration. Damping prolongs a contact that ends at zero overlap "
-        "and shortens one that ends at zero force: give --end, or a longer or shorter --duration",
+        "and shortens a contact that ends at zero force; give the other --end or another --duration",
     [COR_FAULT_EQUIVALENT] =
-        "--equivalent makes a linear spring of two bodies at one speed: --law linear --equivalent energy --at V with "
-        "--young, --poisson, --radius, --density and --restitution E, or with --dissipation-time and --end; no "
-        "--plate-thickness, --adhesion, --yield-stress, --viscosity-liquid or --duration",
+        "--equivalent makes a linear spring of two bodies at one speed. It needs --law linear, --at V, --young, "
+        "--poisson, --radius, --density, and --restitution E or --dissipation-time with --end. Leave out "
+        "--plate-thickness, --adhesion, --yield-stress, --viscosity-liquid and --duration",
     [COR_FAULT_TWO_DURATIONS] =
         "--dissipation-time and --duration do not determine a contact that ends at zero overlap: two stiffnesses can "
-        "have them, or none. Give --end zero-force, or --stiffness or --restitution in place of one of them",
+        "match them, or none. Give --end zero-force, or replace one of them by --stiffness or --restitution",
 };
 
 static const char *more_of(const struct cor_scene_fault *fault)
@@ -190,15 +194,15 @@ static const char *more_of(const struct cor_scene_fault *fault)
     case COR_FAULT_SPRING:
         return number == COR_SCENE_STIFFNESS ? ". " PAIR_RULE : "";
     case COR_FAULT_TWO_WAYS:
-        return fault->other == COR_SCENE_DURATION ? ", where the stiffness is given, too" : "";
+        return fault->other == COR_SCENE_DURATION ? ", because the stiffness is given, too" : "";
     case COR_FAULT_NO_BODIES:
-        return number == COR_SCENE_ADHESION    ? ", whose radii multiply it"
-               : number == COR_SCENE_VISCOSITY ? ", whose elasticity divides it"
+        return number == COR_SCENE_ADHESION    ? " for their radii"
+               : number == COR_SCENE_VISCOSITY ? " for their elasticity"
                                                : "";
     case COR_FAULT_NO_SPEED:
         return number == COR_SCENE_DURATION
-                   ? "durations of the law {law} depend on the speed (those of linear do not)"
-                   : "eps of the law {law} depends on the speed (that of linear and tsuji does not)";
+                   ? "durations of the law {law} depend on the speed (only the law linear needs none)"
+                   : "eps of the law {law} depends on the speed (only linear and tsuji need none)";
     default:
         return number == COR_SCENE_YIELD_STRESS ? "--law elastic-plastic" : "a contact in a liquid";
     }

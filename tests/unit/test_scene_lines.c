@@ -253,17 +253,17 @@ TEST(corrected_for_a_step)
     scene_give(scene, {COR_SCENE_RESTITUTION, 0.7}, {COR_SCENE_AT, speed});
     scene.end = COR_END_ZERO_FORCE;
     found(text_for("simbody", NULL, &scene, speed), "refused: simbody, HuntCrossleyForce; OpenSim: its damping has no "
-                                                    "correction for the time step: its method is implicit");
+                                                    "correction for the time step: its integrator is implicit");
     found(text_for("bullet", NULL, &scene, speed), "realises eps = 0.7 at 0.7 m/s\n");
     /* the text names missing numbers, instead of a step */
     scene = scene_without_numbers(COR_LAW_TSUJI);
     scene_give(scene, {COR_SCENE_STIFFNESS, 1e9}, {COR_SCENE_EFFECTIVE_MASS, 1e-3}, {COR_SCENE_RESTITUTION, 0.7});
     corrected_step_s = 1e-7;
-    found(text_for("esys-particle", NULL, &scene, speed), "COR: it needs numbers that are not given: bodies");
+    found(text_for("esys-particle", NULL, &scene, speed), "COR: it needs bodies");
     corrected_step_s = 1;
     scene = bodies(COR_LAW_VISCOELASTIC, 0);
     scene.number[COR_SCENE_DISSIPATION_TIME] = 1e-4;
-    found(text_for("lammps", NULL, &scene, speed), "or so long that no damping makes the mean right");
+    found(text_for("lammps", NULL, &scene, speed), "or too long for any damping to correct the mean");
     corrected_step_s = 0;
 }
 
@@ -491,7 +491,7 @@ TEST(several_materials)
     request.simulator = "mfix";
     request.speeds = 1;
     assert_true(cor_simulator_lines(text, sizeof text, &request) < 0);
-    found(text, "MFiX has one material for all walls; leave out side");
+    found(text, "MFiX has one material for all walls; leave out the wall side");
     request.material_count = 3;
     assert_true(cor_simulator_lines(text, sizeof text, &request) > 0);
     const struct cor_sphere_contact c = pair_of(n[2], n[2], 0);
