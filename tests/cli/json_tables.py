@@ -43,7 +43,7 @@ def cases(draw):
     yield f"contact {bodies} --restitution 0.9 --at 1", "quantity unit", False
     yield f"contact {bodies} --dissipation-time 1e140 --speed {speed}", "", False
     yield f"sample --g-star {draw.uniform(0.1, 9)} --speed-min 0.01 --speed-max 1 --tolerance 1e-2", "", False
-    yield "plan --g-star 20 --speed-min 0.5 --speed-max 1 --tolerance 1e-2 --points 2", "model verdict", False
+    yield "plan --law hunt-crossley --g-star 20 --speed-min 0.5 --speed-max 1 --tolerance 1e-2 --points 2", "model verdict", False
     disks = "--disks --poisson 0.2 --speed-min 0.01 --speed-max 0.02 --tolerance 0.01 --points 2"
     yield f"plan {disks}", "model verdict", False
 

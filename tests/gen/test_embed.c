@@ -108,7 +108,6 @@ static void check_form(const struct embed_form *f, const struct embed_scene *s, 
  * the sampled error. */
 static bool check_proof(struct embed_form *f, const struct embed_scene *s)
 {
-    enum { SPEEDS = 1500 };
     struct embed_proof proof;
     assert_int_equal(embed_prove(&proof, f, s), STATUS_OK);
     check(proof.error >= f->error && proof.formula <= 1.05 * f->error + proof.rounding && proof.proved &&
@@ -117,8 +116,8 @@ static bool check_proof(struct embed_form *f, const struct embed_scene *s)
           "%s: %g proved, %g by rounding, %g sampled", embed_family_name(f->family, s), proof.error, proof.rounding,
           f->error);
     LOCAL(arb, g, eps);
-    for (int k = 0; k < SPEEDS; k++) {
-        double place = 0.61803398874989485 * k;
+    for (size_t k = 0; k < points(1500); k++) {
+        double place = 0.61803398874989485 * (double)k;
         place -= floor(place);
         const double speed = embed_rounded(s, s->speed_min * pow(s->speed_max / s->speed_min, place));
         arb_set_d(g, fmin(fmax(speed, s->speed_min), s->speed_max));
@@ -335,6 +334,8 @@ TEST(test_own_laws)
     const int file = mkstemp(path);
     assert_true(file >= 0 && write(file, rows, sizeof rows - 1) == (ssize_t)sizeof rows - 1 && close(file) == 0);
     for (size_t i = 0; i < COUNT_OF(laws); i++) {
+        if (laws[i].status == STATUS_OK && left_to_turn(i, 2))
+            continue;
         const bool table = laws[i].law == EMBED_LAW_TABLE;
         const int number = laws[i].law == EMBED_LAW_POWER ? EMBED_COEFFICIENT : EMBED_EPS_INF;
         struct embed_request request = request_of(laws[i].min, laws[i].max, laws[i].tolerance, COR_END_ZERO_OVERLAP,

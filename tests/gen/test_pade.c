@@ -72,6 +72,8 @@ TEST(test_reexpansion)
     } entry[] = {{1, 4, COR_END_ZERO_OVERLAP},  {4, 4, COR_END_ZERO_OVERLAP}, {9, 13, COR_END_ZERO_OVERLAP},
                  {13, 9, COR_END_ZERO_OVERLAP}, {1, 4, COR_END_ZERO_FORCE},   {11, 14, COR_END_ZERO_FORCE}};
     for (size_t i = 0; i < sizeof entry / sizeof *entry; i++) {
+        if (left_to_turn(i, 2))
+            continue;
         const struct pade_request r = ordinary(entry[i].m, entry[i].n, entry[i].end);
         LOCAL(pade, f);
         LOCAL(arb_poly, c);

@@ -298,6 +298,7 @@ static double disk_error(const struct plan_model *m, double speed)
 
 TEST(test_disks)
 {
+    leave_to_turn(0, 3);
     struct plan plan;
     plan_of_disks(&plan, PLAN_EPS, "0.01", "0.1", 3);
     assert_string_equal(plan.model[plan.chosen].name, "table: cor_disk_eps");

@@ -162,7 +162,8 @@ TEST(small_steps)
     check(fabs(bias_at(&contact, 1e4, COR_VERLET_HALF_STEP) * 10 / half - 1) < 0.01, "bias %g", half);
     check(fabs(full) < 0.1 * fabs(half) && fabs(bias_at(&contact, 1e4, COR_VERLET_FULL_STEP)) < fabs(full) / 20,
           "half %g, full %g, %g", half, full, bias_at(&contact, 1e4, COR_VERLET_FULL_STEP));
-    check(fabs(bias_at(&contact, COR_SCENE_STEPS_MAX, COR_VERLET_HALF_STEP)) < 1e-7, "at 1e6 steps");
+    check(left_to_turn(0, 3) || fabs(bias_at(&contact, COR_SCENE_STEPS_MAX, COR_VERLET_HALF_STEP)) < 1e-7,
+          "at 1e6 steps");
     for (int k = 0; k < COR_INTEGRATORS; k++)
         check(k == COR_IMPLICIT_EULER || (bias_at(&contact, 12, k) == bias_at(&contact, 12, COR_VERLET_HALF_STEP)) ==
                                              (k != COR_VERLET_FULL_STEP),
