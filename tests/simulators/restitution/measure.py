@@ -198,15 +198,16 @@ def file_of(case, work, number):
     return path
 
 
-def read_steps(case, text):
+def read_steps(case, text, counts=None):
     rows = [row.split()[-3:] for row in text.split("\n") if row.startswith("eps ")]
     values = {int(n): (float(value), float(change)) for n, value, change in rows}
-    if sorted(values) != COUNTS:
+    counts = counts or COUNTS
+    if sorted(values) != counts:
         case.eps = case.eps_most = math.nan
         case.log = text
         return
-    case.eps = case.eps_most = extrapolated(1 + DAMPING_EXPONENT[case.law], [values[n][0] for n in COUNTS])
-    case.change = max(abs(values[n][1]) for n in COUNTS)
+    case.eps = case.eps_most = extrapolated(1 + DAMPING_EXPONENT[case.law], [values[n][0] for n in counts])
+    case.change = max(abs(values[n][1]) for n in counts)
 
 
 def liggghts_commands(paste, case):
@@ -307,11 +308,11 @@ def simbody_cases():
     return cases
 
 
-def stepped_cases(host, word):
+def stepped_cases(host, word, walls=(False, )):
     """Returns cases of an implicit method at its printed time step, at which corgen states the mean eps. word: only
     models whose name has it."""
     cases = []
-    for e, wall in itertools.product(RESTITUTIONS, (False, True)):
+    for e, wall in itertools.product(RESTITUTIONS, walls):
         text = text_for(host, "linear", e, "--end", "zero-force", "--speed", "1", wall=wall)
         for block in blocks_of(text):
             if word in block.model:
@@ -331,7 +332,7 @@ def bullet_cases():
         own.model, own.own = "setRestitution of both bodies, product e, Bullet's defaults", True
         own.lines = [line for line in case.lines if "setRestitution(" in line]
         cases += [case] if case.wall else [case, own]
-    for case in stepped_cases("bullet", "setContactStiffnessAndDamping"):
+    for case in stepped_cases("bullet", "setContactStiffnessAndDamping", (False, True)):
         case.numbers = (1, case.wall, 1, case.step)
         cases.append(case)
     # contact callback: the eps of viscoelastic spheres, 0.5 at 1 m/s
@@ -343,6 +344,26 @@ def bullet_cases():
         cases.append(Case(block, "viscoelastic", "eps(%g m/s)" % speed, math.nan, expected, wall=wall))
         cases[-1].numbers = (speed, wall, 0, 1 / 240)
     return cases
+
+
+def run_ode(program, cases, work):
+    for case in cases:
+        text, h = "\n".join(case.lines), case.step
+        kp, kd = map(float, re.search(r"<kp>(.*)</kp><kd>(.*)</kd>", text).groups())
+        erp, cfm = map(float, re.search(r"soft_erp = (\S+), soft_cfm = (\S+)", text).groups())
+        # Gazebo's ODEPhysics.cc: kp of both collisions in series, kd added
+        same = abs(cfm * (h * kp / 2 + 2 * kd) - 1) < 1e-5 and abs(erp - cfm * h * kp / 2) < 1e-5
+        read_pairs(case, output_of([program, repr(erp), repr(cfm), repr(h)]) if same else text, "ode")
+
+
+def run_esys(cases, work):
+    """A time step of ESyS-Particle costs a millisecond, so its cases have fewer steps."""
+    counts = [500, 1000, 2000]
+    os.environ.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    command = "timeout 60 mpirun -np 2 --oversubscribe esysparticle".split()
+    for number, case in enumerate(cases):
+        options = [os.path.join(HERE, "esys_particle.py"), file_of(case, work, number), "%.17g" % case.duration]
+        read_steps(case, "".join(output_of(command + options + [str(n)]) for n in counts), counts)
 
 
 def installed(program):
@@ -379,6 +400,11 @@ def hosts_of(work):
         Host("bullet", "libbullet-dev", lambda: has_header("btBulletDynamicsCommon.h", BULLET_FLAGS[:2], "c++"),
              bullet_cases, functools.partial(run_compiled, "bullet", BULLET_FLAGS,
                                              "btRigidBody *body, btDiscreteDynamicsWorld *world", bullet_lines)),
+        Host("gazebo", "libode-dev", lambda: has_header("ode/ode.h", [], "c"), lambda: stepped_cases("gazebo", "kp"),
+             functools.partial(run_ode, os.path.join(work, "ode")), lambda: compiled("ode.c", work, ["-lode"])),
+        Host("esys-particle", "esys-particle", lambda: installed("esysparticle") and installed("mpirun"),
+             lambda: [case for case in cases_of("esys-particle", ["tsuji", "viscoelastic"], (False, ))
+                      if case.e in FEW], run_esys),
     ]
 
 
