@@ -32,9 +32,8 @@ export interface Laws {
 export type Law = string;
 /** surface: under a constant force, in place of zero-force */
 export type End = "zero-overlap" | "zero-force" | "surface";
-export type Simulator = "lammps" | "liggghts" | "yade" | "mercurydpm" | "chrono" | "mfix" | "openfoam"
-    | "esys-particle" | "dem-engine" | "exadem" | "mujoco" | "newton" | "drake" | "simbody" | "bullet" | "gazebo"
-    | "physx" | "isaac" | "pfc" | "edem" | "simscape" | "rebound" | "modelica";
+/** a name of Cor.simulators(), as "lammps" */
+export type Simulator = string;
 
 /** The options of `corgen contact`, with _ for each hyphen: bodies or a spring, one way to give the damping, a law. */
 export interface ContactOptions {
@@ -61,13 +60,10 @@ export interface ContactOptions {
     for?: Simulator;
 }
 
-export interface Impacts {
-    beta: Float64Array; eps_zero_overlap: Float64Array; eps_zero_force: Float64Array;
-    duration_s_zero_overlap: Float64Array; duration_s_zero_force: Float64Array;
-    /** under a constant force, in place of those at zero force */
-    eps_surface: Float64Array; duration_s_surface: Float64Array;
-    max_overlap_m: Float64Array; max_force_n: Float64Array; time_step_s: Float64Array;
-}
+/** Columns of numbers; surface: under a constant force, in place of zero_force */
+type EndName = "zero_overlap" | "zero_force" | "surface";
+export type Impacts = Record<"beta" | `eps_${EndName}` | `duration_s_${EndName}` | "max_overlap_m" | "max_force_n"
+    | "time_step_s", Float64Array>;
 
 /** Results are lists of one element, or of two where a restitution is given without its end: measured at zero overlap,
  * and at zero force. */

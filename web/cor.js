@@ -121,7 +121,7 @@ function wrap(c) {
         .filter(([, value]) => value !== undefined && value !== null && value !== false)
         .map(([name, value]) => `${name.replace(/_/g, "-")}=${String(value === true ? "yes" : value).replace(/\n/g, " ")}\n`)
         .join("");
-    const wrong = () => new CorError(text(c.web_wrong_text()), text(c.web_wrong_option()));
+    const wrong = () => new CorError(text(c.web_why(1)), text(c.web_why(0)));
     const read = (options) => {
         const contacts = withText(lines(options), c.web_read);
         if (contacts === 0)
@@ -140,17 +140,15 @@ function wrap(c) {
     // The command that writes a C header of eps over the speeds; where eps is the same at every speed, the header
     const header = (options) => {
         read(options);
-        const law = options.law ?? laws[0] ?? "viscoelastic", ends = text(c.web_headers()).trimEnd().split("\n");
+        const law = options.law ?? laws[0] ?? "viscoelastic", curves = text(c.web_curves()).trimEnd().split("\n");
         const [least, most, tolerance] = ["speed-min", "speed-max", "tolerance"]
             .map((name, i) => Number(options[name] ?? options[name.replace("-", "_")] ?? [1e-3, 10, 1e-6][i]));
-        return ends.map((line) => line.split("\t")).map(([end, eps]) => ({
-            pressed: `/* the law ${law} has no header under a constant force; see corgen plan */\n`,
-            elastic: "/* no dissipation: eps is 1 at every speed */\n",
-            speed: `${command("embed", options, [...range, "speed", "steps", "end"])} --speed-min ${least} ` +
-                `--speed-max ${most} --tolerance ${tolerance} --end ${end} --output cor_scene_eps.h\n`,
-        })[eps] ?? `/* eps of the law ${law}, contact ends at ${end.replace("-", " ")} */\nstatic inline double cor_scene_eps` +
-            `${ends.length > 1 ? `_${end.replace("-", "_")}` : ""}(double speed_m_s)\n{\n    (void)speed_m_s; ` +
-            `/* the same at every speed */\n    return ${eps};\n}\n`).join("\n");
+        return curves.map((line) => line.split("\t")).map(([, end, eps]) => eps
+            ? `/* eps of the law ${law}, contact ends at ${end.replace("-", " ")} */\nstatic inline double cor_scene_eps` +
+                `${curves.length > 1 ? `_${end.replace("-", "_")}` : ""}(double speed_m_s)\n{\n    (void)speed_m_s; ` +
+                `/* the same at every speed */\n    return ${eps};\n}\n`
+            : `${command("embed", options, [...range, "speed", "steps", "end"])} --speed-min ${least} ` +
+                `--speed-max ${most} --tolerance ${tolerance} --end ${end} --output cor_scene_eps.h\n`).join("\n");
     };
 
     class Contact {
@@ -206,8 +204,9 @@ function wrap(c) {
         }
     }
     cor.contact = (options) => new Contact(options);
-    cor.contactLaws = () => table(c.web_laws()).map(([name, label]) => ({ name, label }));
-    cor.simulators = () => table(c.web_simulators()).map(([name, title]) => ({ name, title }));
+    const choices = (of) => table(c.web_choices()).filter(([option]) => option === of);
+    cor.contactLaws = () => choices("law").map(([, name, label]) => ({ name, label }));
+    cor.simulators = () => choices("for").map(([, name, title]) => ({ name, title }));
 
     // For the page: texts about the last right request, and eps of one of its curves
     cor.page = {

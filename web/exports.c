@@ -12,32 +12,23 @@
 
 /* ---- text ---- */
 
-static char *text;
-static size_t size, length;
+/* The largest text, of 64 speeds for 8 materials, has less than 200,000 characters. */
+static char text[1 << 20];
+static size_t length;
 
 __attribute__((format(printf, 1, 2))) static void put(const char *format, ...)
 {
-    va_list list, again;
+    va_list list;
     va_start(list, format);
-    va_copy(again, list);
-    const int more = vsnprintf(text ? text + length : NULL, size - length, format, list);
-    if (length + (size_t)more >= size) {
-        char *const larger = realloc(text, 2 * (length + (size_t)more + 1));
-        if (larger) {
-            text = larger;
-            size = 2 * (length + (size_t)more + 1);
-            vsnprintf(text + length, size - length, format, again);
-        }
-    }
-    length += length + (size_t)more < size ? (size_t)more : 0;
-    va_end(again);
+    const size_t more = (size_t)vsnprintf(text + length, sizeof text - length, format, list);
+    length += more < sizeof text - length ? more : 0;
     va_end(list);
 }
 
 static void clear_text(void)
 {
     length = 0;
-    put("%s", "");
+    text[0] = '\0';
 }
 
 static void put_number(double x, int digits)
@@ -115,12 +106,30 @@ WEB_EXPORT(web_summary) const char *web_summary(int digits)
     return text;
 }
 
-/* Returns an end of the contact as an option: "zero-overlap", "zero-force", "surface". */
-static const char *end_option(const struct web_request *r, int end)
+/* Writes an end of the contact as an option: "zero-overlap", "zero-force", "surface" */
+static void put_end(int end)
 {
-    static const char *const names[][COR_SCENE_ENDS] = {
-        {"zero-overlap", "zero-force"}, {"zero-overlap", "surface"}, {"tail", "largest-pull"}};
-    return names[r->contact[0].adhesion_j_m2 > 0 ? 2 : r->contact[0].force_n > 0][end];
+    for (const char *c = web_end(end); *c; c++)
+        put("%c", *c == '_' ? '-' : *c);
+}
+
+/* A curve of eps over the speed: one of the contacts, and the end */
+struct curve {
+    int contact, end;
+};
+
+/* Fills the curves: the requested ends, or one end if eps is the same at both. Returns their number. */
+static int find_curves(struct curve curve[COR_SCENE_ENDS])
+{
+    int count = 0;
+    for (int end = 0; web_now.count > 0 && end < COR_SCENE_ENDS; end++) {
+        const struct curve here = {web_now.count > 1 ? end : 0, end};
+        const struct cor_scene_contact *const contact = &web_now.contact[here.contact];
+        if ((web_now.scene.end == COR_BOTH_ENDS || web_now.scene.end == end) && cor_scene_has_end(contact, end) &&
+            (count == 0 || cor_scene_ends_differ(contact)))
+            curve[count++] = here;
+    }
+    return count;
 }
 
 /* ---- impacts ---- */
@@ -172,19 +181,11 @@ WEB_EXPORT(web_impacts) void web_impacts(const double *speed_m_s, double *y, siz
     }
 }
 
-/* True if the error of the time step is computed at this end: at the given or measured end, otherwise at both */
-static int is_step_end(int contact, int end)
-{
-    if (web_now.count > 1)
-        return end == contact;
-    if (web_now.scene.end != COR_BOTH_ENDS)
-        return end == web_now.scene.end;
-    return end == COR_END_ZERO_OVERLAP || cor_scene_ends_differ(&web_now.contact[0]);
-}
-
+/* Returns the number of ends of each contact for which web_step_errors gives numbers. */
 WEB_EXPORT(web_step_ends) int web_step_ends(void)
 {
-    return is_step_end(0, COR_END_ZERO_OVERLAP) + is_step_end(0, COR_END_ZERO_FORCE);
+    struct curve curve[COR_SCENE_ENDS];
+    return web_now.count > 1 ? 1 : find_curves(curve);
 }
 
 static int integrator(void)
@@ -201,28 +202,26 @@ WEB_EXPORT(web_integrator) const char *web_integrator(void)
 #define STEPS_ON_PAGE 2e4 /* in a contact; more would take the page from its reader for seconds */
 
 /* Bias and scatter of eps at time_step_s; NaN: the step of the request, where up to STEPS_ON_PAGE are tried. y has n of
- * each, for the given or measured end, or for both ends; then the same for the second contact, if there is one. */
+ * each, for each curve. */
 WEB_EXPORT(web_step_errors)
 void web_step_errors(const double *speed_m_s, double *y, size_t n, double time_step_s)
 {
+    struct curve curve[COR_SCENE_ENDS];
+    const int count = find_curves(curve);
     const double most = isnan(time_step_s) ? STEPS_ON_PAGE : (double)INFINITY;
     const double time_step = isnan(time_step_s) ? step_of(speed_m_s, n) : time_step_s;
-    for (int k = 0; k < web_now.count; k++)
-        for (int end = 0; end < COR_SCENE_ENDS; end++) {
-            const struct cor_scene_contact contact = isnan(time_step_s) ? timed(k) : web_now.contact[k];
-            if (!is_step_end(k, end))
-                continue;
-            for (size_t i = 0; i < n; i++) {
-                const double steps = cor_scene_elastic_duration_s(&contact, speed_m_s[i]) / time_step;
-                struct cor_step_error error = {NAN, NAN, NAN, NAN};
-                struct cor_scene_impact impact;
-                cor_scene_impact(&impact, &contact, speed_m_s[i]);
-                if (integrator() != COR_NO_INTEGRATOR && steps > 0 && impact.duration_s[end] / time_step <= most)
-                    cor_scene_step_error(&error, &contact, speed_m_s[i], end, steps, integrator());
-                y[i] = error.bias;
-                y[n + i] = error.scatter;
-            }
-            y += 2 * n;
+    for (int k = 0; k < count; k++, y += 2 * n)
+        for (size_t i = 0; i < n; i++) {
+            const struct cor_scene_contact contact =
+                isnan(time_step_s) ? timed(curve[k].contact) : web_now.contact[curve[k].contact];
+            const double steps = cor_scene_elastic_duration_s(&contact, speed_m_s[i]) / time_step;
+            struct cor_step_error error = {NAN, NAN, NAN, NAN};
+            struct cor_scene_impact impact;
+            cor_scene_impact(&impact, &contact, speed_m_s[i]);
+            if (integrator() != COR_NO_INTEGRATOR && steps > 0 && impact.duration_s[curve[k].end] / time_step <= most)
+                cor_scene_step_error(&error, &contact, speed_m_s[i], curve[k].end, steps, integrator());
+            y[i] = error.bias;
+            y[n + i] = error.scatter;
         }
 }
 
@@ -251,8 +250,10 @@ WEB_EXPORT(web_table) const char *web_table(int digits, int errors)
             put_cell(',', y[(k * COLUMNS + c) * n + i], digits);
         for (size_t c = 0; c < more; c++)
             put_cell(',', error[(more * k + c) * n + i], STEP_DIGITS);
-        put("%s", contacts == 1 ? "" : ",");
-        put("%s", contacts == 1 ? "" : end_option(&web_now, (int)k));
+        if (contacts > 1) {
+            put(",");
+            put_end((int)k);
+        }
         if (spheres) {
             const double overlap = y[(k * COLUMNS + OVERLAP) * n + i];
             put_cell(',', cor_scene_contact_radius(&web_now.contact[k], overlap), digits);
@@ -317,23 +318,16 @@ static double find_realised(const struct cor_simulator_model *model, const struc
     return eps;
 }
 
-/* csv of the laws of a contact: name,label */
-WEB_EXPORT(web_laws) const char *web_laws(void)
+/* Returns csv of the choices of two options: the option, a law or a simulator, and its name for readers. */
+WEB_EXPORT(web_choices) const char *web_choices(void)
 {
     static const char *const labels[] = {COR_CONTACT_LAWS(COR_LAW_LABEL)};
     clear_text();
     for (int law = 0; law <= COR_LAW_PLATE; law++)
-        put("%s,%s\n", cor_law_name((enum cor_law)law), labels[law]);
-    return text;
-}
-
-/* csv of the simulators: name,title */
-WEB_EXPORT(web_simulators) const char *web_simulators(void)
-{
-    clear_text();
+        put("law,%s,%s\n", cor_law_name((enum cor_law)law), labels[law]);
     for (size_t i = 0; i < cor_simulator_count; i++)
         if (cor_simulators[i].comment)
-            put("%s,%s\n", cor_simulators[i].name, cor_simulators[i].title);
+            put("for,%s,%s\n", cor_simulators[i].name, cor_simulators[i].title);
     return text;
 }
 
@@ -374,15 +368,13 @@ static const char *put_lines(const struct cor_simulator_request *lines)
 {
     const long all = cor_simulator_lines(web_wrong.text, sizeof web_wrong.text, lines);
     snprintf(web_wrong.option, sizeof web_wrong.option, lines->materials ? "materials" : "for");
-    if (all < 0)
+    if (all < 0 || all >= (long)sizeof text)
         return NULL;
-    clear_text();
-    put("%*s", (int)all, ""); /* makes room */
-    cor_simulator_lines(text, size, lines);
+    cor_simulator_lines(text, sizeof text, lines);
     return text;
 }
 
-/* Returns the text of corgen contact --for, or NULL with the reason in web_wrong_text. step_errors: as with --steps */
+/* Returns the text of corgen contact --for, or NULL with the reason in web_why. step_errors: as with --steps */
 WEB_EXPORT(web_lines) const char *web_lines(int step_errors)
 {
     struct cor_simulator_request lines = request_of(&web_now.scene);
@@ -426,62 +418,39 @@ WEB_EXPORT(web_block) const char *web_block(char *names, const double *number, s
 
 /* ---- curves of eps over the speed ---- */
 
-/* Fills the ends that have a curve: the requested ones, or one if eps is the same at both. Returns their number. */
-static int find_ends(int ends[COR_SCENE_ENDS])
-{
-    int count = 0;
-    for (int end = 0; web_now.count > 0 && end < COR_SCENE_ENDS; end++) {
-        const struct cor_scene_contact *const contact = &web_now.contact[web_now.count > 1 ? end : 0];
-        if ((web_now.scene.end == COR_BOTH_ENDS || web_now.scene.end == end) && cor_scene_has_end(contact, end) &&
-            (count == 0 || cor_scene_ends_differ(contact)))
-            ends[count++] = end;
-    }
-    return count;
-}
-
-/* Returns a line for each curve of the contact: its end, or both_ends. */
+/* Returns a line for each curve of the contact, with tabs. The first column is the end, or eps if both ends have the
+ * same eps. The second is the end as an option. The third is eps, if it is the same at every speed. */
 WEB_EXPORT(web_curves) const char *web_curves(void)
 {
-    int ends[COR_SCENE_ENDS];
-    const int count = find_ends(ends);
+    struct curve curve[COR_SCENE_ENDS];
+    const int count = find_curves(curve);
     clear_text();
-    for (int i = 0; i < count; i++)
-        put("%s\n", cor_scene_ends_differ(&web_now.contact[0]) ? web_end(ends[i]) : "both_ends");
+    for (int i = 0; i < count; i++) {
+        const struct cor_scene_contact *const contact = &web_now.contact[curve[i].contact];
+        double eps;
+        put("%s\t", cor_scene_ends_differ(&web_now.contact[0]) ? web_end(curve[i].end) : "eps");
+        put_end(curve[i].end);
+        put("\t");
+        if ((contact->damping == 0 || (cor_law_is_constant(&contact->law) && !(contact->force_n > 0))) &&
+            cor_scene_eps(&eps, contact, 1, curve[i].end) == 0)
+            put_exact(eps);
+        put("\n");
+    }
     return text;
 }
 
 /* Fills eps of curve i at n speeds: of the contact, then of the models in the order of web_models. */
 WEB_EXPORT(web_curve) void web_curve(const double *speed_m_s, double *y, size_t n, int i)
 {
-    int ends[COR_SCENE_ENDS], next = 0;
-    const int count = find_ends(ends);
+    struct curve curve[COR_SCENE_ENDS];
+    int next = 0;
+    const int count = find_curves(curve);
     const struct cor_simulator_model *model = NULL;
     for (int k = count; k <= i; k++)
         model = next_model(&web_now, &next);
     for (size_t k = 0; k < n; k++)
         if (i < count)
-            cor_scene_eps(&y[k], &web_now.contact[web_now.count > 1 ? ends[i] : 0], speed_m_s[k], ends[i]);
+            cor_scene_eps(&y[k], &web_now.contact[curve[i].contact], speed_m_s[k], curve[i].end);
         else
             y[k] = model ? find_realised(model, &web_now, speed_m_s[k]) : (double)NAN;
-}
-
-/* Returns a line for each curve of the contact: its end as an option, a tab, and the eps of every speed. Or, instead of
- * eps, "speed": eps depends on it; "elastic": eps is 1; "pressed": the law has no header under a constant force. */
-WEB_EXPORT(web_headers) const char *web_headers(void)
-{
-    int ends[COR_SCENE_ENDS];
-    const int count = find_ends(ends);
-    clear_text();
-    for (int i = 0; i < count; i++) {
-        const struct cor_scene_contact *const contact = &web_now.contact[web_now.count > 1 ? ends[i] : 0];
-        const int constant = cor_law_is_constant(&contact->law), pressed = contact->force_n > 0 && contact->damping > 0;
-        double eps;
-        put("%s\t", end_option(&web_now, ends[i]));
-        if (constant && !pressed && cor_scene_eps(&eps, contact, 1, ends[i]) == 0)
-            put_exact(eps);
-        else
-            put("%s", constant ? "pressed" : contact->damping > 0 ? "speed" : "elastic");
-        put("\n");
-    }
-    return text;
 }

@@ -7,7 +7,6 @@ const all = (selector, from = document) => [...from.querySelectorAll(selector)];
 const MATERIALS = JSON.parse($("materials-known").textContent), TERMS = new Map(JSON.parse($("glossary").textContent));
 const SHOWN = 4, TEXT_DIGITS = 6, CSV_DIGITS = 12, POINTS = 121, KEPT = 5;
 const FIRST = "restitution=0.9&at=1&speed=0.1";
-const WAYS = ["restitution", "g-star", "dissipation-time", "viscosity", "damping-coefficient", "beta", "zeta"];
 const OWN = ["label", "points", "materials"]; // options that the module does not have
 const COLUMNS = ["young", "poisson", "density", "radius", "restitution", "at"]; // of materials, after the name
 const PREFIXES = { n: -9, u: -6, "\u00b5": -6, "\u03bc": -6, m: -3, c: -2, k: 3, M: 6, G: 9 };
@@ -15,7 +14,7 @@ const PREFIXES = { n: -9, u: -6, "\u00b5": -6, "\u03bc": -6, m: -3, c: -2, k: 3,
 let cor, units; // the module; units by option
 const fields = new Map(); // by option: { input, label, list, word }
 let kept = [], past = [], settled = ""; // curves as addresses; addresses to go back to; the last complete one
-let drawn = null; // the curves of the picture and its scales
+let drawn = null, telling; // the curves of the picture and its scales; the timer of a message
 
 // ---- from text to numbers in SI units ----
 
@@ -201,7 +200,7 @@ function fill(options) {
             : has("stiffness", "effective-mass", "duration") ? "spring" : "none");
     $("second").value = has("wall") ? "wall" : has("plate-thickness") ? "plate"
         : [...options.keys()].some((name) => name.endsWith("-2")) ? "other" : "like";
-    $("way").value = WAYS.find((name) => has(name)) ?? (options.get("law") === "plate" ? "none" : "restitution");
+    $("way").value = [...$("way").options].find(({ value }) => has(value))?.value ?? (options.get("law") === "plate" ? "none" : "restitution");
 }
 
 // ---- tables and messages ----
@@ -234,24 +233,22 @@ const inWords = (text) => text.includes("corgen") ? text : text.replace(/^--[a-z
         (option, name) => fields.has(name) ? `\u201c${fields.get(name).label}\u201d` : option);
 
 function showWrong(error) {
-    let shown = error === null;
-    for (const [name, { input }] of fields) {
-        const mine = error !== null && name === error.option && !input.closest("[hidden]"), place = $(`${name}-wrong`);
-        input.toggleAttribute("aria-invalid", mine);
-        place.textContent = mine ? inWords(error.message) : "";
-        if (!mine)
-            continue;
-        shown = true;
-        input.setAttribute("aria-invalid", "true");
-        input.closest("details")?.setAttribute("open", "");
-        place.append(...(error.choices ?? []).map((choice) => element("button", choice, { type: "button", onclick() {
-            input.value = choice;
-            update();
-            settle();
-        } })));
+    const shown = fields.get(error?.option)?.input, place = shown?.closest("[hidden]") ? undefined : shown;
+    for (const { input } of fields.values()) {
+        input.toggleAttribute("aria-invalid", false);
+        $(`${input.id}-wrong`).textContent = "";
     }
-    $("wrong").textContent = shown ? "" : inWords(error.message);
+    $("wrong").textContent = error && !place ? inWords(error.message) : "";
     $("form").classList.toggle("old", error !== null);
+    if (!place)
+        return;
+    place.setAttribute("aria-invalid", "true");
+    place.closest("details")?.setAttribute("open", "");
+    $(`${place.id}-wrong`).append(inWords(error.message), ...(error.choices ?? []).map((choice) =>
+        element("button", choice, { type: "button", onclick() {
+            place.value = choice;
+            change();
+        } })));
 }
 
 // ---- the answer ----
@@ -283,11 +280,12 @@ function answers() {
 function showAnswer() {
     const lines = answers().flatMap(([speed, ends], line) => {
         const known = ends.filter(({ eps }) => eps !== "nan"), same = known.every(({ eps }) => eps === known[0].eps);
-        const shown = known.length === 0 ? [{ eps: "not known" }] : same ? known.slice(0, 1) : known, made = element("p", "", { className: line === 0 ? "big" : "" });
+        const shown = known.length === 0 ? [{ eps: "not known" }] : same ? known.slice(0, 1) : known;
+        const made = element("p", "", { className: line === 0 ? "big" : "" });
         made.append(line === 0 ? "" : `At ${speed} m/s: `, "eps\u00a0=\u00a0", ...shown.flatMap(({ eps, end }, i) =>
             [i > 0 ? " " : "", eps, " ", element("small", same ? "" : `at ${end}${i > 0 ? "" : ","}`)]));
-        const values = (name, unit) => [...new Set(shown.map((end) => end[name]).filter((text) => text && text !== "nan"))]
-            .map((text) => withUnit(text, unit)).join(" or ");
+        const values = (name, unit) => [...new Set(shown.map((end) => end[name] ?? "nan"))]
+            .filter((text) => text !== "nan").map((text) => withUnit(text, unit)).join(" or ");
         const duration = values("duration", "s"), force = values("force", "N");
         return line > 0 ? [made] : [made, element("p", [duration && `Duration ${duration}`,
             force && `largest force ${force}`].filter((text) => text).join(", ") ||
@@ -312,9 +310,9 @@ const escaped = (text) => text.replace(/[<&"]/g, (c) => `&#${c.charCodeAt(0)};`)
 
 // Adds the curves of the last request. The last speed is the user's. Models that give the same eps share a curve.
 function addCurves(curves, speeds, label, other = false) {
-    const own = curves.length, ends = tabs(cor.page.text("curves")).flat();
+    const own = curves.length, ends = tabs(cor.page.text("curves"));
     const [[asked], ...models] = tabs(cor.page.text("models", 3));
-    const names = [...ends.map((end) => end === "both_ends" ? "eps" : end.replace("_", " ")),
+    const names = [...ends.map(([name]) => name.replace("_", " ")),
         ...models.map(([number, , , , , gives]) =>
             `${$("for").selectedOptions[0].text} ${number}: asked ${asked}, gives ${shortOf(gives, 3)}`)];
     for (const [i, name] of names.entries()) {
@@ -354,7 +352,8 @@ function ticks(least, most) {
 }
 
 function speedTicks(least, most, width) {
-    const decades = Math.log10(most) - Math.log10(least), stride = Math.max(Math.ceil(decades * 48 / width), 1), found = [];
+    const decades = Math.log10(most) - Math.log10(least), found = [];
+    const stride = Math.max(Math.ceil(decades * 48 / width), 1);
     for (let e = Math.floor(Math.log10(least)); e <= Math.log10(most) + 1e-9; e++)
         if (e % stride === 0)
             found.push(...(decades < 2.5 ? [1, 2, 5] : [1]).map((digit) => Number(`${digit}e${e}`)));
@@ -438,16 +437,11 @@ function moveTo(speed) {
 function listenToMark() {
     const picture = $("picture"), speedAt = (x) => between(drawn.least, drawn.most,
         (x - picture.getBoundingClientRect().left - drawn.box.left) / (drawn.box.right - drawn.box.left));
-    let held = false;
-    picture.addEventListener("pointerdown", (event) => {
-        held = event.target.closest("#mark") !== null;
-        if (held)
-            picture.setPointerCapture(event.pointerId);
-    });
-    picture.addEventListener("pointermove", (event) => held && moveTo(speedAt(event.clientX)));
-    picture.addEventListener("pointerup", () => {
-        held = held && settle();
-    });
+    picture.addEventListener("pointerdown", (event) =>
+        event.target.closest("#mark") && picture.setPointerCapture(event.pointerId));
+    picture.addEventListener("pointermove", (event) =>
+        picture.hasPointerCapture(event.pointerId) && moveTo(speedAt(event.clientX)));
+    picture.addEventListener("lostpointercapture", settle);
     picture.addEventListener("keydown", (event) => {
         const step = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -20, PageUp: 20,
             Home: -Infinity, End: Infinity }[event.key];
@@ -505,8 +499,7 @@ function showKept() {
         const label = new URLSearchParams(text).get("label") ?? `curves ${i + 1}`, item = element("li", label);
         item.append(element("button", "Remove", { type: "button", ariaLabel: `Remove ${label}`, onclick() {
             kept.splice(i, 1);
-            update();
-            settle();
+            change();
         } }));
         return item;
     }));
@@ -538,12 +531,14 @@ function settle() {
     settled = location.hash;
     $("undo").disabled = past.length === 0;
 }
+const change = () => settle(update());
 
 function isRight(text) {
     try {
         return cor.page.read(toModule(new URLSearchParams(text))) > 0;
-    } catch { /* it is left out */ }
-    return false;
+    } catch {
+        return false;
+    }
 }
 
 function fromAddress(hash) {
@@ -565,8 +560,7 @@ function keepCurves() {
     if (isRight(String(options)))
         kept.push(String(options));
     $("label").value = "";
-    update();
-    settle();
+    change();
 }
 
 function chooseBodies() {
@@ -595,7 +589,7 @@ function save(name, content) {
     const link = element("a", "", { href: URL.createObjectURL(new Blob([content])), download: name });
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
-    $("said").textContent = `${name} is saved.`;
+    tell(`${name} is saved.`);
 }
 
 function savePng() {
@@ -615,13 +609,22 @@ function curvesText() {
         .map((row) => row.join(",") + "\n").join("");
 }
 
-async function copy(text, said, place) {
+// Shows a text for five seconds.
+function tell(text) {
+    $("said").textContent = text;
+    clearTimeout(telling);
+    telling = setTimeout(() => $("said").replaceChildren(), 5000);
+}
+
+async function copy(text, said) {
     try {
         await navigator.clipboard.writeText(text);
-        $("said").textContent = said;
+        tell(said);
     } catch {
-        getSelection().selectAllChildren(place);
-        $("said").textContent = document.execCommand("copy") ? said : "Selected; copy by the keyboard.";
+        const area = document.body.appendChild(element("textarea", text));
+        area.select();
+        tell(document.execCommand("copy") ? said : "This browser does not copy from a page; select the text.");
+        area.remove();
     }
 }
 
@@ -631,10 +634,8 @@ function listen() {
     const on = (id, act, event = "click") => $(id).addEventListener(event, act);
     $("bodies").options[0].after(...MATERIALS
         .map(({ name }) => new Option(`${name[0].toUpperCase()}${name.slice(1)} spheres`, name)));
-    for (const { name, label } of cor.contactLaws())
-        $("law").add(new Option(label, name === "viscoelastic" ? "" : name));
-    for (const { name, title } of cor.simulators())
-        $("for").add(new Option(title, name));
+    for (const [option, name, label] of csv(cor.page.text("choices")))
+        $(option).add(new Option(label, name === "viscoelastic" ? "" : name));
     $("terms").append(...[...TERMS].flatMap(([term, meaning]) => [element("dt", term), element("dd", meaning)]));
     on("form", (event) => event.preventDefault(), "submit");
     on("bodies", chooseBodies, "input");
@@ -643,19 +644,18 @@ function listen() {
     on("form", update, "input");
     on("form", settle, "change");
     on("keep", keepCurves);
-    on("share", () => copy(location.href, "The address of this page with its input is copied.", $("command")));
+    on("share", () => copy(location.href, "The address of this page with its input is copied."));
     on("reset", () => settle(fromAddress("")));
     on("undo", () => {
         fromAddress(past.pop());
-        settled = location.hash;
-        $("undo").disabled = past.length === 0;
+        settle(settled = location.hash);
     });
     on("save-svg", () => save("restitution.svg", $("picture").innerHTML));
     on("save-png", savePng);
     on("save-csv", () => save("curves.csv", curvesText()));
     on("save-impacts", () => save("impacts.csv", cor.page.text("table", CSV_DIGITS, 1)));
     for (const button of all("[data-copy]"))
-        button.onclick = () => copy($(button.dataset.copy).textContent, "The text is copied.", $(button.dataset.copy));
+        button.onclick = () => copy($(button.dataset.copy).textContent, "The text is copied.");
     listenToMark();
     addEventListener("hashchange", () => settle(fromAddress(location.hash)));
     new ResizeObserver(() => drawn && showPicture()).observe($("plot"));

@@ -105,15 +105,11 @@ static int read_adhesion(struct web_request *r, const char *text)
 
 static int read_end(struct web_request *r, const char *text)
 {
-    r->at_surface = strcmp(text, "surface") == 0;
-    r->scene.end = strcmp(text, "zero-overlap") == 0                  ? COR_END_ZERO_OVERLAP
-                   : strcmp(text, "zero-force") == 0 || r->at_surface ? COR_END_ZERO_FORCE
-                                                                      : COR_BOTH_ENDS;
-    return r->scene.end != COR_BOTH_ENDS ||
-           refuse("end",
-                  "--end: '%s' is not an end of contact; allowed: zero-overlap, zero-force, and under a constant "
-                  "force surface in its place",
-                  text);
+    const int end = find_word("end", "an end of contact", text,
+                              (const char *const[]){"zero-overlap", "zero-force", "surface", NULL});
+    r->at_surface = end == 2;
+    r->scene.end = end == 0 ? COR_END_ZERO_OVERLAP : COR_END_ZERO_FORCE;
+    return end >= 0;
 }
 
 static int read_simulator(struct web_request *r, const char *text)
@@ -228,12 +224,8 @@ WEB_EXPORT(web_read) int web_read(const char *options)
     return r.count;
 }
 
-WEB_EXPORT(web_wrong_option) const char *web_wrong_option(void)
+/* Returns the option that is wrong, 0, or why, 1. */
+WEB_EXPORT(web_why) const char *web_why(int part)
 {
-    return web_wrong.option;
-}
-
-WEB_EXPORT(web_wrong_text) const char *web_wrong_text(void)
-{
-    return web_wrong.text;
+    return part == 0 ? web_wrong.option : web_wrong.text;
 }

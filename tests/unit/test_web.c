@@ -8,14 +8,11 @@
 #include "web/web.h"
 
 int web_read(const char *options);
-const char *web_wrong_option(void);
-const char *web_wrong_text(void);
 void web_impacts(const double *speed_m_s, double *y, size_t n);
 const char *web_table(int digits, int errors);
 const char *web_models(int digits);
 const char *web_summary(int digits);
-const char *web_lines(void);
-const char *web_headers(void);
+const char *web_lines(int step_errors);
 const char *web_curves(void);
 void web_curve(const double *speed_m_s, double *y, size_t n, int i);
 
@@ -53,13 +50,13 @@ TEST(test_gravity)
                            "speed_m_s,beta,eps_zero_overlap,eps_surface,duration_s_zero_overlap,duration_"
                            "s_surface,"));
     assert_non_null(strstr(web_summary(6), "\nsticking_speed_surface,"));
-    assert_string_equal(web_headers(), "surface\tspeed\n");
+    assert_string_equal(web_curves(), "surface\tsurface\t\n");
     snprintf(options, sizeof options, "%szeta=0.1\nlaw=tsuji", ball);
     assert_int_equal(web_read(options), 1);
-    assert_non_null(strstr(web_headers(), "\tpressed\n"));
+    assert_non_null(strstr(web_curves(), "\t\n"));
     snprintf(options, sizeof options, "%sg-star=400\nend=zero-force", ball);
-    assert_true(!web_read(options) && strstr(web_wrong_text(), "--end surface"));
-    assert_true(!web_read(GLASS "g-star=400\nend=surface") && strcmp(web_wrong_option(), "end") == 0);
+    assert_true(!web_read(options) && strstr(web_wrong.text, "--end surface"));
+    assert_true(!web_read(GLASS "g-star=400\nend=surface") && strcmp(web_wrong.option, "end") == 0);
 }
 
 /* The next cell of a row of csv, which has no quotes within cells; *row moves behind it. */
@@ -99,7 +96,7 @@ TEST(test_contacts_of_the_list)
         options_of(options, arguments);
         if (strcmp(cell_of(&at), "no") == 0)
             continue;
-        check(web_read(options), "%s: %s", options, web_wrong_text());
+        check(web_read(options), "%s: %s", options, web_wrong.text);
         const int contacts = atoi(cell_of(&at));
         const char *const speed = strstr(options, "\nspeed=");
         const double first = speed ? atof(speed + strlen("\nspeed=")) : 1;
@@ -112,9 +109,8 @@ TEST(test_contacts_of_the_list)
             check(!*cell || same_number(y[2 * i], atof(cell)) || fabs(y[2 * i] / atof(cell) - 1) < 1e-11,
                   "%s: number %d: %.13g", options, i, y[2 * i]);
         }
-        const char *const line = cell_of(&at), *const lines = *line ? web_lines() : "";
-        check(!*line || (lines ? strstr(lines, line) : strstr(web_wrong_text(), line)), "%s: no line %s", options,
-              line);
+        const char *const line = cell_of(&at), *const lines = *line ? web_lines(0) : "";
+        check(!*line || (lines ? strstr(lines, line) : strstr(web_wrong.text, line)), "%s: no line %s", options, line);
     }
     fclose(file);
     assert_true(rows > 70);
@@ -137,8 +133,8 @@ TEST(test_a_wrong_request_leaves_the_last_one)
     assert_true(web_read("g-star=3"));
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         assert_false(web_read(wrong[i][0]));
-        assert_string_equal(web_wrong_option(), wrong[i][1]);
-        assert_true(strlen(web_wrong_text()) > 20);
+        assert_string_equal(web_wrong.option, wrong[i][1]);
+        assert_true(strlen(web_wrong.text) > 20);
         assert_near(web_now.scene.number[COR_SCENE_G_STAR], 3, 0);
     }
 }
@@ -163,9 +159,9 @@ TEST(test_curves)
     static const double speed[] = {0.01, 1};
     double y[2], eps;
     assert_true(web_read("law=hunt-crossley\nrestitution=0.8\nat=1"));
-    assert_string_equal(web_curves(), "both_ends\n");
+    assert_string_equal(web_curves(), "eps\tzero-overlap\t\n");
     assert_int_equal(web_read(GLASS "restitution=0.9\nat=1\nfor=lammps"), 2);
-    assert_string_equal(web_curves(), "zero_overlap\nzero_force\n");
+    assert_string_equal(web_curves(), "zero_overlap\tzero-overlap\t\nzero_force\tzero-force\t\n");
     const char *line = web_models(6);
     for (int i = 0; i < 9; i++) {
         web_curve(speed, y, 2, i);
@@ -185,7 +181,7 @@ TEST(test_curves)
 TEST(test_lines_and_own_maps_of_a_simulator)
 {
     assert_true(web_read(GLASS "restitution=0.9\nat=1\nend=zero-overlap\nfor=lammps\nspeed=1"));
-    assert_non_null(strstr(web_lines(), "pair_style granular\n"));
+    assert_non_null(strstr(web_lines(0), "pair_style granular\n"));
     const char *text = web_models(6);
     assert_non_null(strstr(text, "0.9\t1\tzero overlap\n"));
     const struct cor_simulator *const lammps = cor_simulator_named("lammps");
@@ -205,16 +201,16 @@ TEST(test_lines_and_own_maps_of_a_simulator)
     assert_true(web_read(request));
     assert_near(strtod(web_models(15), NULL), cor_contact_eps_zero_force(&contact, speed), 1e-14);
     assert_true(web_read("law=hertz-dashpot\ng-star=3\nend=zero-force\nfor=mfix"));
-    assert_null(web_lines());
-    assert_string_equal(web_wrong_option(), "for");
+    assert_null(web_lines(0));
+    assert_string_equal(web_wrong.option, "for");
 }
 
 TEST(test_headers)
 {
     assert_true(web_read("law=tsuji\nrestitution=0.7\nend=zero-force"));
-    assert_near(number_after(web_headers(), "zero-force\t"), 0.7, 1e-14);
+    assert_near(number_after(web_curves(), "zero-force\t"), 0.7, 1e-14);
     assert_true(web_read("g-star=3"));
-    assert_string_equal(web_headers(), "zero-overlap\tspeed\nzero-force\tspeed\n");
+    assert_string_equal(web_curves(), "zero_overlap\tzero-overlap\t\nzero_force\tzero-force\t\n");
     assert_true(web_read(GLASS "restitution=1\nat=1\nend=zero-force"));
-    assert_string_equal(web_headers(), "zero-force\telastic\n");
+    assert_string_equal(web_curves(), "zero_force\tzero-force\t1\n");
 }
