@@ -23,8 +23,8 @@ import numpy as np
 
 STATUS_OK, STATUS_FAILED, STATUS_USAGE = 0, 1, 2
 SUBCOMMANDS = {
-    "audit": ("cor._audit.command", "the restitution that the input of a simulator really gives"),
-    "fit": ("cor._fit.command", "the law and the parameters that describe measured bounces"),
+    "audit": ("cor._audit.command", "the eps that the input of a simulator really gives"),
+    "fit": ("cor._fit.command", "the law and the parameters that fit measured bounces"),
 }
 
 
@@ -95,7 +95,7 @@ def read_text(path: str, most: int) -> str:
         raise ValueError(f"it is longer than {most} bytes")
     zeros = data[:64:2].count(0), data[1:64:2].count(0)
     if data[:2] in (b"\xff\xfe", b"\xfe\xff") or max(zeros) > 4 * min(zeros) + 4:
-        raise ValueError("it is UTF-16; allowed: UTF-8, as from iconv -f UTF-16 -t UTF-8 FILE")
+        raise ValueError("it is UTF-16; allowed: UTF-8; convert it by iconv -f UTF-16 -t UTF-8 FILE")
     if b"\0" in data:
         raise ValueError("it is not a text: it contains zero bytes")
     return data.decode("utf-8-sig", "surrogateescape")
@@ -243,11 +243,10 @@ def numbers(text: str) -> List[float]:
 
 def add_common(parser: Parser, formats: Sequence[str] = ("text", "csv", "json")) -> None:
     """Adds --format, --output and --profile."""
-    parser.add_argument(
-        "--format", choices=formats, default=formats[0], help=f"{', '.join(formats)} (default {formats[0]})"
-    )
-    parser.add_argument("--output", metavar="FILE", help="write to FILE, which changes only if everything succeeds")
-    parser.add_argument("--profile", action="store_true", help="print seconds and peak memory on standard error")
+    add = parser.add_argument
+    add("--format", choices=formats, default=formats[0], help="output format, %(choices)s (default %(default)s)")
+    add("--output", metavar="FILE", help="file for the output, changed only if everything succeeds")
+    add("--profile", action="store_true", help="print the seconds of each step and the peak memory on standard error")
 
 
 def _parser(names: Sequence[str]) -> Parser:

@@ -42,7 +42,7 @@ def _exponents(elastic: Any, damping: Any) -> Tuple[int, int, int]:
         except (ValueError, ZeroDivisionError):
             made.append(Fraction(-1))
         if not 0 <= made[-1] <= 24 or made[-1].numerator > 64 or made[-1].denominator > 16:
-            raise ValueError(f"{name}: {value!r} is not a number from 0 to 24 as '3/2' or 0.5, of at most 64/16")
+            raise ValueError(f"{name}: {value!r} is not a number from 0 to 24, such as '3/2' or 0.5, of at most 64/16")
     a, b = made
     whole = a.denominator * b.denominator // math.gcd(a.denominator, b.denominator)
     return int(a * whole), int(b * whole), whole
@@ -112,7 +112,7 @@ class Contact:
         self._law = _LAWS[index]
         if elastic is not None or damping is not None:
             if law is not None:
-                raise ValueError("law: the exponents elastic and damping stand in its place")
+                raise ValueError("law: give law, or elastic and damping, but not both")
             exponents = "3/2" if elastic is None else elastic, "1/2" if damping is None else damping
             scene.law.elastic, scene.law.damping, scene.law.denominator = _exponents(*exponents)
             self._law = "with elastic = {} and damping = {}".format(*exponents)
@@ -189,8 +189,8 @@ class Contact:
     def _raise(self, fault: Any) -> None:
         if fault.fault == lib.COR_FAULT_SOLVER:
             raise ValueError(
-                f"elastic, damping: the law {self._law} has no functions here; corgen contact --elastic A --damping B "
-                f"encloses it; allowed: {', '.join(_LAWS)}, equal exponents, and any under gravity or dmt adhesion"
+                f"elastic, damping: the law {self._law} has no functions here; use corgen contact --elastic A --damping B "
+                f"(allowed: {', '.join(_LAWS)}, equal exponents, and any under gravity or dmt adhesion)"
             )
         text = ffi.new("char[]", lib.COR_SCENE_FAULT_TEXT)
         lib.cor_scene_fault_text(text, len(text), fault, self._law.encode(), ffi.NULL)
@@ -259,7 +259,7 @@ class Contact:
         they are NaN without bodies and with JKR. Durations are infinite if the bodies never part, and NaN without mass
         and stiffness."""
         if not 1 <= number("steps", steps) < math.inf:
-            raise ValueError(f"steps: {steps!r} is not a finite number from 1 on")
+            raise ValueError(f"steps: {steps!r} is not a finite number, 1 or more")
         speeds, rows = self._rows(speed_m_s, lib.COR_BOTH_ENDS)
         low, high = self.ends
         names = ["beta", f"eps_{low}", f"eps_{high}", f"duration_s_{low}", f"duration_s_{high}", "max_overlap_m"]
@@ -300,7 +300,7 @@ class Contact:
         if not found:
             allowed = ", ".join(models)
             raise ValueError(
-                f"tangential: {tangential!r} is not a model; allowed: {allowed}, or the name of a simulator"
+                f"tangential: {tangential!r} is not a tangential model; allowed: {allowed}, or the name of a simulator"
             )
         viscous = lib.cor_tangential_models[found[0]].memory == lib.COR_REMEMBERS_NOTHING
         if (

@@ -71,7 +71,7 @@ def number(name: str, value: Any, integer: bool = False, least: int = 0) -> Any:
     except (TypeError, ValueError):
         raise TypeError(f"{name}: {kind} is needed, not {type(value).__name__}") from None
     except OverflowError:
-        raise OverflowError(f"{name}: an integer beyond the doubles; allowed: up to 1.8e308 in size") from None
+        raise OverflowError(f"{name}: an integer too large for a double; allowed: up to 1.8e308 in magnitude") from None
     if integer and not least <= made < 2**63:
         raise OverflowError(f"{name}: {made} is not from {least} to 2^63 - 1")
     return made
@@ -101,7 +101,7 @@ def like(values: Sequence[Any], result: Any) -> Any:
     if not frames:
         return result
     if any(not v.index.equals(frames[0].index) for v in frames):
-        raise ValueError("the arguments have different indexes; allowed: one index, as Series.align gives")
+        raise ValueError("the arguments have different indexes; give them one index, for example by Series.align")
     first = frames[0]
     labels = {"columns": first.columns} if hasattr(first, "columns") else {"name": first.name}
     return type(first)(result, index=first.index, **labels)
@@ -321,9 +321,9 @@ def fits(out: Optional[Array], arrays: List[Array], shape: Tuple[int, ...], dtyp
 
 def check_out(out: Any, shape: Tuple[int, ...], dtype: "np.dtype[Any]") -> None:
     if not isinstance(out, np.ndarray):
-        raise TypeError(f"out is to be an array, not {type(out).__name__}")
+        raise TypeError(f"out must be an array, not {type(out).__name__}")
     if out.shape != shape:
-        raise ValueError(f"out has the shape {out.shape}, the result {shape}")
+        raise ValueError(f"out has the shape {out.shape}, but the result has {shape}")
     if not np.can_cast(dtype, out.dtype, "same_kind"):
         raise TypeError(f"{dtype} cannot be stored in {out.dtype}")
     if not out.flags.writeable:

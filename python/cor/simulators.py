@@ -27,7 +27,7 @@ def _contact(contact: _Bodies, scene: "dict[str, Any]") -> Contact:
     if not isinstance(contact, Contact):
         return Contact(*(() if contact is None else (contact,) if isinstance(contact, Body) else contact), **scene)
     if scene:
-        raise TypeError(f"{', '.join(scene)}: a cor.Contact has them; allowed: bodies with keywords")
+        raise TypeError(f"{', '.join(scene)}: a cor.Contact already has them; give bodies and keywords instead")
     return contact
 
 
@@ -53,7 +53,7 @@ def _text(argument: str, value: object) -> bytes:
 
 def _version(version: Optional[str]) -> Any:
     if version is not None and lib.cor_simulator_version(_text("version", version)) == 0:
-        raise ValueError(f"version: {version!r} is not a version, as '29 Sep 2021' or '3.8.1'")
+        raise ValueError(f"version: {version!r} is not a version such as '29 Sep 2021' or '3.8.1'")
     return ffi.NULL if version is None else ffi.new("char[]", version.encode())
 
 
@@ -130,7 +130,7 @@ def _many(request: Any, materials: Sequence[Mapping[str, Any]], pairs: Sequence[
         made[k] = (texts[k], body, row["radius_max_m"], source)
     for row in [_row("pairs", row, ("a", "b", "end"), _PAIR) for row in pairs]:
         if row["a"] not in names or row["b"] not in names:
-            raise ValueError(f"pairs: {row['a']}, {row['b']}: not two names of materials")
+            raise ValueError(f"pairs: {row['a']}, {row['b']}: a and b must be two names of materials")
         end = one_of("pairs: end", row["end"], ("zero_overlap", "zero_force")) if row["end"] else lib.COR_BOTH_ENDS
         numbers = row["restitution"], row["at_m_s"], end, row["friction"]
         measured.append((names.index(row["a"]), names.index(row["b"]), *numbers))
@@ -168,7 +168,7 @@ def lines(
     if materials is None:
         made = _contact(contact, scene)
     elif contact is not None or set(scene) - {"law", "elastic", "damping", "end"} or not np.size(speeds):
-        raise TypeError("materials: allowed with speeds, law, elastic, damping and end, and without a contact")
+        raise TypeError("materials: give only speeds, law, elastic, damping and end, and no contact")
     else:
         made = Contact(restitution=0.5, at=1.0, **scene)  # provides law and end
         made._scene.number = [math.nan] * lib.COR_SCENE_NUMBERS
@@ -221,7 +221,7 @@ def step_error(
     at, count = np.broadcast_arrays(np.asarray(speed, np.float64), np.asarray(steps, np.float64))
     for argument, given in (("speed", at), ("steps", count)):
         if not (np.all(given > 0) and np.all(np.isfinite(given))):
-            raise ValueError(f"{argument}: not above 0 and finite")
+            raise ValueError(f"{argument}: it is not above 0 and finite")
     one = ffi.new("struct cor_step_error *")
     rows = []
     for g, n in zip(at.ravel(), count.ravel()):
@@ -309,7 +309,7 @@ def audit(
         raise
     if not any(row.model for row in rows):
         why = "; ".join(f"line {row.line}: {row.advice}" for row in rows)
-        raise ValueError(f"text: no contact is found{'; ' if why else ''}{why}")
+        raise ValueError(f"text: found no contact{'; ' if why else ''}{why}")
     return [Finding(*(getattr(row, name) for name in Finding._fields)) for row in rows]
 
 

@@ -681,7 +681,7 @@ def test_wrong_options():
         cor.fit(data, fit_drag=True)
     with pytest.raises(ValueError, match="diameter: missing"):
         cor.fit(data, drag_coefficient=0.4, mass=1.0)
-    with pytest.raises(ValueError, match="radius: missing; bodies have"):
+    with pytest.raises(ValueError, match="radius: missing; bodies need"):
         cor.fit(data, young=1e9)
     with pytest.raises(TypeError, match="'colour' is not an argument"):
         cor.fit(data, colour=3)

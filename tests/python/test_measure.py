@@ -130,10 +130,10 @@ def test_kept_and_late(tmp_path, monkeypatch):
     os.mkdir(tmp_path / "tmp")
     deck, program, late = tmp_path / "deck.lmp", program_of(Path("x.lmp")), str(tmp_path / "late")
     deck.write_text(HEAD + "run 1\n")
-    assert "has what was run" not in measured(deck, ["--speed", "1"], program)[1] and not os.listdir(tmp_path / "tmp")
+    assert "files of the run" not in measured(deck, ["--speed", "1"], program)[1] and not os.listdir(tmp_path / "tmp")
     _, messages = measured(deck, ["--speed", "1", "--keep"], program)
     (folder,) = (tmp_path / "tmp").iterdir()
-    assert f": {folder} has what was run" in messages
+    assert f": {folder} contains the files of the run" in messages
     assert "create_atoms 1 single" in (folder / "1/2/3/cor-sent").read_text()
     Path(late).write_text("#!/bin/sh\nexec sleep 100\n")
     os.chmod(late, 0o755)

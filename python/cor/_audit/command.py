@@ -16,14 +16,14 @@ from .deck import COLUMNS, MAX_BYTES, NAN, DeckError, Options, Row
 STATUS_NOT_AS_ASKED, STATUS_NOT_JUDGED = 3, 4
 
 EPILOG = f"""\
-Inputs: scripts of LAMMPS and LIGGGHTS, YADE's Python, materials of Kratos (json), MFiX, MuJoCo (xml), Gazebo (SDF),
-Lethe (prm), commands of PFC, C++ for MercuryDPM.
-Without --run nothing of an input is executed.
+FILE: scripts of LAMMPS and LIGGGHTS, Python of YADE, materials of Kratos (json), input of MFiX, MuJoCo (xml), Gazebo
+(SDF) and Lethe (prm), commands of PFC, C++ for MercuryDPM.
+Only --run executes a file.
 
 Columns: {','.join(COLUMNS)}.
 
-Exit status: 2 wrong usage, an unreadable file, or a file of which no contact can be judged; otherwise 3 if a contact
-is not as asked; otherwise 4 if one could not be judged; otherwise 0.
+Exit status: 2 for wrong usage, an unreadable file, or a file without a contact that can be judged; otherwise 3 if a
+contact is not as asked; otherwise 4 if a contact could not be judged; otherwise 0.
 
 Example: cor audit in.chute --radius 5e-3 --density 2500 --speed 0.1,1
 """
@@ -45,29 +45,29 @@ def add_arguments(parser: Parser) -> None:
     """Adds the options of cor audit."""
     add = parser.add_argument
     parser.usage, parser.epilog = "cor audit FILE... [OPTION]...", EPILOG
-    add("files", nargs="+", metavar="FILE", help="inputs of simulators; - is standard input")
-    add("--speed", type=numbers, metavar="LIST", default=[], help="impact speeds, m/s, as 0.1,1 or 0.01:10:log:7")
+    add("files", nargs="+", metavar="FILE", help="inputs of simulators, or - for standard input")
+    add("--speed", type=numbers, metavar="LIST", default=[], help="impact speeds, m/s, such as 0.1,1 or 0.01:10:log:7")
     for name, unit in (("radius", "m"), ("density", "kg/m^3")):
         add(f"--{name}", type=_by_type, action="append", default=[], metavar="[TYPE=]NUMBER",
-            help=f"{name} of the spheres, {unit}, where the file does not contain it; for one type or all")  # fmt: skip
+            help=f"{name} of the spheres of one type or of all, {unit}, if the file does not contain it")  # fmt: skip
     add("--time-step", type=positive, metavar="DT", default=NAN, help="time step, s (default: the file's)")
     add("--angle", type=_angle, metavar="DEGREES", default=NAN,
-        help="impact angle, 0 to below 90: fills tangential_restitution (-u'/u, as corgen contact --angle) for pair "
-        "style granular of LAMMPS, where speed and numbers are known and no rolling or twisting acts")  # fmt: skip
+        help="impact angle, degrees, 0 to below 90; fills tangential_restitution (-u'/u) for pair style granular of "
+        "LAMMPS without rolling and twisting")  # fmt: skip
     add("--tolerance", type=positive, metavar="T", default=0.01,
-        help="as asked: the mean eps differs from e by at most T e, as the scatter does (default 0.01)")  # fmt: skip
+        help="largest relative difference of eps and e, and scatter, of a contact as asked (default 0.01)")  # fmt: skip
     add(
         "--for",
         dest="simulator",
         metavar="SIMULATOR",
         default="",
-        help="the simulator, if the file does not show it",
+        help="simulator, if the file does not show it",
     )
-    add("--simulator-version", metavar="V", default="", help="its version, as '29 Sep 2021' or 3.8.1")
+    add("--simulator-version", metavar="V", default="", help="version of the simulator, such as '29 Sep 2021' or 3.8.1")
     add("-var", "--var", nargs="+", action="append", default=[], metavar=("NAME", "VALUE"),
-        help="a variable of the script with its values, as lmp accepts it; after the files")  # fmt: skip
-    add("--run", metavar="PROGRAM", help="run the file with this program of the user and measure; executes the file")
-    add("--keep", action="store_true", help="with --run: keep the temporary folder, and print its name")
+        help="variable of the script and its values, as for lmp; after the files")  # fmt: skip
+    add("--run", metavar="PROGRAM", help="program that runs the file, to measure eps; executes the file")
+    add("--keep", action="store_true", help="keep the temporary folder of --run, and print its name")
     add_common(parser)
 
 
@@ -88,9 +88,9 @@ def _options(given: argparse.Namespace, path: str) -> Options:
         raise UsageError(f"--for: '{given.simulator}' is not a simulator; allowed: {', '.join(physics.SIMULATORS)}")
     version = given.simulator_version
     if version and lib.cor_simulator_version(version.encode("utf-8", "replace")) == 0:
-        raise UsageError(f"--simulator-version: '{version}' is not a version; allowed: as '29 Sep 2021' or 3.8.1")
+        raise UsageError(f"--simulator-version: '{version}' is not a version such as '29 Sep 2021' or 3.8.1")
     if any(len(words) < 2 for words in given.var):
-        raise UsageError("-var: a name and at least one value are needed, as -var e 0.7")
+        raise UsageError("-var needs a name and at least one value, for example -var e 0.7")
     variables: Dict[str, Tuple[str, ...]] = {words[0]: tuple(words[1:]) for words in given.var}
     return Options(
         given.simulator, version, tuple(given.speed), dict(given.radius), dict(given.density),
@@ -105,7 +105,7 @@ def _text(row: Row) -> str:
         return printable(lines[0] + row.advice) + "\n"
     lines[0] += f"{row.simulator} {row.model}, {row.pair}"
     lines[0] += "" if row.speed_m_s != row.speed_m_s else f", {row.speed_m_s:.6g} m/s"
-    number = "" if row.asked != row.asked else f"asked for {row.asked:.6g}, "
+    number = "" if row.asked != row.asked else f"asked e = {row.asked:.6g}, "
     number += "eps is not known" if row.realised != row.realised else f"eps = {row.realised:.6g} at {row.end}"
     number += {True: ": as asked", False: ": NOT AS ASKED", None: ""}[row.as_asked]
     number += "" if row.judged else ": NOT JUDGED"

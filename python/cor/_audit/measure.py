@@ -39,9 +39,7 @@ def measure(path: str, options: Options, rows: List[Row], program: str, keep: bo
         return
     words = shlex.split(program)
     if not words or simulator != "mujoco" and not shutil.which(words[0]):
-        raise UsageError(
-            f"--run: there is no program {program!r}; write its name or path, as --run {COMMON[simulator]}"
-        )
+        raise UsageError(f"--run: no program {program!r}; give its name or path, for example --run {COMMON[simulator]}")
     message(f"{path}: --run executes this file, in a copy of its folder, by {program}")
     for name in (signal.SIGTERM, signal.SIGHUP):
         signal.signal(name, lambda *_: sys.exit(130))
@@ -52,7 +50,7 @@ def measure(path: str, options: Options, rows: List[Row], program: str, keep: bo
         message(f"{path}: {program}: {error}")
     finally:
         if keep:
-            message(f"{path}: {whole} has what was run")
+            message(f"{path}: {whole} contains the files of the run")
         else:
             shutil.rmtree(whole, ignore_errors=True)
 

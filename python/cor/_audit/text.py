@@ -93,7 +93,7 @@ def read_kratos(text: str, name: str, options: Options) -> Deck:
     except RecursionError:
         raise DeckError("this JSON is nested too deeply") from None
     except (ValueError, StopIteration) as error:
-        raise DeckError(f"this is no JSON: {error}") from None
+        raise DeckError(f"this is not JSON: {error}") from None
     root = root if isinstance(root, dict) else {}
     bodies: Dict[Any, Body] = {}
     entries = []

@@ -38,7 +38,7 @@ def parse(text: str, name: str) -> ET.Element:
     try:
         parser.Parse(text.encode("utf-8", "replace"), True)
     except expat.ExpatError as error:
-        raise DeckError(f"{name}: this is no XML: {error}") from None
+        raise DeckError(f"{name}: this is not XML: {error}") from None
     return root
 
 

@@ -499,17 +499,17 @@ def parse(text: str, script: Script) -> ast.Module:
         except SyntaxError as error:
             k = (error.lineno or 1) - 1
             if k >= len(lines) or lines[k].strip() in ("", "pass"):
-                raise DeckError(f"line {k + 1}: this is no Python: {error.msg}") from None
+                raise DeckError(f"line {k + 1}: this is not Python: {error.msg}") from None
             old_print = re.match(r"(\s*)print\s+(.*?)\s*$", lines[k])
             if old_print:
                 lines[k] = f"{old_print[1]}print({old_print[2]})"
                 continue
             if not re.match(r"\s*(print|exec)\b", lines[k]):
-                script.note(k + 1, f"this line is no Python 3, and is not read: {error.msg}", True)
+                script.note(k + 1, f"this line is not Python 3, and cor does not read it: {error.msg}", True)
             lines[k] = re.match(r"\s*", lines[k])[0] + "pass"  # type: ignore[index]
         except (RecursionError, MemoryError, ValueError) as error:
             raise DeckError(f"this Python cannot be read: {type(error).__name__}") from None
-    raise DeckError("more than 40 lines are no Python 3")
+    raise DeckError("more than 40 lines are not Python 3")
 
 
 class _Reader:

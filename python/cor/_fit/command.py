@@ -15,28 +15,35 @@ from .records import UNIT_NAMES
 from .result import COLUMNS, Result, fit
 
 HELP = """\
-Fits models of restitution to measured bounces and ranks them by Akaike's information criterion (AIC; the least is
-best). Prints which models fit. The first row of DATA names the columns, with their units; other columns are not read,
-and lines that begin with # are comments. DATA is a csv file, - is standard input.
+Fits models of restitution to measured bounces, ranks them by Akaike's information criterion (AIC; the least is best),
+and prints which models fit. DATA is a csv file, or - for standard input. Its first row names the columns with their
+units. Other columns are not read, and lines that begin with # are comments.
 
   speed_m_s,eps[,eps_sigma]       impact speed, restitution and its standard deviation
-  speed_m_s,speed_out_m_s         speeds before and after
-  h0_cm,h1_cm[,h1_sigma_cm]       heights before and after; h1_cm with --drop-height
-  h_cm                            heights of successive apexes, the drop height first, or with --drop-height
+  speed_m_s,speed_out_m_s         speeds before and after impact
+  h0_cm,h1_cm[,h1_sigma_cm]       heights before and after impact; only h1_cm with --drop-height
+  h_cm                            heights of successive apexes, beginning with the drop height or with --drop-height
   t_s[,h0_cm]                     times of bounces; the drop height gives the first impact speed
   interval_ms                     times between bounces
-  time_s,height_m                 a track, whose bounces are found
-  run                             another text begins another drop; all drops are fitted together
-  ball                            each ball is fitted by itself, and all together
+  time_s,height_m                 a track, in which cor finds the bounces
+  run                             name of the drop; all drops are fitted together
+  ball                            name of the ball; each ball is fitted separately, and all together
 """
 MORE = """\
-Columns of csv and json: model,end,parameter,value,low_68,high_68,low_95,high_95,rms,chi2,aic, behind ball if the data
-have one. An empty value is not determined. The intervals are profile likelihoods, 68 means 68.27 %. rms: of the
-residuals; chi2: with given errors. p below 0.01: the model does not fit. With csv and json the remarks go to standard
-error.
+Columns of csv and json: model,end,parameter,value,low_68,high_68,low_95,high_95,rms,chi2,aic, after ball if the data
+have one. Empty values are not determined. The intervals are profile likelihoods, and 68 means 68.27 %. rms is of the
+residuals; chi2 needs given errors. A model with p below 0.01 does not fit. With csv and json the remarks go to
+standard error.
 
 Example: cor fit measured.csv --law viscoelastic,constant --plot measured.svg
 """
+BODY_HELP = {
+    "young": "Young's modulus of the ball, Pa",
+    "poisson": "Poisson's ratio of the ball, above -1 and up to 0.5",
+    "radius": "radius of the ball, m",
+    "density": "density of the ball, kg/m^3",
+    "mass": "mass of the ball, kg",
+}
 SEPARATORS = {"comma": ",", "semicolon": ";", "tab": "\t", ",": ",", ";": ";", "\t": "\t"}
 
 
@@ -56,54 +63,59 @@ def _poisson(text: str) -> float:
     except ValueError:
         value = math.nan
     if not -1 < value <= 0.5:
-        raise argparse.ArgumentTypeError(f"'{text}' is not above -1 and at most 0.5")
+        raise argparse.ArgumentTypeError(f"'{text}' is not a number above -1 and up to 0.5")
     return value
 
 
 def add_arguments(parser: Parser) -> None:
     parser.description, parser.epilog, parser.usage = HELP, MORE, "cor fit DATA [OPTION]..."
     parser.add_argument("data", metavar="DATA", nargs="?", help=argparse.SUPPRESS)
-    parser.add_argument("--data", metavar="DATA", dest="data_option", help="the same as DATA")
+    parser.add_argument("--data", metavar="DATA", dest="data_option", help="file with the data, instead of DATA")
 
     def add(group: Any, name: str, metavar: str, help: str, kind: Any = positive) -> None:
         group.add_argument(name, metavar=metavar, type=kind, help=help)
 
     group = parser.add_argument_group("reading")
-    add(group, "--unit", "U", f"of columns without one, as cm,ms: {', '.join(UNIT_NAMES)}", str)
-    add(group, "--drop-height", "H", "m, from which every drop begins")
+    add(group, "--unit", "U", f"units of columns without a unit, such as cm,ms: {', '.join(UNIT_NAMES)}", str)
+    add(group, "--drop-height", "H", "height at which every drop begins, m")
     add(
         group,
         "--separator",
         "S",
-        "comma, semicolon or tab (default: the one that the first row has most of)",
+        "separator of columns, comma, semicolon or tab (default: the most frequent in the first row)",
         _separator,
     )
-    group.add_argument("--decimal-comma", action="store_true", help="numbers have a decimal comma")
+    group.add_argument("--decimal-comma", action="store_true", help="read numbers with a decimal comma")
     group = parser.add_argument_group("models")
     names = ", ".join(dict.fromkeys(model.name for model in MODELS))
-    group.add_argument("--law", metavar="NAMES", default="all", help=f"all (default), or several of {names}")
-    group.add_argument("--end", metavar="E", help="zero-overlap or zero-force: this end of contact (default: both)")
-    group.add_argument("--robust", action="store_true", help="Huber's function: outliers have little weight")
-    group = parser.add_argument_group("gravity and air, for times and heights")
-    add(group, "--gravity", "G", "m/s^2 (default 9.80665)")
     group.add_argument(
-        "--fit-gravity", action="store_true", help="gravity is a parameter: needs times and drop heights"
+        "--law", metavar="NAMES", default="all", help=f"models to fit, all or several of {names} (default all)"
     )
-    add(group, "--drag-coefficient", "CD", "of the ball in air, about 0.4 to 0.5; needs --mass and --diameter")
-    add(group, "--diameter", "D", "m, of the ball (default: twice --radius)")
-    add(group, "--air-density", "RHO", "kg/m^3 (default 1.204)")
-    add(group, "--terminal-speed", "W", "m/s, instead of --drag-coefficient")
-    group.add_argument("--fit-drag", action="store_true", help="the drag is a parameter")
+    group.add_argument("--end", metavar="E", help="end of contact, zero-overlap or zero-force (default both)")
+    group.add_argument("--robust", action="store_true", help="use Huber's function, which gives outliers little weight")
+    group = parser.add_argument_group("gravity and air, for times and heights")
+    add(group, "--gravity", "G", "gravity, m/s^2 (default 9.80665)")
+    group.add_argument("--fit-gravity", action="store_true", help="fit gravity; needs times and drop heights")
+    add(
+        group,
+        "--drag-coefficient",
+        "CD",
+        "drag coefficient of the ball in air, about 0.4 to 0.5; needs --mass and --diameter",
+    )
+    add(group, "--diameter", "D", "diameter of the ball, m (default: twice --radius)")
+    add(group, "--air-density", "RHO", "density of air, kg/m^3 (default 1.204)")
+    add(group, "--terminal-speed", "W", "terminal speed of the ball, m/s, instead of --drag-coefficient")
+    group.add_argument("--fit-drag", action="store_true", help="fit the drag")
     group = parser.add_argument_group("bodies, SI units: parameters of materials instead of g* and others")
     for name in BODIES:
         kind = _poisson if "poisson" in name else _positive_or_infinite if name.endswith("_2") else positive
-        text = "where the second body differs" + ("; inf: it is rigid" if name == "young_2" else "")
-        add(group, f"--{name.replace('_', '-')}", "X", text if name.endswith("_2") else "of the ball", kind)
-    group.add_argument("--wall", action="store_true", help="the second body is flat and held fast")
-    add(group, "--viscosity-liquid", "ETA", "Pa s, of the liquid: stokes then gives a Stokes number")
+        text = "the same of the second body (default: as the first)" + ("; inf: rigid" if name == "young_2" else "")
+        add(group, f"--{name.replace('_', '-')}", "X", text if name.endswith("_2") else BODY_HELP[name], kind)
+    group.add_argument("--wall", action="store_true", help="use a flat and fixed second body")
+    add(group, "--viscosity-liquid", "ETA", "viscosity of the liquid, Pa s, for the Stokes number of the model stokes")
     group = parser.add_argument_group("output")
-    group.add_argument("--plot", metavar="FILE", help="a picture of data, fit and residuals: .pdf, .png or .svg")
-    group.add_argument("--all", action="store_true", help="the picture shows all models, not only the best")
+    group.add_argument("--plot", metavar="FILE", help="picture of data, fit and residuals, .pdf, .png or .svg")
+    group.add_argument("--all", action="store_true", help="draw all models, not only the best")
     add_common(parser)
 
 
@@ -147,10 +159,10 @@ def run(options: argparse.Namespace) -> int:
     given = {k: v for k, v in vars(options).items() if v is not None}
     data = [given[k] for k in ("data", "data_option") if k in given]
     if len(data) != 1:
-        raise UsageError("cor fit needs one DATA, as cor fit DATA.csv; see cor fit --help")
+        raise UsageError("cor fit needs one DATA, for example cor fit DATA.csv; see cor fit --help")
     files = [os.path.realpath(path) for path in (*data, options.output, options.plot) if path and path != "-"]
     if len(set(files)) < len(files):
-        raise UsageError("DATA, --output and --plot name the same file; allowed: different files")
+        raise UsageError("DATA, --output and --plot name the same file; give different files")
     ours = ("subcommand", "data", "data_option", "plot", "all", "format", "output", "profile")
     arguments: Dict[str, Any] = {k: v for k, v in given.items() if k not in ours}
 

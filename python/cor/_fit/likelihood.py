@@ -99,7 +99,7 @@ class Field(NamedTuple):
             if air.drag_coefficient is not None or air.terminal_speed_m_s is not None or air.fit_drag:
                 gravity *= 1 - air.density_kg_m3 * math.pi / 6 * air.diameter_m**3 / air.mass_kg
             if not gravity > 0:
-                raise ValueError("mass: the ball is lighter than the air that it displaces; allowed: a heavier ball")
+                raise ValueError("mass: the ball is lighter than the air that it displaces; give a larger mass")
             area = math.pi / 4 * air.diameter_m**2
             to_coefficient = 2 * air.mass_kg * gravity / (air.density_kg_m3 * area)
         elif air.drag_coefficient is not None:

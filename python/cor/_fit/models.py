@@ -152,7 +152,9 @@ def function_curve(function: Callable[..., Any]) -> Curve:
     """Return the curve of a user's function eps(speed, a=0.9, b=0.1). Its defaults are the start."""
     parameters = list(inspect.signature(function).parameters.values())[1:]
     if not parameters or any(p.kind not in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD) for p in parameters):
-        raise ValueError("function: needs the speed and one or more parameters, as def eps(speed, a=0.9, b=0.1)")
+        raise ValueError(
+            "function: it needs the speed and one or more parameters, for example def eps(speed, a=0.9, b=0.1)"
+        )
     start = tuple(1.0 if p.default is p.empty else float(p.default) for p in parameters)
 
     def eps(theta: Any, x: Floats) -> Any:
@@ -181,7 +183,7 @@ class Bodies:
             if name.replace("mass", "density") in given and name in given and name != "radius_2":
                 raise ValueError(f"{name}: not with {name.replace('mass', 'density')}; allowed: one of them")
             if wall and name in given and name != "mass":
-                raise ValueError(f"{name}: not with wall, which is flat and held fast; allowed: young_2, poisson_2")
+                raise ValueError(f"{name}: not with wall, which is flat and fixed; allowed: young_2, poisson_2")
         if self.known:
             self.contact()
 
@@ -190,7 +192,7 @@ class Bodies:
             value = self.given.get(f"{name}_2" if number == 2 else name, self.given.get(name, math.nan))
             if math.isnan(value):
                 raise ValueError(
-                    f"{name}: missing; bodies have young, poisson, radius and density or mass, as young=7e10, "
+                    f"{name}: missing; bodies need young, poisson, radius and density or mass, for example young=7e10, "
                     "poisson=0.24, radius=0.01, density=2500"
                 )
             return float(value)
@@ -351,7 +353,7 @@ def choose(names: Any, end: Optional[str]) -> List[Model]:
     for name in chosen:
         if not callable(name) and name not in ("all", *allowed):
             raise ValueError(
-                f"law: {name!r} is not a model; allowed: all, {', '.join(allowed)}, or several, as "
+                f"law: {name!r} is not a model; allowed: all, {', '.join(allowed)}, or several, such as "
                 "viscoelastic,power-law"
             )
     if end not in (None, "zero-overlap", "zero-force"):

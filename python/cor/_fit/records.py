@@ -64,7 +64,7 @@ KINDS: List[Tuple[str, List[str], List[str]]] = [
     ("heights", ["h1"], ["h1_sigma"]),  # with --drop-height
 ]
 WANTED = (
-    "a first row with the names and units of the columns, as speed_m_s,eps or speed_cm_s,eps,eps_sigma, "
+    "a first row with the names and units of the columns, such as speed_m_s,eps or speed_cm_s,eps,eps_sigma, "
     "speed_m_s,speed_out_m_s, h0_cm,h1_cm, h_cm for successive apexes, t_s for times of bounces, interval_ms, or "
     "time_s,height_m for a track"
 )
@@ -145,9 +145,9 @@ class Table:
 
     def refuse_cell(self, row: int, key: str) -> NoReturn:
         text, quantity = self.cell(row, key), QUANTITIES[key]
-        allowed = f"a {quantity.dimension} {'above 0 and up' if quantity.least else 'from 0'} to 1e30, as 0.25"
-        allowed = "a number from 1e-30 to 1e30, as 0.01" if key.endswith("_sigma") else allowed
-        allowed = "a number from 0 to 1, as 0.85" if key == "eps" else allowed
+        allowed = f"a {quantity.dimension} {'above 0 and up' if quantity.least else 'from 0'} to 1e30, such as 0.25"
+        allowed = "a number from 1e-30 to 1e30, such as 0.01" if key.endswith("_sigma") else allowed
+        allowed = "a number from 0 to 1, such as 0.85" if key == "eps" else allowed
         why = "the cell is empty" if text in ("", "nan" if self.word == "row" else "") else f"'{text}' is not allowed"
         if self.form.decimal_comma and "." in text:
             why = f"'{text}' has a decimal point, but --decimal-comma is given"
@@ -174,7 +174,7 @@ def _check_encoding(table: Table, block: bytes) -> bytes:
     """Return the first block without the byte order mark of UTF-8."""
     for form, mark, zero in (("UTF-16LE", b"\xff\xfe", 1), ("UTF-16BE", b"\xfe\xff", 0)):
         if block[:2] == mark or (len(block) > 1 and block[zero] == 0 and block[1 - zero] != 0):
-            allowed = f"UTF-8, as from iconv -f {form} -t UTF-8 FILE"
+            allowed = f"UTF-8; convert the file by iconv -f {form} -t UTF-8 FILE"
             table.refuse(1, None, f"the text is {form}; allowed: {allowed}")
     return block[3:] if block.startswith(b"\xef\xbb\xbf") else block
 
@@ -182,7 +182,7 @@ def _check_encoding(table: Table, block: bytes) -> bytes:
 def _cells(table: Table, number: int, line: str) -> List[str]:
     """Return the cells of a line; [] for an empty line or a comment. The first row determines the separator."""
     if len(line) > MAX_LINE:
-        table.refuse(number, None, f"longer than {MAX_LINE} characters; allowed: a csv file, as speed_m_s,eps")
+        table.refuse(number, None, f"longer than {MAX_LINE} characters; allowed: csv, such as speed_m_s,eps")
     if "\0" in line or "\r" in line:
         table.refuse(number, None, "has a control character; allowed: text with lines that end in LF or CR LF")
     if line.lstrip(" \t")[:1] in ("", "#"):
@@ -192,9 +192,7 @@ def _cells(table: Table, number: int, line: str) -> List[str]:
     cells = line.split(table.separator) if cells is None else cells
     if table.header and len(cells) != len(table.header):
         word = {",": "commas", ";": "semicolons", "\t": "tabs"}[table.separator]
-        why = (
-            f"{len(cells)} cells, but the first row names {len(table.header)} columns; allowed: as many, separated by "
-        )
+        why = f"{len(cells)} cells, but the first row has {len(table.header)}; allowed: the same number, separated by "
         point = "comma" if table.form.decimal_comma else "point"
         table.refuse(number, None, f"{why}{word}, and numbers with a decimal {point}")
     return cells
@@ -230,7 +228,7 @@ def _read_csv(table: Table, file: Any, progress: Callable[[str], None]) -> None:
                 if cells and not columns:
                     table.header, table.header_line = [c.strip() for c in cells], at
                     if len(cells) > MAX_COLUMNS:
-                        table.refuse(at, None, f"more than {MAX_COLUMNS} cells; allowed: a csv file, as speed_m_s,eps")
+                        table.refuse(at, None, f"more than {MAX_COLUMNS} cells; allowed: csv, such as speed_m_s,eps")
                     choose_columns(table)
                     columns = [[] for _ in cells]
                 elif cells:
@@ -239,7 +237,7 @@ def _read_csv(table: Table, file: Any, progress: Callable[[str], None]) -> None:
                         column.append(cell)
         number += len(lines)
         if len(places) > MAX_ROWS:
-            why = f"more than {MAX_ROWS} rows; allowed: at most that number, as every tenth"
+            why = f"more than {MAX_ROWS} rows; leave out rows, for example all except every tenth"
             table.refuse(places[MAX_ROWS], None, why)
         progress(f"reading: {number} lines")
         if not raw:
@@ -247,7 +245,9 @@ def _read_csv(table: Table, file: Any, progress: Callable[[str], None]) -> None:
         size = BLOCK
     table.last_line = max(number, 1)
     if not columns:
-        table.refuse(table.last_line, None, "the file is empty; allowed: names of columns and rows, as speed_m_s,eps")
+        table.refuse(
+            table.last_line, None, "the file is empty; allowed: a row of names, such as speed_m_s,eps, and rows"
+        )
     table.columns, table.line = columns, np.array(places, dtype=np.int64)
 
 
@@ -272,7 +272,7 @@ def choose_columns(table: Table) -> Tuple[str, List[str]]:
         near = None if i in used else _near_name(split[i][0], [k for k in keys if k not in named], kind)
         if near:
             why = f"the column '{name[:SHOWN]}' is not read, but nearly has the name {near}"
-            table.refuse(line, None, f"{why}; allowed: {near}, or a name less like it, as remark")
+            table.refuse(line, None, f"{why}; allowed: {near}, or a different name, such as remark")
     if not kind:
         missing = "eps or speed_out_m_s" if "speed" in named else "h1_cm" if "h0" in named else "speed_m_s"
         missing = "h0_cm, or --drop-height" if "h1" in named and "h0" not in named else missing
@@ -301,7 +301,7 @@ def choose_columns(table: Table) -> Tuple[str, List[str]]:
     for dimension, unit in units.items():
         if dimension not in [QUANTITIES[key].dimension for key in table.found]:
             allowed = ", ".join(UNITS.get(QUANTITIES[needed[0]].dimension, UNIT_NAMES))
-            table.refuse(line, needed[0], f"--unit {unit} is the unit of no column that is read; allowed: {allowed}")
+            table.refuse(line, needed[0], f"--unit {unit} does not fit any column that is read; allowed: {allowed}")
     return kind, [name for i, name in enumerate(table.header) if i not in used and name]
 
 
@@ -312,7 +312,7 @@ def _factor(table: Table, key: str, unit: Optional[str], given: Dict[str, str]) 
     allowed, option = UNITS[dimension], given.get(dimension)
     if unit is None and option is None:
         names = [f"{key}_{u.replace('/', '_')}" for u in allowed]
-        example = f"--unit, as --unit {list(allowed)[1]}"
+        example = f"--unit, for example --unit {list(allowed)[1]}"
         table.refuse(line, key, f"the name has no unit; allowed: {', '.join(names[:-1])} or {names[-1]}, or {example}")
     if unit is not None and unit not in allowed:
         table.refuse(line, key, f"'{unit}' is not a unit of {dimension}; allowed: {', '.join(allowed)}")
@@ -503,7 +503,7 @@ def _array_table(source: Any, form: Form) -> Table:
             array = [array] if array.ndim == 1 else list(array.T) if array.ndim == 2 else []
         columns, names = list(array), ["t_s"] if len(array) == 1 else ["speed_m_s", "eps", "eps_sigma"][: len(array)]
         if not 1 <= len(columns) <= 3:
-            allowed = "(speed, eps) or (speed, eps, eps_sigma) in m/s, times of bounces in s, or names as in a dict"
+            allowed = "(speed, eps) or (speed, eps, eps_sigma) in m/s, times of bounces in s, or a dict with names"
             raise DataError(f"the data: {len(columns)} columns without names; allowed: {allowed}")
     table.header = [str(c) for c in names]
     table.columns = [np.asarray(c.to_numpy() if hasattr(c, "to_numpy") else c) for c in columns]
@@ -534,7 +534,7 @@ def read(source: Any, form: Form = Form(), progress: Callable[[str], None] = lam
     number = {name: i for i, name in enumerate(dict.fromkeys(names))}
     ball = np.array([number[n] for n in names] if names else [0] * len(table.line), dtype=np.int64)
     if len(table.line) == 0:
-        table.refuse(table.last_line, None, "the file ends after 0 rows; allowed: 1 or more, as 0.1,0.93 and 1,0.89")
+        table.refuse(table.last_line, None, "the file has no rows of numbers; allowed: 1 or more, such as 0.1,0.93")
     readers = {"points": _points, "speeds": _speeds, "heights": _heights, "track": _track, "apexes": _apexes}
     if kind in readers:
         record: Any = readers[kind](table, ball, run)

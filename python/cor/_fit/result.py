@@ -148,7 +148,7 @@ class Result:
         else:
             errors = f"the scatter gives the errors of the {numbers}"
         if not group.sample.has_sigma and min(e.rms for _, e in group.comparison.fits) < NO_SCATTER:
-            errors = "without scatter nothing can be judged: a column of errors is needed, as h1_sigma_cm"
+            errors = "without scatter nothing can be judged: give a column of errors, such as h1_sigma_cm"
         return (
             f"{group.sample.size} points{source}: {flights.speed.min():.4g} to {flights.speed.max():.4g} m/s, "
             f"eps {flights.eps.min():.4g} to {flights.eps.max():.4g}; {errors}."
@@ -410,7 +410,7 @@ def fit(
             if not comparison.fits and not name:
                 least = min(len(model.curve.kinds) for model in models) + len(free) + 1
                 count = f"{data.name} has {sample.size} point{'s' * (sample.size != 1)} of speed and eps"
-                raise DataError(f"{count}; allowed: {least} or more for these models, as with one more bounce")
+                raise DataError(f"{count}; allowed: {least} or more for these models; add bounces")
             if not comparison.fits:
                 continue
             group = Group(name, sample, comparison, find_outliers(mine, sample, models, setup, tell))
