@@ -35,30 +35,22 @@ export type End = "zero-overlap" | "zero-force" | "surface";
 /** a name of Cor.simulators(), as "lammps" */
 export type Simulator = string;
 
-/** The options of `corgen contact`, with _ for each hyphen: bodies or a spring, one way to give the damping, a law. */
-export interface ContactOptions {
-    young?: number; poisson?: number; radius?: number; density?: number; mass?: number;
-    young_2?: number; poisson_2?: number; radius_2?: number; density_2?: number; mass_2?: number;
+/** The options of `corgen contact`, with _ for each hyphen: bodies or a spring, one way to give the damping, a law.
+ * gravity presses body 1 to a wall or a plate. restitution is eps measured at the speed `at`; at the end `end`, or, if
+ * that is not given, at either. time_step_s is the shortest duration over steps, 50. */
+export type ContactOptions = Partial<Record<"young" | "poisson" | "radius" | "density" | "mass" | "young_2" | "poisson_2"
+    | "radius_2" | "density_2" | "mass_2" | "plate_thickness" | "gravity" | "duration" | "stiffness" | "effective_mass"
+    | "dissipation_time" | "dissipation_time_2" | "g_star" | "restitution" | "at" | "damping_coefficient" | "beta"
+    | "zeta" | "adhesion" | "steps", number>> & {
     /** body 2 is flat and held fast */
     wall?: boolean;
-    plate_thickness?: number;
-    /** m/s^2, presses body 1 to a wall or a plate */
-    gravity?: number;
-    duration?: number;
-    stiffness?: number; effective_mass?: number;
-    dissipation_time?: number; dissipation_time_2?: number;
     /** "ETA1,ETA2", Pa s */
     viscosity?: string; viscosity_2?: string;
-    g_star?: number;
-    /** eps measured at the speed `at`; at the end `end`, or, if that is not given, at either */
-    restitution?: number; at?: number; end?: End;
-    damping_coefficient?: number; beta?: number; zeta?: number;
-    law?: Law;
-    /** time_step_s is the shortest duration over it; 50 */
-    steps?: number;
-    /** whose way to move bodies stepErrors takes */
+    adhesion_model?: "dmt" | "jkr";
+    end?: End; law?: Law;
+    /** its integrator is used by stepErrors */
     for?: Simulator;
-}
+};
 
 /** Columns of numbers; surface: under a constant force, in place of zero_force */
 type EndName = "zero_overlap" | "zero_force" | "surface";

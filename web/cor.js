@@ -10,10 +10,6 @@ export class CorError extends Error {
     }
 }
 
-// The columns that web_impacts fills. ends: names of both ends, zero_overlap and zero_force, or surface in its place
-const columns = (ends) => ["beta", ...ends.map((end) => `eps_${end}`), ...ends.map((end) => `duration_s_${end}`),
-    "max_overlap_m", "max_force_n", "time_step_s"];
-
 // The module's bytes beside this file, in node and in a page
 async function bytes() {
     const place = new URL("./cor.wasm", import.meta.url);
@@ -122,14 +118,20 @@ function wrap(c) {
         .map(([name, value]) => `${name.replace(/_/g, "-")}=${String(value === true ? "yes" : value).replace(/\n/g, " ")}\n`)
         .join("");
     const wrong = () => new CorError(text(c.web_why(1)), text(c.web_why(0)));
+    const checked = (at) => {
+        if (at === 0)
+            throw wrong();
+        return text(at);
+    };
     const read = (options) => {
         const contacts = withText(lines(options), c.web_read);
         if (contacts === 0)
             throw wrong();
         return contacts;
     };
-    const endsNow = () => [0, 1].map((end) => text(c.web_end(end)));
     const table = (at) => text(at).trimEnd().split("\n").map((line) => line.split(","));
+
+    const head = () => table(c.web_table(1, 1))[0]; // beta to time_step_s are the columns that web_impacts fills
 
     // The command of corgen with options, except options of some names
     const command = (name, options, without) => `corgen ${name}` + lines(options).trimEnd().split("\n")
@@ -168,13 +170,13 @@ function wrap(c) {
 
         impacts(speeds) {
             read(this.options);
-            const names = columns(endsNow());
+            const names = head().slice(1, 9);
             return this.#each(withArray(speeds, this.count * names.length, c.web_impacts), names);
         }
 
         eps(speeds, end, measured = 0) {
             read(this.options);
-            const ends = endsNow().map((name) => name.replace("_", "-")), index = ends.indexOf(end);
+            const ends = [0, 1].map((i) => text(c.web_end(i)).replace("_", "-")), index = ends.indexOf(end);
             if (index < 0)
                 throw new CorError(`--end: '${end}' is not an end of this contact; allowed: ${ends.join(", ")}`, "end");
             if (!(measured >= 0 && measured < this.count))
@@ -184,8 +186,7 @@ function wrap(c) {
 
         stepErrors(speeds, timeStep) {
             read(this.options);
-            const names = c.web_step_ends() === 2 ? endsNow().flatMap((end) => [`bias_${end}`, `scatter_${end}`])
-                : ["bias", "scatter"];
+            const names = head().filter((name) => name.startsWith("step_")).map((name) => name.slice(5));
             return this.#each(withArray(speeds, names.length * this.count,
                 (x, y, n) => c.web_step_errors(x, y, n, timeStep)), names);
         }
@@ -193,10 +194,7 @@ function wrap(c) {
         lines(simulator, { speed, version, steps } = {}) {
             read({ ...this.options, for: simulator, "simulator-version": version, speed: speed && [...speed].join(","),
                 steps });
-            const at = c.web_lines();
-            if (at === 0)
-                throw wrong();
-            return text(at);
+            return checked(c.web_lines());
         }
 
         header({ speed_min, speed_max, tolerance } = {}) {
@@ -206,23 +204,16 @@ function wrap(c) {
     cor.contact = (options) => new Contact(options);
     const choices = (of) => table(c.web_choices()).filter(([option]) => option === of);
     cor.contactLaws = () => choices("law").map(([, name, label]) => ({ name, label }));
-    cor.simulators = () => choices("for").map(([, name, title]) => ({ name, title }));
+    cor.simulators = () => choices("for").slice(1).map(([, name, title]) => ({ name, title }));
 
     // For the page: texts about the last right request, and eps of one of its curves
     cor.page = {
         read, header, command: (options) => command("contact", options, range),
-        text: (name, ...given) => {
-            const at = c[`web_${name}`](...given);
-            if (at === 0)
-                throw wrong();
-            return text(at);
-        },
+        text: (name, ...given) => checked(c[`web_${name}`](...given)),
         block: (names, numbers) => {
             let at = 0;
             withText(names, (name) => withArray(numbers, 0, (x, y, n) => { at = c.web_block(name, x, n); }));
-            if (at === 0)
-                throw wrong();
-            return text(at);
+            return checked(at);
         },
         curve: (speeds, i) => withArray(speeds, 1, (x, y, n) => c.web_curve(x, y, n, i)),
     };

@@ -181,22 +181,9 @@ WEB_EXPORT(web_impacts) void web_impacts(const double *speed_m_s, double *y, siz
     }
 }
 
-/* Returns the number of ends of each contact for which web_step_errors gives numbers. */
-WEB_EXPORT(web_step_ends) int web_step_ends(void)
-{
-    struct curve curve[COR_SCENE_ENDS];
-    return web_now.count > 1 ? 1 : find_curves(curve);
-}
-
 static int integrator(void)
 {
     return web_now.simulator ? web_now.simulator->integrator : COR_VERLET_HALF_STEP;
-}
-
-/* The name of the integrator for which web_step_errors holds; "": it has none of ours, and the errors are NaN */
-WEB_EXPORT(web_integrator) const char *web_integrator(void)
-{
-    return integrator() == COR_NO_INTEGRATOR ? "" : cor_integrator_names[integrator()];
 }
 
 #define STEPS_ON_PAGE 2e4 /* in a contact; more would take the page from its reader for seconds */
@@ -230,7 +217,9 @@ WEB_EXPORT(web_table) const char *web_table(int digits, int errors)
 {
     enum { STEP_DIGITS = 4 };
     static double y[COR_SCENE_ENDS * COLUMNS * WEB_SPEEDS], error[2 * COR_SCENE_ENDS * WEB_SPEEDS];
-    const size_t n = web_now.speeds, contacts = (size_t)web_now.count, more = errors ? 2 * (size_t)web_step_ends() : 0;
+    struct curve curve[COR_SCENE_ENDS];
+    const size_t ends = (size_t)find_curves(curve);
+    const size_t n = web_now.speeds, contacts = (size_t)web_now.count, more = errors ? 2 * ends / contacts : 0;
     const int spheres = !isnan(web_now.contact[0].radius_m) && !(web_now.contact[0].adhesion_j_m2 > 0);
     clear_text();
     put("speed_m_s,beta,eps_%s,eps_%s,duration_s_%s,duration_s_%s,max_overlap_m,max_force_n,time_step_s", web_end(0),
@@ -318,16 +307,20 @@ static double find_realised(const struct cor_simulator_model *model, const struc
     return eps;
 }
 
-/* Returns csv of the choices of two options: the option, a law or a simulator, and its name for readers. */
+/* Returns csv of the choices of two options: the option, a law or a simulator, and its name for readers. Of a
+ * simulator, the integrator for which web_step_errors holds follows; "" if the errors are NaN. The first one is none. */
 WEB_EXPORT(web_choices) const char *web_choices(void)
 {
     static const char *const labels[] = {COR_CONTACT_LAWS(COR_LAW_LABEL)};
     clear_text();
     for (int law = 0; law <= COR_LAW_PLATE; law++)
         put("law,%s,%s\n", cor_law_name((enum cor_law)law), labels[law]);
+    put("for,,choose one,%s\n", cor_integrator_names[COR_VERLET_HALF_STEP]);
     for (size_t i = 0; i < cor_simulator_count; i++)
         if (cor_simulators[i].comment)
-            put("for,%s,%s\n", cor_simulators[i].name, cor_simulators[i].title);
+            put("for,%s,%s,%s\n", cor_simulators[i].name, cor_simulators[i].title,
+                cor_simulators[i].integrator == COR_NO_INTEGRATOR ? ""
+                                                                  : cor_integrator_names[cor_simulators[i].integrator]);
     return text;
 }
 

@@ -480,7 +480,7 @@ function showSimulator() {
 function showResults() {
     const [head, ...rows] = csv(cor.page.text("table", TEXT_DIGITS, 1)), end = head.indexOf("measured_end");
     const order = (row) => end < 0 ? row : [row[end], ...row.filter((_, i) => i !== end)];
-    const integrator = cor.page.text("integrator");
+    const { integrator } = $("for").selectedOptions[0];
     showAnswer();
     table("impacts", order(head), rows.map(order));
     $("step-error").textContent = integrator === "" ? "cor does not know the error of this simulator's time step."
@@ -634,8 +634,8 @@ function listen() {
     const on = (id, act, event = "click") => $(id).addEventListener(event, act);
     $("bodies").options[0].after(...MATERIALS
         .map(({ name }) => new Option(`${name[0].toUpperCase()}${name.slice(1)} spheres`, name)));
-    for (const [option, name, label] of csv(cor.page.text("choices")))
-        $(option).add(new Option(label, name === "viscoelastic" ? "" : name));
+    for (const [option, name, label, integrator] of csv(cor.page.text("choices")))
+        $(option).add(Object.assign(new Option(label, name === "viscoelastic" ? "" : name), { integrator }));
     $("terms").append(...[...TERMS].flatMap(([term, meaning]) => [element("dt", term), element("dd", meaning)]));
     on("form", (event) => event.preventDefault(), "submit");
     on("bodies", chooseBodies, "input");
