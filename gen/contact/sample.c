@@ -98,8 +98,7 @@ static int fill_pieces(struct sampler *c, double low, double high)
     double width = high - low;
     while (low < high) {
         if (c->pieces == PIECES_MOST)
-            return fail(
-                "eps changes too fast with the speed to be sampled in this range; give a narrower range of speeds");
+            return fail("eps changes too fast in this range of speeds for a table; give a narrower range");
         struct piece *const piece = &c->piece[c->pieces];
         piece->low = low;
         piece->high = low + width < high * (1 - 1e-12) - 1e-12 ? low + width : high;
@@ -119,9 +118,7 @@ static int fill_pieces(struct sampler *c, double low, double high)
         if (error > PIECE_ERROR) {
             width = (piece->high - piece->low) / 2;
             if (width < 1e-3)
-                return fail(
-                    "eps changes too fast with the speed to be sampled near %g m/s; give a range without this speed",
-                    exp(low));
+                return fail("eps changes too fast near %g m/s for a table; give a range without this speed", exp(low));
             continue;
         }
         c->pieces++;

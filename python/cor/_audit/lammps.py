@@ -31,9 +31,9 @@ _LOSSES = re.compile(
 )
 _NORMAL = {"hooke": 2, "hertz": 2, "hertz/material": 3, "dmt": 4, "jkr": 4}  # number of coefficients
 _FAULTS = {
-    "dmt": "The pull of DMT adhesion makes eps depend on the speed; without it only the damping would count.",
-    "jkr": "LAMMPS parts bodies at the largest pull of JKR's force: they stick below 0.703 of the speed of JKR's "
-    "theory, and lose half its energy. The damping takes more.",
+    "dmt": "The pull of DMT adhesion makes eps depend on the speed; without it eps would depend only on the damping.",
+    "jkr": "LAMMPS separates bodies at the largest pull of JKR's force: they stick below 0.703 times the speed of JKR's "
+    "theory, and lose half its energy. The damping adds to this loss.",
 }
 _BY_MASS = ("HOOKE_MASS_VELOCITY", "HOOKE_VISCOELASTIC", "HERTZ_VISCOELASTIC", "HERTZ_MASS_VELOCITY")
 _BY_ROOT = ("HOOKE_TSUJI", "HERTZ_TSUJI", "COEFF_RESTITUTION")  # damping is proportional to the root of the mass
@@ -97,7 +97,7 @@ class Moving:
 
     def reason(self) -> str:
         whole = self.body.mass[0] if self.rigid and self.body.mass else 0.0
-        text = f"The particles are parts of rigid bodies ({self.rigid}), whose mass acts and is not known here."
+        text = f"The particles belong to rigid bodies ({self.rigid}), whose mass counts and is not known here."
         return text if math.isnan(whole) else ""
 
 
@@ -171,7 +171,7 @@ class Granular(System):
             i = "xyz".index(found[1] or found[3])
             ends = self.box.number(3 + 2 * i), self.box.number(4 + 2 * i)
             return ends[1] - ends[0] if found[3] else ends[found[2] == "hi"]
-        raise Unknown(f"{name}, which only a run gives")
+        raise Unknown(f"{name}, which is known only in a run")
 
     def is_defined(self, category: str, name: str) -> bool:
         known: Dict[str, Any] = {"fix": self.fixes, "group": self.group_names, "region": self.regions}
@@ -578,13 +578,13 @@ class Granular(System):
         sentences += [f"fix {f[1]} ({f[3]}) changes numbers of the contact during a run." for f in adapted]
         fault = self.fault or ("A fix adapt changes the pair style." if any("pair" in f for f in adapted) else "")
         if self.other_style is not None and not self.style:
-            text = f"pair_style {self.other_style[1]}: cor knows granular, gran/hooke(/history), gran/hertz/history"
+            text = f"pair_style {self.other_style[1]}: cor supports granular, gran/hooke(/history), gran/hertz/history"
             self.script.remark(self.other_style.line, text + ", LIGGGHTS' gran model, and hybrid with these.")
         moved = [f for f in self.fixes.values() if _INTEGRATES.match(f[3]) and f[3] != "nve/noforce"]
         is_turned = all(_ACCELERATED.sub("", f[3]).endswith("/sphere") and "disc" not in f for f in moved)
         everyone = [m for bodies in moving.values() for m in bodies]
         if self.style and everyone and all(m.held for m in everyone):
-            text = "No atom moves here: all are frozen, or no fix integrates a group that has them."
+            text = "No atom moves here: all are frozen, or no fix integrates a group that contains them."
             self.script.remark(self.style[0].words.line, text, False)
         found = []
         for contact in chain(self.pair_contacts(moving) if self.style else (), self.wall_contacts(moving)):
@@ -682,7 +682,7 @@ class Granular(System):
             contact.number, contact.tangential = math.sqrt(abs(contact.number * second.number)), ("", NAN, NAN, NAN)
             contact.repair, contact.slots, contact.line, contact.file = None, (), second.line, second.file
             contact.unknown = contact.unknown or second.unknown
-            contact.notes = ["No line for this pair: LAMMPS takes the geometric mean of both types."]
+            contact.notes = ["No line for this pair: LAMMPS uses the geometric mean of both types."]
             is_same = contact.model.endswith(("E_VELOCITY", "Z_VELOCITY", "RESTITUTION", "RESTITUTION_LIMIT"))
             if not is_same and self.version < _MIXES_SINCE and not contact.unknown:
                 contact.unknown = "Before 3 Nov 2022 LAMMPS gives such a pair damping velocity, with this mean as eta:"
@@ -699,7 +699,7 @@ class Granular(System):
         elif name not in ("HOOKE_VELOCITY", "HERTZ_VELOCITY"):
             contact.number *= share
         contact.notes.append(
-            "One body is held by no fix freeze, but is not integrated: its mass counts in the damping."
+            "One body is neither frozen nor integrated: its mass counts in the damping."
         )
 
     def new(self, words: Words, one: Body, two: Body, style: str, unknown: str = "") -> Contact:
@@ -719,7 +719,7 @@ class Granular(System):
         try:
             self.read_granular(contact, of, of.words, of.at)
         except Unknown as reason:
-            contact.model, contact.unknown = "", f"No value is known here of {reason}.".replace("\1", " ")
+            contact.model, contact.unknown = "", f"A value is not known here: {reason}.".replace("\1", " ")
         return contact
 
     def read_granular(self, contact: Contact, of: Coefficient, words: Words, at: int) -> None:
@@ -729,7 +729,7 @@ class Granular(System):
             if not is_known(force + damping):
                 number(force + damping)
             if not damping:
-                contact.notes.append("Without the word damping LAMMPS takes viscoelastic.")
+                contact.notes.append("Without the word damping LAMMPS uses viscoelastic.")
             self.set_slots(contact, words, [at + 2] if _NORMAL.get(force) and len(words) > at + 2 else [])
             contact.stiffness, contact.number = words.value(at + 1), words.value(at + 2)
         elif force == "hertz":
@@ -738,7 +738,7 @@ class Granular(System):
         name = "COEFF_RESTITUTION" if damping == "coeff_restitution" else name.replace("_NONE", "_VELOCITY")
         if force not in _NORMAL or name not in _KNOWN:
             what = f"the normal force {force}" if force not in _NORMAL else f"damping {damping} of {force}"
-            contact.style, contact.unknown = f"{of.style} {force}", f"cor does not know {what}."
+            contact.style, contact.unknown = f"{of.style} {force}", f"cor does not support {what}."
             return
         contact.stiffness = words.number(at + (of.style == "granular"))
         contact.number = words.number(at + 2) if damping != "none" else 0.0
@@ -769,7 +769,7 @@ class Granular(System):
         model = words[at]
         contact = self.new(words, one, two, f"gran model {model}")
         if model not in _MODELS:
-            contact.unknown = f"cor does not know the contact model {model}; it knows {', '.join(_MODELS)}."
+            contact.unknown = f"cor does not support the contact model {model}; it knows {', '.join(_MODELS)}."
             return contact
         is_on = {name for name in words[at:] if words.find(name, at) > 0 and words.after(name, at) != "off"}
         is_stiff, is_hertz = model.endswith("/stiffness"), model.startswith("hertz")
@@ -794,13 +794,13 @@ class Granular(System):
             contact.stiffness = kn.value(places[0]) if kn and kn.value(6) == types else NAN
             contact.spring = Spring.HERTZ if is_hertz else Spring.HOOKE
         reasons = {
-            "superquadric": "The particles are superquadrics, which cor does not know.",
+            "superquadric": "The particles are superquadrics, which cor does not support.",
             "cohesion": "The cohesion changes eps.",
             "viscous": "With viscous on the Stokes number of each impact sets the damping.",
             "absolute_damping": "With absolute_damping on gamman is replaced by gamman_abs, which is not read.",
         }
         if math.isnan(contact.number):
-            contact.unknown = f"No value is known here of {name}."
+            contact.unknown = f"A value is not known here: {name}."
         elif not is_stiff and contact.number <= 0.05:
             contact.unknown = "LIGGGHTS refuses e of 0.05 and less."
         contact.unknown = next((reasons[r] for r in reasons if r in is_on), contact.unknown)
@@ -835,18 +835,18 @@ class Granular(System):
         if re.match(r"[\d.]", style):  # before 2017 the pair style gives the force
             style, at = self.style[0].style if self.style else "", 4
             if style in ("", "granular"):
-                unknown = "This form of before 2017 has the force of a pair style gran/..., which is absent."
+                unknown = "This form from before 2017 uses the force of a pair style gran/..., which is absent."
             elif self.version > 20170000:
-                unknown = f"LAMMPS {self.options.version} does not have this form of before 2017."
+                unknown = f"LAMMPS {self.options.version} does not have this form from before 2017."
         elif style != "granular" and not style.startswith(("hooke", "hertz")):
-            unknown = f"cor does not know the wall {style}."
+            unknown = f"cor does not support the wall {style}."
         return [(Coefficient(words, at, style), 0, words[1], unknown)]
 
     def walls_of_liggghts(self, words: Words) -> List[Tuple[Coefficient, int, str, str]]:
         of, meshes = Coefficient(words, 5, "model"), words.find("meshes", 4)
         is_primitive = words.find("primitive", 4) > 0
         if words[4] != "model" or (not is_primitive and meshes < 0):
-            return [(of, 0, words[1], f"cor does not know the wall {words[4]}.")]
+            return [(of, 0, words[1], f"cor does not support the wall {words[4]}.")]
         if is_primitive:
             sources = [(words[1], self.fixes.get(words[1]))]
         else:
@@ -890,7 +890,7 @@ def _read(simulator: str, text: str, name: str, options: Options) -> Deck:
     system = Granular(deck, script, options)
     script.run(text, name, system)
     for (file, line), reason in script.split.items() if len(set(system.courses)) > 1 else ():
-        text = f"if: no value is known here of {reason}; the contacts of both branches are listed."
+        text = f"if: a value is not known here: {reason}; the contacts of both branches are listed."
         deck.remarks.append(Remark(file, line, text, False))
     deck.remarks += script.remarks.values()
     return deck

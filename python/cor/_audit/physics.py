@@ -202,7 +202,7 @@ class _Audit:
     def say_surface(self, row: Row, surface: float) -> None:
         row.realised_surface = surface
         if abs(surface - row.realised) > self.options.tolerance * row.realised:
-            row.advice += f" With gravity a bounce on this wall shows {surface:.6g}, not {row.realised:.6g}."
+            row.advice += f" With gravity a bounce on this wall gives {surface:.6g}, not {row.realised:.6g}."
 
     # ---- the time step ----
 
@@ -234,7 +234,7 @@ class _Audit:
         wished = row.realised if math.isnan(row.asked) else row.asked
         allowed = self.options.tolerance * wished
         if steps < 2:
-            row.advice += " The contact takes less than two time steps: eps is left to chance."
+            row.advice += " The contact lasts less than two time steps, so eps depends on chance."
             return False
         cost = max(_PHASES_LEAST * collision, min(_PHASES * collision, _STEPS_OF_PHASES))
         error = self.step_error(scene, at, end, steps, integrator, cost)
@@ -245,7 +245,7 @@ class _Audit:
             return True
         if abs(row.step_bias) <= allowed and row.step_scatter <= allowed:
             return False  # the step is not the cause
-        row.advice += f" The time step makes eps {row.realised + row.step_bias:.6g} in the mean, "
+        row.advice += f" The time step changes the mean eps to {row.realised + row.step_bias:.6g}, "
         row.advice += f"with the standard deviation {row.step_scatter:.6g}."
         key = (scene.stiffness, scene.mass_kg, scene.damping, scene.law.elastic, scene.law.damping, at, end, allowed)
         if key not in self.needed and allowed >= _LEAST_SEARCHED and self.steps_left >= _STEPS_OF_SEARCH:

@@ -154,7 +154,7 @@ class _Formula:
 
     def named(self, name: str) -> float:
         if self.peek() == "[" or (self.peek() == "(" and name not in _FUNCTIONS and name != "is_defined"):
-            raise Unknown(f"{name}{self.peek()}...{']' if self.peek() == '[' else ')'}, which only a run gives")
+            raise Unknown(f"{name}{self.peek()}...{']' if self.peek() == '[' else ')'}, which is known only in a run")
         if name.startswith("v_"):
             return number(self.world.text_of(name[2:]))
         if self.peek() != "(":
@@ -265,7 +265,7 @@ class System:
 
     def keyword(self, name: str) -> float:
         """Returns the value of a thermodynamic keyword. Raises Unknown if only a run gives it."""
-        raise Unknown(f"{name}, which only a run gives")
+        raise Unknown(f"{name}, which is known only in a run")
 
     def is_defined(self, category: str, name: str) -> bool:
         raise Unknown("is_defined()")
@@ -401,7 +401,7 @@ class World:
         try:
             first, last = (1, int(number(values[0]))) if len(values) == 1 else [int(number(v)) for v in values[:2]]
         except (Unknown, IndexError):
-            return Variable("loop of an unknown number")
+            return Variable("loop with an unknown count")
         return Variable("loop", (str(first), f"%0{len(str(last))}d" if padded else "%d", str(last)))
 
     def part(self, count: int) -> None:
@@ -436,13 +436,13 @@ class World:
         found = self.script.options.include(name, self.stack[-1][0].name) if is_known(name) and self.stack else None
         if found is None:
             shown = name.split(_MARK)[1] if not is_known(name) else name
-            self.script.remark(words.line, f"The file {shown} cannot be read: it must be a plain file beside this one.")
+            self.script.remark(words.line, f"The file {shown} cannot be read: it must be a plain file next to this one.")
             return None
         return Source(found[1], found[0])
 
     def include(self, words: Words) -> None:
         if len(self.stack) >= MAX_NESTED:
-            self.script.remark(words.line, f"{words[1]}: more than {MAX_NESTED} files within each other.")
+            self.script.remark(words.line, f"{words[1]}: more than {MAX_NESTED} nested files.")
             return
         source = self.open(words[1], words)
         if source:
@@ -523,7 +523,7 @@ class World:
     def execute_all(self, commands: Sequence[str], line: Line) -> None:
         self.depth += 1
         if self.depth > MAX_NESTED:
-            self.script.remark(line, f"if: more than {MAX_NESTED} within each other.")
+            self.script.remark(line, f"if: more than {MAX_NESTED} nested conditions.")
         else:
             for command in commands:
                 if not self.label:
@@ -554,7 +554,7 @@ class World:
         self.is_left = bool(self.script.split)  # only one branch of an unknown condition ends here
 
     def name_only(self, words: Words) -> None:
-        self.script.remark(words.line, f"{words[0]} is not executed; contacts that depend on it are not right.", False)
+        self.script.remark(words.line, f"{words[0]} is not executed; contacts that depend on it are wrong.", False)
 
     def run(self) -> None:
         """Executes until the files end."""
@@ -639,7 +639,7 @@ class Script:
         try:
             return command()
         except Unknown as reason:
-            text = f"{name}: no value is known here of {reason}".replace(_BLANK, " ").replace(_MARK, "")
+            text = f"{name}: a value is not known here: {reason}".replace(_BLANK, " ").replace(_MARK, "")
             self.remark(line, text)
         except (ArithmeticError, IndexError, ValueError):
             self.remark(line, f"{name}: its numbers are missing or out of range.")
@@ -655,7 +655,7 @@ class Script:
                 self.next_progress = now + 1
                 self.options.progress("reading the script")
         if self.count > 20 * MAX_COMMANDS:
-            raise OutOfBounds("The script has more commands, in its loops, than are read; the rest is not read.")
+            raise OutOfBounds("The loops of the script have more commands than cor reads; the rest is not read.")
 
     def run(self, text: str, name: str, system: System) -> None:
         """Executes a script in all its worlds."""

@@ -129,9 +129,9 @@ def _kratos_contact(source: Source, bodies: List[Body], values: Dict[str, Any], 
         by_e, by_gamma, c.spring = _KRATOS[law]
         c.model, c.style = by_gamma if key == "DAMPING_GAMMA" else by_e, ""
     else:
-        c.unknown = f"cor does not know the contact law {law}." if law else "The contact law of the pair is missing."
+        c.unknown = f"cor does not support the contact law {law}." if law else "The contact law of the pair is missing."
     if math.isnan(c.number):
-        c.unknown = c.unknown or f"{key} is no number."
+        c.unknown = c.unknown or f"{key} is not a number."
     return c
 
 
@@ -304,9 +304,9 @@ def read_lethe(text: str, name: str, options: Options) -> Deck:
         if a is b and a[2][2]:
             source.place(c, a[2][1], a[2][2])
         if force not in ("linear", "nonlinear", "hertz", "hertz_mindlin_limit_force", "hertz_mindlin_limit_overlap"):
-            c.unknown = f"cor does not know the contact force {force}."
+            c.unknown = f"cor does not support the contact force {force}."
         elif math.isnan(c.number):
-            c.unknown = "The restitution coefficient of a partner is missing, or no number."
+            c.unknown = "The restitution coefficient of a partner is missing, or not a number."
         deck.contacts.append(c)
     return deck
 
@@ -367,9 +367,9 @@ def read_pfc(text: str, name: str, options: Options) -> Deck:
         if table.get("dp_mode") in ("1.0", "3.0"):
             c.limited, c.style = True, "linear, dp_nratio, without tension"
         if math.isnan(c.number) or math.isnan(damp):
-            c.unknown = "dp_nratio or damp is no number."
+            c.unknown = "dp_nratio or damp is not a number."
         elif model and not model.startswith(("linear", "rrlinear")):
-            c.style, c.unknown = model, f"cor does not know the dashpot of the model {model}."
+            c.style, c.unknown = model, f"cor does not support the dashpot of the model {model}."
         elif "bond" in model:
             c.notes.append("eps holds for contacts whose bond is broken or absent.")
         deck.contacts.append(c)
@@ -421,7 +421,7 @@ def read_mercurydpm(text: str, name: str, options: Options) -> Deck:
             c.time_step = arithmetic(constants.get(step[1].strip(), step[1])) if step else NAN
             if mass is not None:
                 c.zeta_factor = math.sqrt(0.5) if wall else 1.0
-                c.notes.append("Holds for particles of the mass that the setter is given.")
+                c.notes.append("Holds for particles of the mass that is given to the setter.")
             start = at + sum(len(w) + 1 for w in words[:k])
             if k < len(words):
                 source.place(c, start + len(words[k]) - len(words[k].lstrip()), start + len(words[k].rstrip()))
@@ -429,7 +429,7 @@ def read_mercurydpm(text: str, name: str, options: Options) -> Deck:
                 c.unknown = f"{m[2]} has no literal number."
             deck.contacts.append(c)
     if not deck.contacts:
-        deck.remarks.append(Remark(name, 1, "no species gets a restitution coefficient by a setter that cor knows"))
+        deck.remarks.append(Remark(name, 1, "no species gets a restitution coefficient by a setter that cor reads"))
     return deck
 
 
@@ -455,5 +455,5 @@ def _mercury_dashpot(
     )
     c.time_step = arithmetic(constants.get(step[1].strip(), step[1])) if step else NAN
     if "Hertzian" in plain or math.isnan(c.stiffness) or math.isnan(c.number):
-        c.unknown = "Its stiffness or dissipation is no literal number, or no linear one."
+        c.unknown = "Its stiffness or dissipation is not a literal number, or is not linear."
     return c

@@ -184,7 +184,7 @@ class _Model:
         for i, one in enumerate(self.geoms):
             for two in self.geoms[i + 1 :]:
                 if len(self.deck.contacts) >= MAX_PAIRS:
-                    text = f"more than {MAX_PAIRS} contacts; not judged from here on"
+                    text = f"more than {MAX_PAIRS} contacts; the rest is not judged"
                     self.deck.remarks.append(Remark(self.deck.file, 1, text))
                     return
                 if self.can_meet(one, two) and frozenset((one.name, two.name)) not in explicit:
@@ -268,7 +268,7 @@ class _Model:
         if any(map(math.isnan, imp)) or imp[4] < 1:
             c.unknown = "Its solimp could not be read."
         elif not (0 <= c.number < 1e24 and 1e-48 < c.stiffness < 1e48):
-            c.unknown = "Its solref is no pair of numbers, or out of range."
+            c.unknown = "Its solref is not a pair of numbers, or out of range."
         elif condim > 3 and self.option.get("cone") != "elliptic":
             c.unknown = "With condim 4 or 6 pyramidal cones of friction change eps: use elliptic ones."
 
@@ -304,7 +304,7 @@ def read_gazebo(text: str, name: str, options: Options) -> Deck:
             c = Contact(name, max(one[2], two[2]), "gazebo", (a, b), "GAZEBO_BOUNCE", pair=f"{one[0]}-{two[0]}")
             c.number, c.threshold, c.time_step = min(one[3], two[3]), min(one[4], two[4]), step
             if engines:
-                c.unknown = f"cor knows contacts of ODE only, not of the physics {', '.join(sorted(engines))}."
+                c.unknown = f"cor supports only contacts of ODE, not of the physics {', '.join(sorted(engines))}."
             deck.contacts.append(c)
     for one in found if not deck.contacts else []:  # a model without a world
         a, b = Body(one[0]), Body("any")

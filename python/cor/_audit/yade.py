@@ -366,7 +366,7 @@ class Script:
         for statement in body:
             self.steps += 1
             if self.steps > MAX_STEPS:
-                self.note(statement.lineno, "the script takes more steps than cor follows; not read from here on", True)
+                self.note(statement.lineno, "the script takes more steps than cor follows; the rest is not read", True)
                 raise Return
             if isinstance(statement, ast.Assign):
                 value = self.value(statement.value)
@@ -451,7 +451,7 @@ class Script:
                 if target.attr == "dt":
                     self.time_step = value
                     if value is UNKNOWN:
-                        self.note(target.lineno, "the time step is no number that can be read; give --time-step")
+                        self.note(target.lineno, "the time step cannot be read as a number; give --time-step")
             elif isinstance(of, Thing):
                 of.values[target.attr] = UNKNOWN if self.unsure else value
                 if node is not None:
@@ -629,7 +629,7 @@ class _Reader:
         if one.clump or two.clump:
             c.unknown = c.unknown or "A clump rebounds with its own mass and shape, not with the sphere's."
         if math.isnan(self.damping):
-            c.unknown = c.unknown or "The damping of NewtonIntegrator is not a number that can be read."
+            c.unknown = c.unknown or "The damping of NewtonIntegrator cannot be read as a number."
         c.global_damping = 0.0 if math.isnan(self.damping) else self.damping
         self.deck.contacts.append(c)
 
@@ -655,7 +655,7 @@ class _Reader:
             c.unknown = f"The script has no Ip2 functor for {' and '.join(dict.fromkeys(names))}."
         else:
             c.style = functor.name
-            c.unknown = f"cor does not know the contact of {' and '.join(dict.fromkeys(names))} by {functor.name}."
+            c.unknown = f"cor does not support the contact of {' and '.join(dict.fromkeys(names))} by {functor.name}."
 
     def set_mindlin(self, c: Contact, functor: Thing, a: Optional[Thing], b: Optional[Thing]) -> None:
         c.line, c.spring = functor.line, Spring.MATERIAL
@@ -668,7 +668,7 @@ class _Reader:
             c.unknown = "It has en and betan."
         elif "vn" in functor.values:
             c.model = "YADE_EN_VN"
-            c.unknown = "" if functor.number("vn") == 1 else "Its en holds at vn, and cor knows vn = 1 only."
+            c.unknown = "" if functor.number("vn") == 1 else "Its en holds at vn, and cor supports only vn = 1."
         elif "gamma" in functor.values:
             c.unknown = "The adhesion changes eps."
 
@@ -680,8 +680,8 @@ class _Reader:
         c.number = number_of(value)
         if math.isnan(c.number):
             known = isinstance(thing.values[key], Thing)
-            c.unknown = "MatchMaker has no value for this pair; val counts with algo='val' only." if known else ""
-            c.unknown = c.unknown or f"{key} of {thing.name} is not a number that can be read."
+            c.unknown = "MatchMaker has no value for this pair; val counts only with algo='val'." if known else ""
+            c.unknown = c.unknown or f"{key} of {thing.name} cannot be read as a number."
         elif node is not None and hasattr(node, "lineno"):
             self.place(c, node)
 
@@ -754,7 +754,7 @@ class _Reader:
         if any(math.isnan(n) for n in numbers):
             lost = sorted({k for m in (a, b) for k in keys if k not in own and math.isnan(m.number(k))})
             has = [k for k in lost if k in a.values or k in b.values]
-            state = f"{' and '.join(has)} is no constant" if has else f"{' and '.join(lost)} is missing"
+            state = f"{' and '.join(has)} is not a constant" if has else f"{' and '.join(lost)} is missing"
             c.unknown = f"Of its material {state}." if lost else "The number of its damping could not be read."
         elif keys[0] not in own and a.nodes.get(keys[0]) is b.nodes.get(keys[0]) is not None:
             self.place(c, a.nodes[keys[0]])
