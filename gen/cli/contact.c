@@ -44,8 +44,9 @@ static int check_options(const struct contact_arguments *o, const struct contact
     if (option && isnan(c->mass_kg))
         return usage_error("--%s needs mass and stiffness: give bodies, or --stiffness and --effective-mass", option);
     const bool oblique = o->angle.count + o->tangential_speed.count > 0;
-    if (o->friction.text && !oblique && (o->simulator || o->speed.count > 0))
-        return usage_error("--friction with --speed or --for needs --angle LIST or --tangential-speed LIST, for "
+    const bool slides = oblique || (o->friction.text && o->simulator);
+    if (o->friction.text && !slides && o->speed.count > 0)
+        return usage_error("--friction with --speed needs --angle LIST or --tangential-speed LIST, for "
                            "example --angle 10,30,60");
     if (oblique && o->speed.count == 0)
         return usage_error("--angle and --tangential-speed need --speed LIST, the normal component of the velocity");
@@ -53,10 +54,10 @@ static int check_options(const struct contact_arguments *o, const struct contact
         return usage_error("--walton needs three angles or more, for example --angle 1:89:lin:89");
     if (o->walton && o->simulator)
         return usage_error("--walton and --for exclude each other; leave out --for");
-    if (oblique && (isnan(c->mass_kg) || contacts->scene.plate || c->adhesion_j_m2 > 0))
+    if (slides && (isnan(c->mass_kg) || contacts->scene.plate || c->adhesion_j_m2 > 0))
         return usage_error("oblique impacts need two bodies, or --stiffness and --effective-mass; leave out "
                            "--plate-thickness and --adhesion-model jkr");
-    if (o->friction.text && !oblique && (contacts->scene.plate || isnan(c->radius_m)))
+    if (o->friction.text && !slides && (contacts->scene.plate || isnan(c->radius_m)))
         return usage_error("--friction needs two spheres, or a sphere and a wall, with --poisson NU for Mindlin's "
                            "tangential stiffness, for example --young 7e10 --poisson 0.2 --radius 1e-3 --density 2500");
     if (o->friction.text && (c->plastic || c->liquid_speed_m_s > 0))
@@ -64,8 +65,8 @@ static int check_options(const struct contact_arguments *o, const struct contact
             "--friction is not possible with --law elastic-plastic or in a liquid; leave out --friction");
     double spring, dashpot;
     const int end = contact_end(contacts, 0);
-    if (o->tangential.text && !oblique && (o->speed.count > 0 || o->simulator))
-        return usage_error("--tangential-restitution with --speed or --for needs --friction MU and --angle LIST");
+    if (o->tangential.text && !slides && (o->speed.count > 0 || o->simulator))
+        return usage_error("--tangential-restitution with --for needs --friction MU, with --speed also --angle LIST");
     if (o->tangential.text && end == COR_BOTH_ENDS)
         return usage_error(
             "--tangential-restitution needs --end zero-overlap or zero-force, because the duration depends on the end");
@@ -240,8 +241,7 @@ static int print_for_simulator(const struct contact_arguments *o, const struct c
     scene.solver = contact_enclosed;
     request.scene = o->materials ? &scene : request.scene;
     const struct oblique_request oblique = oblique_of(o);
-    if ((contacts ? oblique.count > 0 : o->materials && o->friction.text) &&
-        contact_oblique_lines(&request, contacts, &oblique) != STATUS_OK)
+    if (o->friction.text && request.scene && contact_oblique_lines(&request, contacts, &oblique) != STATUS_OK)
         return STATUS_USAGE;
     char *const text =
         o->materials ? contact_materials_text(request, o->materials, o->pairs) : contact_simulator_text(&request);

@@ -214,8 +214,8 @@ static int read_cell(double *value, const char *option, const struct table *t, c
     decimal_clear(&d);
     return cor_option_allows(range, *value)
                ? STATUS_OK
-               : usage_error("--%s, line %s, %s: '%s' is not %s", option, row[t->columns - 1], t->column[column],
-                             row[column], range->allowed);
+               : usage_error("--%s, line %s, %s: '%s' is not %s%s%s", option, row[t->columns - 1], t->column[column],
+                             row[column], range->allowed, *range->unit ? ", without its unit " : "", range->unit);
 }
 
 static int read_material(struct cor_material *m, const struct table *t, char *const *row)
@@ -275,9 +275,9 @@ static int read_pair(struct cor_material_pair *p, const struct table *t, char *c
 char *contact_materials_text(struct cor_simulator_request request, const char *materials, const char *pairs)
 {
     struct table m = {0}, p = {0};
-    int status = table_read(&m, "materials", materials, material_columns, 5);
+    int status = table_read(&m, "materials", materials, material_columns, 5, false);
     if (status == STATUS_OK && pairs)
-        status = table_read(&p, "pairs", pairs, "a,b,restitution,at_m_s,end,friction", 2);
+        status = table_read(&p, "pairs", pairs, "a,b,restitution,at_m_s,end,friction", 2, false);
     const size_t count = (size_t)(m.cells / MATERIAL_COLUMNS), measured = (size_t)(p.cells / PAIR_COLUMNS);
     struct cor_material *const material = xmalloc((count + 1) * sizeof *material);
     struct cor_material_pair *const pair = xmalloc((measured + 1) * sizeof *pair);

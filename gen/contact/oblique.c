@@ -191,8 +191,8 @@ int contact_oblique_lines(struct cor_simulator_request *lines, const struct cont
                           const struct oblique_request *request)
 {
     const struct cor_scene_contact of_law = {.law = lines->scene->law};
-    const char *const name =
-        request->model || contacts ? request->model ? request->model : lines->simulator : "displacement";
+    const bool known = contacts && cor_simulator_named(lines->simulator)->tangential;
+    const char *const name = request->model ? request->model : known ? lines->simulator : "displacement";
     const int id = model_of(name, contacts ? &contacts->contact[0] : &of_law);
     if (id < 0)
         return STATUS_USAGE;

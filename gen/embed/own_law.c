@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "embed/own_law.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,28 +10,12 @@
 #include "support/local.h"
 #include "support/output.h"
 
-enum { BYTES_MOST = 1 << 20, CELL_MOST = 40, CUBIC = 5, CUBIC_BITS = 400 };
+enum { CELL_MOST = 40, CUBIC = 5, CUBIC_BITS = 400 };
 
 /* ---- the table ---- */
 
 static const struct decimal_range range_of_speed = {"0", NULL, false, false, true, NULL},
                                   range_of_eps = {"0", "1", false, true, true, NULL};
-
-/* Splits a line at its commas. Returns the number of cells, of which only the first `most` are stored. */
-static int split_line(char **cell, int most, char *line)
-{
-    int count = 0;
-    for (char *next = line; next; count++) {
-        char *const text = next + strspn(next, " \t");
-        if ((next = strchr(next, ',')) != NULL)
-            *next++ = '\0';
-        for (size_t n = strlen(text); n > 0 && strchr(" \t\r", text[n - 1]); n--)
-            text[n - 1] = '\0';
-        if (count < most)
-            cell[count] = text;
-    }
-    return count;
-}
 
 static bool read_cell(fmpq_t x, const char *cell, const struct decimal_range *range)
 {
@@ -45,47 +28,27 @@ static bool read_cell(fmpq_t x, const char *cell, const struct decimal_range *ra
     return good;
 }
 
-/* Reads the columns speed_m_s and eps of a text, which it changes. Returns the number of rows, or 0 after a message. */
-static slong read_rows(fmpq *speed, fmpq *eps, char *text, const char *path)
+/* Reads the rows of a table. Returns their number, or 0 after a message. */
+static slong read_rows(fmpq *speed, fmpq *eps, const struct table *t, const char *path)
 {
-    enum { COLUMNS_MOST = 64 };
-    char *cell[COLUMNS_MOST], *rest = NULL;
-    int columns = 0, at_speed = -1, at_eps = -1, number = 0;
-    slong rows = 0;
-    for (char *line = text; line; line = rest) {
-        if ((rest = strchr(line, '\n')) != NULL)
-            *rest++ = '\0';
-        number++;
-        if (line[0] == '#' || line[strspn(line, " \t\r")] == '\0')
-            continue;
-        const int cells = split_line(cell, COLUMNS_MOST, line);
-        if (columns == 0) {
-            for (int i = 0; i < cells && i < COLUMNS_MOST; i++) {
-                at_speed = strcmp(cell[i], "speed_m_s") == 0 ? i : at_speed;
-                at_eps = strcmp(cell[i], "eps") == 0 ? i : at_eps;
-            }
-            columns = cells;
-            if (at_speed < 0 || at_eps < 0)
-                return usage_error("--table %s: the first line must be speed_m_s,eps", path), 0;
-            continue;
-        }
+    enum { SPEED, EPS, LINE, COLUMNS };
+    const slong rows = t->cells / COLUMNS;
+    for (slong i = 0; i < rows && i < OWN_ROWS_MOST; i++) {
+        char *const *const cell = t->cell + COLUMNS * i;
         const char *const wrong =
-            cells != columns ? "the number of cells differs from the first line; write 0.1, not 0,1"
-            : rows == OWN_ROWS_MOST
-                ? "more than " TEXT_OF(OWN_ROWS_MOST) " rows; leave out rows that are close together"
-            : !read_cell(speed + rows, cell[at_speed], &range_of_speed) ? "the speed is not a number above 0, in m/s"
-            : !read_cell(eps + rows, cell[at_eps], &range_of_eps)       ? "eps is not a number above 0 and up to 1"
-            : rows > 0 && fmpq_cmp(speed + rows - 1, speed + rows) >= 0
+            !read_cell(speed + i, cell[SPEED], &range_of_speed) ? "the speed is not a number above 0, in m/s"
+            : !read_cell(eps + i, cell[EPS], &range_of_eps)     ? "eps is not a number above 0 and up to 1"
+            : i > 0 && fmpq_cmp(speed + i - 1, speed + i) >= 0
                 ? "the speed is not above the previous speed; sort the rows by speed, and give each speed once"
                 : NULL;
         if (wrong)
-            return usage_error("--table %s, line %d: %s", path, number, wrong), 0;
-        rows++;
+            return usage_error("--table %s, line %s: %s", path, cell[LINE], wrong), 0;
     }
-    if (rows < 2)
-        usage_error("--table %s: the file has %ld row%s of numbers; allowed: two or more", path, (long)rows,
-                    rows == 1 ? "" : "s");
-    return rows < 2 ? 0 : rows;
+    if (rows < 2 || rows > OWN_ROWS_MOST)
+        usage_error("--table %s: %ld row%s of numbers; allowed: 2 to " TEXT_OF(OWN_ROWS_MOST) "; leave out rows that "
+                                                                                              "are close together",
+                    path, (long)rows, rows == 1 ? "" : "s");
+    return rows < 2 || rows > OWN_ROWS_MOST ? 0 : rows;
 }
 
 /* Computes the slope at the first or the last row from the secants d and the widths h of the two nearest intervals,
@@ -139,19 +102,10 @@ static void set_cubics(struct own_law *law, const fmpq *speed, const fmpq *eps)
 
 static int init_table(struct own_law *law, const char *path)
 {
-    size_t size;
-    char *const bytes = read_file(path, BYTES_MOST, &size);
-    if (!bytes || strpbrk(path, "\n\r")) {
-        free(bytes);
-        return usage_error("--table: cannot read %s: %s%s", path, strerror(errno),
-                           errno == EFBIG ? "; allowed: less than 1 MiB" : "");
-    }
-    static const char mark[] = "\xef\xbb\xbf"; /* byte order mark of UTF-8 */
+    struct table t = {0};
     fmpq *const number = _fmpq_vec_init(2 * OWN_ROWS_MOST);
-    if (strlen(bytes) != size)
-        usage_error("--table %s: the file contains a zero byte; allowed: csv", path);
-    else
-        law->rows = read_rows(number, number + OWN_ROWS_MOST, bytes + (strncmp(bytes, mark, 3) == 0 ? 3 : 0), path);
+    if (table_read(&t, "table", path, "speed_m_s,eps", 2, true) == STATUS_OK)
+        law->rows = read_rows(number, number + OWN_ROWS_MOST, &t, path);
     if (law->rows > 0) {
         law->speed = xmalloc((2 + CUBIC) * (size_t)law->rows * sizeof *law->speed);
         law->place = law->speed + law->rows;
@@ -163,7 +117,7 @@ static int init_table(struct own_law *law, const char *path)
                  (long)law->rows, path);
     }
     _fmpq_vec_clear(number, 2 * OWN_ROWS_MOST);
-    free(bytes);
+    table_clear(&t);
     return law->rows > 0 ? STATUS_OK : STATUS_USAGE;
 }
 

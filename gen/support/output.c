@@ -355,7 +355,7 @@ static int split_fields(char **field, int most, char *line)
 
 /* Sets place[k] to the field of the header that is column k of the table, or to -1. Returns an error as text, or
  * NULL. */
-static char *read_header(int *place, const struct table *t, char *const *field, int fields, int required)
+static char *read_header(int *place, const struct table *t, char *const *field, int fields, int required, bool others)
 {
     for (int k = 0; k < t->columns - 1; k++) {
         place[k] = -1;
@@ -365,9 +365,10 @@ static char *read_header(int *place, const struct table *t, char *const *field, 
             else if (strcmp(field[i], t->column[k]) == 0)
                 place[k] = i;
         if (place[k] < 0 && k < required)
-            return xprintf("the column %s is missing", t->column[k]);
+            return xprintf("the column %s is missing%s", t->column[k],
+                           fields == 1 ? "; write commas between the columns" : "");
     }
-    for (int i = 0; i < fields; i++) {
+    for (int i = 0; i < fields && !others; i++) {
         int k = 0;
         while (k < t->columns - 1 && place[k] != i)
             k++;
@@ -377,9 +378,9 @@ static char *read_header(int *place, const struct table *t, char *const *field, 
     return NULL;
 }
 
-int table_read(struct table *t, const char *option, const char *path, const char *columns, int required)
+int table_read(struct table *t, const char *option, const char *path, const char *columns, int required, bool others)
 {
-    enum { COLUMNS = 16, MOST = 1 << 24 };
+    enum { COLUMNS = 64, MOST = 1 << 24 };
     int place[COLUMNS], fields = 0, number = 0;
     size_t size;
     char *const all = xprintf("%s,line", columns), *const bytes = read_file(path, MOST, &size), *wrong = NULL;
@@ -387,8 +388,6 @@ int table_read(struct table *t, const char *option, const char *path, const char
     free(all);
     if (!bytes)
         return usage_error("--%s: cannot read %s: %s", option, path, strerror(errno));
-    if (strlen(bytes) != size)
-        wrong = xstrdup("the file contains a zero byte");
     char *const start = strncmp(bytes, "\xef\xbb\xbf", 3) == 0 ? bytes + 3 : bytes; /* behind a byte order mark */
     for (char *line = start, *next; line && !wrong; line = next) {
         char *field[COLUMNS];
@@ -396,19 +395,21 @@ int table_read(struct table *t, const char *option, const char *path, const char
         if (next)
             *next++ = '\0';
         number++;
+        if (!next && line + strlen(line) != bytes + size)
+            wrong = xstrdup("the line contains a zero byte");
         const int found = line[strspn(line, " \t\r")] == '\0' || *line == '#' ? 0 : split_fields(field, COLUMNS, line);
         for (int i = 0; i < found && !wrong; i++) {
             char *const shown = xprintable(field[i]);
-            wrong = strcmp(shown, field[i]) == 0 ? NULL : xprintf("'%s' is not text in UTF-8", field[i]);
+            wrong = strcmp(shown, field[i]) == 0 ? NULL : xprintf("'%s' is not text in UTF-8 without tabs", field[i]);
             free(shown);
         }
         if (wrong || found == 0)
             continue;
         if (fields == 0) {
-            wrong = read_header(place, t, field, fields = found, required);
+            wrong = read_header(place, t, field, fields = found, required, others);
             continue;
         }
-        wrong = found == fields ? NULL : xprintf("%d fields, but the header has %d", found, fields);
+        wrong = found == fields ? NULL : xprintf("%d fields, but the header has %d; write 0.1, not 0,1", found, fields);
         for (int k = 0; k < t->columns - 1 && !wrong; k++)
             table_add(t, xstrdup(place[k] < 0 ? "" : field[place[k]]));
         if (!wrong)

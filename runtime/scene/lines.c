@@ -1290,7 +1290,8 @@ static int check_friction(struct task *task)
             "and add it to your input",
             model->name, task->simulator->title);
     if (task->types == 2 && !r->scene->wall)
-        return refuse_task(task, "lines with --friction need two bodies of the same material and size, or a wall");
+        return refuse_task(task, "lines with --friction need two bodies of the same material and size, or a wall; "
+                                 "for others give --materials FILE");
     return lammps || !(r->tangential_damping > 0) ||
            refuse_task(task, "only LAMMPS has lines with a tangential damping; leave out --tangential-damping");
 }
@@ -1449,7 +1450,12 @@ static int find_contact(struct task *task, size_t i, size_t j)
         const int status = cor_scene_contacts(found, &c->count, &fault, &c->scene);
         if (status != COR_FAULT_NONE) {
             cor_scene_fault_text(text, sizeof text, &fault, "of the request", NULL);
-            return refuse_contact(task, i, j, status < 0 ? "not solved" : text);
+            return refuse_contact(task, i, j,
+                                  status < 0                           ? "not solved"
+                                  : fault.fault != COR_FAULT_NOT_HERTZ ? text
+                                                                       : "materials have Hertz's force; allowed: "
+                                                                         "the laws viscoelastic, tsuji, "
+                                                                         "hertz-dashpot and hunt-crossley");
         }
         memcpy(c->contact + end, found, sizeof *found * (size_t)c->count);
     }
