@@ -1482,7 +1482,7 @@ static int check_name(struct task *task, const char *name)
                        name, NUMBER - 1);
 }
 
-/* Checks the materials and their pairs, and finds all contacts, like balls first. */
+/* Checks the materials and their pairs, and finds all contacts. */
 static int check_materials(struct task *task)
 {
     const struct cor_simulator_request *const r = task->request;
@@ -1520,10 +1520,12 @@ static int check_materials(struct task *task)
             if ((p->a == other->a && p->b == other->b) || (p->a == other->b && p->b == other->a))
                 return refuse_task(task, "%s and %s: two pairs of these materials; leave out one", a->name, b->name);
     }
-    for (size_t apart = 0; apart < types; apart++)
-        for (size_t i = 0; i < balls && i + apart < types; i++)
-            if (!find_contact(task, i, i + apart))
-                return 0;
+    /* first two balls of each material, then of types made of it, which may need its damping, then all others */
+    for (int turn = 0; turn < 3; turn++)
+        for (size_t i = 0; i < balls; i++)
+            for (size_t j = i; j < types; j++)
+                if (turn == (i != j ? 2 : material_of(r, i)->made_of != NULL) && !find_contact(task, i, j))
+                    return 0;
     return 1;
 }
 

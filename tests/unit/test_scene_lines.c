@@ -141,6 +141,10 @@ TEST(ends)
         const double zeta = strtod(at, NULL) / ((newton ? 2 : 4) * sqrt(1e5 * 2e-3)), root = sqrt(1 - zeta * zeta);
         assert_float_equal(exp(-(newton ? 1 : 2) * zeta / root * atan2(root, zeta)), 0.5, 1e-10);
     }
+    struct cor_scene hunt_crossley = bodies(COR_LAW_HUNT_CROSSLEY, 0);
+    hunt_crossley.end = COR_END_APPROACH_ONLY;
+    scene_give(hunt_crossley, {COR_SCENE_RESTITUTION, 0.5}, {COR_SCENE_AT, 1});
+    found(text_for("simbody", NULL, &hunt_crossley, 1), "\n// realises eps = 0.5 at 1 m/s\n");
     /* A given damping is the active one. */
     const double l = log(2) / PI, zeta = l / sqrt(1 + l * l), root = sqrt(1 - zeta * zeta);
     scene.end = COR_END_ZERO_OVERLAP;
@@ -479,6 +483,9 @@ TEST(several_materials)
     found(text, " damping viscoelastic limit_damping\n");
     request.friction = 0;
     request.pair_count = 2;
+    request.simulator = "yade";
+    assert_true(cor_simulator_lines(text, sizeof text, &request) > 0);
+    found(text, "),\n    )),\n    vn=1.0)],\n");
     request.simulator = "chrono";
     assert_true(cor_simulator_lines(text, sizeof text, &request) > 0);
     at = found(found(text, "CombineDampingCoefficient"), "pair[] = {\n            ");
