@@ -307,8 +307,8 @@ static double find_realised(const struct cor_simulator_model *model, const struc
     return eps;
 }
 
-/* Returns csv of the choices of two options: the option, a law or a simulator, and its name for readers. Of a
- * simulator, the integrator for which web_step_errors holds follows; "" if the errors are NaN. The first one is none. */
+/* Returns csv of the choices of two options: the option, a law or a simulator, and its name for readers. The row of a
+ * simulator ends with the integrator for which web_step_errors holds; "" if the errors are NaN. */
 WEB_EXPORT(web_choices) const char *web_choices(void)
 {
     static const char *const labels[] = {COR_CONTACT_LAWS(COR_LAW_LABEL)};

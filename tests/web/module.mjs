@@ -183,15 +183,10 @@ check("laws by name", law.value("tsuji", "zero_force", "eps", [0])[0] === 1 && l
     Math.abs(sphere.beta_zero_force(eps)[0] - 0.5) < 1e-15 && Math.abs(sphere.loss_zero_force([0.5])[0] + eps[0] - 1) < 1e-15);
 for (const [what, act, name, text] of [
     ["an end that is none", () => law.value("linear", "surface", "eps", [1]), "", /^end: 'surface'; allowed: zero-overlap, /],
-    ["a negative modulus", () => cor.contact({ ...glass, young: -1, g_star: 1 }), "young",
-        "--young: '-1' is not a finite number above 0, written as 0.1, 1.5e-3"],
-    ["no speed of a restitution", () => cor.contact({ ...glass, restitution: 0.9 }), "at", /^--restitution needs --at SPEED/],
     ["an unknown law", () => cor.contact({ law: "hooke" }), "law", /^--law: 'hooke' is not a law; allowed: viscoelastic, /],
     ["an unknown option", () => cor.contact({ yuong: 1 }), "yuong", /is not an option/],
     ["not a number", () => cor.contact({ g_star: "0x10" }), "g-star", /'0x10' is not a finite number above 0/],
     ["an infinite number", () => cor.contact({ g_star: Infinity }), "g-star", /'Infinity' is not a finite number/],
-    ["no damping", () => cor.contact(glass), "restitution", /^no dissipation is given/],
-    ["half a time step", () => cor.contact({ g_star: 1, steps: 0.5 }), "steps", /is not 1 or more/],
     ["an unknown simulator", () => measured.lines("abaqus"), "for", /'abaqus' is not a simulator that cor has lines for/],
     ["a wall that moves", () => cor.contact({ ...glass, g_star: 1, wall: true, mass_2: 1 }), "wall", /^--wall is flat/],
     ["a line break in a value", () => cor.contact({ g_star: "1\nwall=yes" }), "g-star", /is not a finite number/],

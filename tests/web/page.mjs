@@ -25,6 +25,10 @@ async function open(address, width = 900, height = 720) {
     page.on("pageerror", (error) => complaints.push(error.message));
     page.on("request", (request) => requests.push(request.url()));
     await page.setViewport({ width, height });
+    return visit(page, address);
+}
+async function visit(page, address) {
+    await page.goto("about:blank");
     await page.goto(address);
     await page.waitForSelector("html[data-ready]");
     return page;
@@ -50,23 +54,12 @@ async function type(name, value) {
 const asTyped = (options) => Object.entries(options).map(([name, value]) =>
     [name, name === "speed" || name.startsWith("viscosity") ? value.replace(/,/g, "; ") : value]);
 
+// Types every number into its field; the selections come from the address.
 async function enter(options) {
-    const has = (...names) => names.some((name) => name in options);
-    await page.evaluate(() => { location.hash = "#label="; });
-    await page.waitForFunction(() => document.getElementById("speed").value === "");
-    await page.select("#bodies", has("young") ? "bodies" : has("stiffness") ? "spring" : "none");
-    if (has("law"))
-        await page.select("#law", options.law);
-    if (has("young"))
-        await page.select("#second", has("wall") ? "wall" : has("plate-thickness") ? "plate"
-            : has("young-2", "radius-2", "mass-2", "density-2") ? "other" : "like");
-    await page.select("#way", ["restitution", "g-star", "dissipation-time", "viscosity", "damping-coefficient", "beta", "zeta"]
-        .find((name) => has(name)) ?? "none");
-    for (const [name, value] of asTyped(options))
-        if (["for", "end", "adhesion-model"].includes(name))
-            await page.select(`#${name}`, value);
-        else if (!["wall", "law"].includes(name))
-            await type(name, value);
+    const typed = asTyped(options).filter(([name]) => !["wall", "law", "for", "end", "adhesion-model"].includes(name));
+    await follow({ ...options, ...Object.fromEntries(typed.map(([name]) => [name, "x"])) });
+    for (const [name, value] of typed)
+        await type(name, value);
 }
 
 // Waits until the page has read the address, which it then writes in its own way.
@@ -94,6 +87,15 @@ for (const [i, { line, options }] of scenes().entries()) {
 }
 check(`${scenes().length} scenes, ${long ? "all" : "a quarter"} typed into the fields: tables and lines are those of the module`,
     scenes().length === 40 && differ.length === 0, differ.join("\n"));
+
+await follow({ restitution: "0.9", at: "1", speed: "0.1" });
+for (const [name, choice, seen, field, value] of [["bodies", "glass", "--young 70e9"], ["law", "tsuji", "--law tsuji"],
+    ["way", "zeta", "--zeta 0.1", "zeta", "0.1"], ["second", "plate", "--law plate", "plate-thickness", "1 cm"], ["second", "like", "--restitution 0.9"]]) {
+    await page.select(`#${name}`, choice);
+    if (field)
+        await type(field, value);
+    check(`${name}: ${choice} is chosen`, (await textOf(page, "#command")).includes(seen), await textOf(page, "#command"));
+}
 
 // ---- links, copies, downloads ----
 
@@ -222,9 +224,7 @@ check("an address with an unknown law says so", (await textOf(strange, "#wrong")
 await strange.evaluate(() => { location.hash = "#g-star=3&yuong=1"; });
 await strange.waitForFunction(() => document.getElementById("wrong").textContent.includes("yuong"));
 check("an address with an unknown option says so", (await textOf(strange, "#wrong")).includes("'yuong=1'"));
-await strange.goto("about:blank");
-await strange.goto(`${home}#g-star=-3`);
-await strange.waitForSelector("html[data-ready]");
+await visit(strange, `${home}#g-star=-3`);
 check("an address with a wrong number: the field says so, and there is no picture", (await textOf(strange, "#g-star-wrong"))
     .startsWith("'-3' is not") && (await strange.$("#picture svg")) === null);
 await strange.evaluate(() => { location.hash = "#g-star=3&label=" + encodeURIComponent("<b id=x>&\"") + "&also=yuong%3D1"; });
@@ -247,9 +247,7 @@ for (const [width, scheme, hash] of [[1280, light, query], [390, light, "#"], [3
     [768, light, `${query}&points=0.1+0.9+0.01`], [768, dark, "#"], [1280, dark, query]]) {
     await page.emulateMediaFeatures(scheme);
     await page.setViewport({ width, height: 844 });
-    await page.goto("about:blank");
-    await page.goto(home + hash);
-    await page.waitForSelector("html[data-ready]");
+    await visit(page, home + hash);
     if (hash === "#")
         check(`${width} x 844: the answer is on the first screen`, await page.$eval("#answer", (e) => e.getBoundingClientRect().bottom) < 844);
     if (write && width === 1280 && scheme === light)
