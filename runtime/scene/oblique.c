@@ -15,14 +15,16 @@
 #include "runtime/scene/exponents.h"
 #include "runtime/scene/motion.h"
 
-enum { ORDER = MOTION_ORDER, MOST_STEPS = 20000, MOST_IDLE = 6, PARTS = 12, HALVINGS = 60 };
-#define TOLERANCE 1e-14 /* a force smaller than this part of the largest one of the step is 0 */
-#define MOMENT 1e-9     /* a short part of a step */
+enum { ORDER = MOTION_ORDER, MOST_STEPS = 20000, MOST_IDLE = 6, MOST_PARTS = 200 };
+#define TOLERANCE 2e-15 /* a test is 0 within this part of its terms */
+#define RATIO 0.26      /* of a step to the radius of convergence: RATIO^ORDER = 1e-14 */
+#define STRETCH 1.6     /* limit of a step over the step of motion.c, whose last terms are 1e-17 */
+#define MOMENT 1e-11    /* a part of a step that does not matter */
+#define NEAR 0.01       /* a part of a step in which an event is found with the accuracy of its place */
+#define JUMP 1e-12      /* largest jump of w at which creep may begin */
 #define POWER_MOST 1e280
 #define PRESS_MOST 1e12
 #define KAPPA_MOST 1e24
-#define JUMP 1e-10  /* largest jump of w at which creep may begin */
-#define STRETCH 1.3 /* factor on the steps of motion.c, whose last terms are 1e-17; here 1e-14 suffices */
 
 /* STICKS: spring and damper act. SLIPS: the cap acts. CREEPS: a damper that acts only while the contact sticks holds w
  * at the threshold between the two. */
@@ -35,8 +37,9 @@ struct slide {
     int time, spring, rate, damper;                         /* indices of powers of u: T/d, x^r, T x^(p-r)/d, x^b */
     int stiff, elastic, damping;                            /* indices of T u x^p/d, x^a and x^b over u^least */
     double p, r, kappa, gamma, cap, side, sign;             /* side: direction of the slip force. sign: the sign of F */
-    double w, q, size;                                      /* size: of w at the start */
-    double series_w[ORDER + 1], series_q[ORDER + 1], held[ORDER + 1], damped[ORDER + 1], test[2][ORDER + 1];
+    double w, q, size, moment;                              /* size: of w at the start. moment: a short step */
+    double series_w[ORDER + 1], series_q[ORDER + 1], held[ORDER + 1], damped[ORDER + 1], test[2][ORDER + 1],
+        terms[ORDER + 1]; /* terms: sizes of the terms of a test */
 };
 
 /* ---- series ---- */
@@ -49,48 +52,36 @@ static double value_at(const double *c, double s)
     return y;
 }
 
-static double slope_at(const double *c, double s)
+/* Returns the first place up to `end` where a series falls below zero, or infinity. terms: the sizes of the terms of
+ * each coefficient. Leading zeros of a series from x = 0 are divided out. On a part of the way the series is at least
+ * c_0 + c_1 s + least s^2; parts end where this bound falls to zero. So no fall is missed, however short it is. */
+static double first_fall(const double *series, const double *terms, double end)
 {
-    double y = ORDER * c[ORDER];
-    for (int n = ORDER - 1; n > 0; n--)
-        y = y * s + n * c[n];
-    return y;
-}
-
-/* Returns the first place up to `end` where a series falls below zero, or infinity. Series from x = 0 have leading zero
- * coefficients. They are divided out, so that the test is relative next to x = 0. */
-static double first_fall(const double *series, double end)
-{
-    double c[ORDER + 1] = {0}, size = 0, power = 1; /* c: in units of `end` */
+    double c[ORDER + 1] = {0}, size = 0, power = 1, place = 0, length = 1; /* in units of `end` */
     int first = 0;
     while (first < ORDER && series[first] == 0)
         first++;
     for (int n = 0; n <= ORDER - first && power < POWER_MOST; n++, power *= end) {
         c[n] = series[n + first] * power;
-        size += fabs(c[n]);
+        size += fabs(terms[n + first]) * power;
     }
-    const double level = -TOLERANCE * size;
-    if (c[0] < level)
-        return 0;
-    if (2 * c[0] > size) /* the other terms cannot change the sign */
-        return INFINITY;
-    for (int i = 1; i <= PARTS; i++) {
-        double low = (double)(i - 1) / PARTS, high = (double)i / PARTS, middle;
-        if (value_at(c, high) >= level) {
-            if (!(slope_at(c, low) < 0 && slope_at(c, high) > 0))
-                continue;
-            double left = low, right = high; /* of a minimum */
-            for (int k = 0; k < HALVINGS && cor_halve(&middle, left, right); k++)
-                *(slope_at(c, middle) < 0 ? &left : &right) = middle;
-            high = right;
-            if (value_at(c, high) >= level)
-                continue;
-        }
-        for (int k = 0; k < HALVINGS && cor_halve(&middle, low, high); k++)
-            *(value_at(c, middle) >= level ? &low : &high) = middle;
-        return high * end;
+    for (int k = 0; k < MOST_PARTS && c[0] >= -TOLERANCE * size; k++) {
+        double least = c[ORDER];
+        for (int n = ORDER - 1; n > 1; n--)
+            least = c[n] + fmin(length * least, 0);
+        const double above = c[0] + 2 * TOLERANCE * size, square = c[1] * c[1] - 4 * least * above,
+                     slope = square > 0 ? sqrt(square) - c[1] : 0;
+        if (2 * above < length * slope)
+            length = 2 * above / slope;
+        else if (place + length >= 1)
+            return INFINITY;
+        for (int i = 0; i < ORDER; i++)
+            for (int n = ORDER - 1; n >= i; n--)
+                c[n] += length * c[n + 1];
+        place += length;
+        length = fmin(2 * length, 1 - place);
     }
-    return INFINITY;
+    return place < MOMENT ? 0 : place * end;
 }
 
 static const double *power_series(const struct slide *s, int place)
@@ -98,25 +89,32 @@ static const double *power_series(const struct slide *s, int place)
     return s->m.power[place].c;
 }
 
+/* Returns the coefficient n of the product of a power of u and a series. */
+static double times(const struct slide *s, int place, const double *series, int n)
+{
+    return place == 0 ? series[n] : product_coefficient(power_series(s, place), series, n);
+}
+
 /* Sets w and q, and the forces up to the cap in both directions. */
 static void expand_stick(struct slide *s)
 {
-    const double *const x_r = power_series(s, s->spring), *const x_b = power_series(s, s->damper),
-                        *const slope = power_series(s, s->time), *const rate = power_series(s, s->rate);
-    double total[ORDER + 1], capped[ORDER + 1];
-    const double unit = s->m.unit * s->d;
+    double total[ORDER + 1];
+    const struct motion *const m = &s->m;
+    const double unit = m->unit * s->d;
     s->series_w[0] = s->w;
     s->series_q[0] = s->q;
     for (int n = 0; n < ORDER; n++) {
-        const double spring = s->kappa * product_coefficient(x_r, s->series_q, n),
-                     damper = s->gamma * product_coefficient(x_b, s->series_w, n),
-                     cap = s->cap * s->sign * s->m.force[n];
+        const double spring = s->kappa * times(s, s->spring, s->series_q, n),
+                     damper = s->gamma > 0 ? s->gamma * times(s, s->damper, s->series_w, n) : 0,
+                     cap = s->cap * s->sign * m->force[n],
+                     elastic = m->spring[0].factor * power_series(s, m->spring[0].power)[n];
         total[n] = spring + damper;
-        capped[n] = spring + (s->damper_in_cap ? damper : 0);
-        s->series_w[n + 1] = -unit * product_coefficient(slope, total, n) / (n + 1);
-        s->series_q[n + 1] = unit * product_coefficient(rate, s->series_w, n) / (n + 1);
+        const double capped = spring + (s->damper_in_cap ? damper : 0);
+        s->series_w[n + 1] = -unit * times(s, s->time, total, n) / (n + 1);
+        s->series_q[n + 1] = unit * times(s, s->rate, s->series_w, n) / (n + 1);
         for (int k = 0; k < 2; k++)
-            s->test[k][n] = cap - (k == 0 ? 1 : -1) * capped[n];
+            s->test[k][n] = cap - (k == 0 ? 1 : -1) * capped;
+        s->terms[n] = s->cap * (fabs(elastic) + fabs(m->force[n] - elastic)) + fabs(spring) + fabs(damper);
     }
     s->test[0][ORDER] = s->test[1][ORDER] = 0;
 }
@@ -125,14 +123,16 @@ static void expand_stick(struct slide *s)
 static void expand_slip(struct slide *s)
 {
     const struct motion *const m = &s->m;
-    const double *const x_a = power_series(s, s->elastic), *const x_b = power_series(s, s->damping),
-                        *const slope = power_series(s, s->time);
+    const double *const x_a = power_series(s, s->elastic), *const slope = power_series(s, s->time);
     const double cap = s->cap * s->sign, press = m->press * m->unit * s->d,
                  damper = s->damper_in_cap ? s->side * s->gamma : 0;
     s->series_w[0] = s->w;
     for (int n = 0; n < ORDER; n++) {
-        s->held[n] = cap * (m->spring[0].factor * x_a[n] + m->damper.factor * product_coefficient(x_b, m->v, n)) -
-                     damper * product_coefficient(x_b, s->series_w, n);
+        const double spring = cap * m->spring[0].factor * x_a[n],
+                     damping = m->damper.factor > 0 ? cap * m->damper.factor * times(s, s->damping, m->v, n) : 0,
+                     damped = damper != 0 ? damper * times(s, s->damping, s->series_w, n) : 0;
+        s->held[n] = spring + damping - damped;
+        s->terms[n] = fabs(spring) + fabs(damping) + fabs(damped);
         s->series_w[n + 1] = s->side * cap * (m->v[n + 1] - press * slope[n] / (n + 1));
     }
     s->held[ORDER] = 0;
@@ -142,14 +142,15 @@ static void expand_slip(struct slide *s)
  * times T u/u^least. The contact slips while the difference is positive. w NULL: without the spring force */
 static void expand_excess(struct slide *s, double *excess, const double *w)
 {
-    const double *const stiff = power_series(s, s->stiff), *const u = power_series(s, 1);
     double rise[ORDER + 1] = {0}; /* derivative of `held` in s */
     for (int n = 0; n < ORDER; n++)
         rise[n] = (n + 1) * s->held[n + 1] / s->m.unit;
-    for (int n = 0; n < ORDER; n++)
-        excess[n] = (w ? s->side * s->kappa * s->d * product_coefficient(stiff, w, n) : 0) -
-                    product_coefficient(u, rise, n) +
-                    (s->r * s->d - s->least) * product_coefficient(s->m.v, s->held, n);
+    for (int n = 0; n < ORDER; n++) {
+        const double grows = w ? s->side * s->kappa * s->d * times(s, s->stiff, w, n) : 0, rises = times(s, 1, rise, n),
+                     shrinks = (s->r * s->d - s->least) * product_coefficient(s->m.v, s->held, n);
+        excess[n] = grows - rises + shrinks;
+        s->terms[n] += fabs(grows) + fabs(rises) + fabs(shrinks);
+    }
     excess[ORDER - 1] = excess[ORDER] = 0; /* they need the unknown coefficient of `held` */
 }
 
@@ -161,16 +162,19 @@ static void expand_creep(struct slide *s)
     double threshold[ORDER + 1];
     expand_slip(s);
     expand_excess(s, threshold, NULL);
-    for (int n = 0; n <= ORDER; n++) {
+    for (int n = 0; n < ORDER - 1; n++) {
         double rest = -s->side * threshold[n] / (s->kappa * s->d);
         for (int k = 1; k <= n; k++)
             rest -= stiff[k] * s->series_w[n - k];
         s->series_w[n] = rest / stiff[0];
     }
+    s->series_w[ORDER - 1] = s->series_w[ORDER] = 0; /* as in expand_excess */
     for (int n = 0; n < ORDER; n++) {
         const double rise = s->side * (n + 1) * s->series_w[n + 1] / s->m.unit;
         s->damped[n] = s->side * s->gamma * product_coefficient(x_b, s->series_w, n);
-        s->test[0][n] = s->d * s->cap * s->sign * product_coefficient(slope, s->m.force, n) + rise;
+        const double slips = s->d * s->cap * s->sign * product_coefficient(slope, s->m.force, n);
+        s->test[0][n] = slips + rise;
+        s->terms[n] = fabs(slips) + fabs(rise);
         s->test[1][n] = -s->test[0][n] - s->d * product_coefficient(slope, s->damped, n);
     }
     for (int k = 0; k < 2; k++)
@@ -179,18 +183,18 @@ static void expand_creep(struct slide *s)
 
 /* ---- modes ---- */
 
-/* Returns a step at which the last terms of w and q do not matter. Series from x = 0 have gaps. */
-static double tangential_step(const struct slide *s)
+/* Returns a step at which the last terms of a series do not matter. Series from x = 0, and next to it, have gaps. */
+static double longest_step(const double *c, double size)
 {
-    const double size_q = s->size / fmax(1, sqrt(s->kappa));
-    double step = STRETCH * s->m.step;
-    for (int n = cor_motion_start(&s->m) > 0 ? ORDER - 2 : ORDER / 2; n <= ORDER; n++) {
-        const double q = s->mode == STICKS ? fabs(s->series_q[n]) / size_q : 0;
-        const double last = fmax(fabs(s->series_w[n]) / s->size, isless(q, INFINITY) ? q : 0);
-        if (last > 0)
-            step = fmin(step, STRETCH * 0.9 * pow(DBL_EPSILON / 8 / last, 1.0 / n));
+    double growth = -INFINITY; /* binary logarithm of the largest ratio of coefficients */
+    for (int n = ORDER / 2; n <= ORDER; n++) {
+        int exponent;
+        if (c[n] != 0 && isless(fabs(c[n] / size), INFINITY)) {
+            frexp(c[n] / size, &exponent);
+            growth = fmax(growth, (double)exponent / n);
+        }
     }
-    return step;
+    return RATIO * exp2(-growth);
 }
 
 /* Sets q of a contact that slipped and now sticks at x = 0. A damper in the cap leaves a spring force of the order of
@@ -224,7 +228,7 @@ static void change_mode(struct slide *s, int mode, double side)
 }
 
 /* Expands the tangential motion. Returns the place at which the mode ends, or the length of the step. */
-static double expand_mode(struct slide *s, int *next, double *side)
+static double expand_mode(struct slide *s, double end, int *next, double *side)
 {
     double step, place[2] = {INFINITY, INFINITY};
     *next = STICKS;
@@ -239,33 +243,37 @@ static double expand_mode(struct slide *s, int *next, double *side)
         s->series_w[0] = s->w; /* next to x = 0 all forces are small, whatever w is */
         return 0;
     }
-    step = tangential_step(s);
+    step = fmin(end, longest_step(s->series_w, s->size));
+    if (s->mode == STICKS)
+        step = fmin(step, longest_step(s->series_q, s->size / fmax(1, sqrt(s->kappa))));
     if (!s->slips)
         return step;
     if (s->idle >= MOST_IDLE) /* rounding errors decide: any mode is right for a moment */
-        return *next = s->mode, step * MOMENT;
+        return *next = s->mode, fmin(step, s->moment);
     if (s->mode == SLIPS) {
         if (s->memory == COR_REMEMBERS_NOTHING)
             for (int n = 0; n <= ORDER; n++)
                 s->test[0][n] = -s->held[n];
         else
             expand_excess(s, s->test[0], s->series_w);
-        place[0] = first_fall(s->test[0], step);
+        place[0] = first_fall(s->test[0], s->terms, step);
         if (!s->damper_in_cap && s->gamma > 0)
             *next = CREEPS;
     } else {
         for (int k = 0; k < 2; k++)
-            place[k] = first_fall(s->test[k], step);
+            place[k] = first_fall(s->test[k], s->terms, step);
         if (s->mode == STICKS || place[0] < place[1])
             *next = SLIPS;
         if (s->mode == STICKS)
             *side = place[0] <= place[1] ? 1 : -1;
     }
     const double first = fmin(place[0], place[1]);
-    if (first < step)
+    /* If a damper outside the cap makes the force jump, the place matters: expand again next to it. */
+    const int jumps = s->mode == STICKS && !s->damper_in_cap && s->gamma > 0;
+    if (first < step && !(jumps && first > NEAR * step))
         return first;
     *next = s->mode;
-    return step;
+    return first < step ? (1 - NEAR) * first : step;
 }
 
 /* ---- an impact ---- */
@@ -345,45 +353,58 @@ static int set_memory(struct slide *s, int returns)
 /* Follows the impact to its end. Returns 0 if it needs too many steps. */
 static int follow(struct slide *s, int end)
 {
-    int next = STICKS, returns = 0;
-    double side = 1;
+    struct motion *const m = &s->m;
+    int next = STICKS, returns = 0, moves = 1;
+    double side = 1, most = 0, whole = 0, parts = 0, vanishes = INFINITY, turns = 0;
+    /* most: the largest u. moves: the normal motion needs a new expansion, whose length is `whole` */
     s->mode = STICKS;
     s->side = s->sign = 1;
     for (int k = 0; k < MOST_STEPS; k++) {
-        struct motion *const m = &s->m;
-        if (!cor_motion_expand(m))
-            return 0;
-        change_mode(s, next, side);
-        double step = expand_mode(s, &next, &side), force[ORDER + 1];
-        for (int n = 0; n <= ORDER; n++)
-            force[n] = s->sign * m->force[n];
-        const double parts = first_fall(m->power[1].c, step), vanishes = first_fall(force, step),
-                     turns = returns ? (double)INFINITY : first_fall(m->v, step);
-        const double first = fmin(parts, fmin(vanishes, turns));
-        if (first <= step) {
-            step = first;
-            next = s->mode;
-            side = s->side;
+        if (moves) {
+            double force[ORDER + 1];
+            if (!cor_motion_expand(m))
+                return 0;
+            m->force[0] = isless(vanishes, INFINITY) ? 0 : m->force[0]; /* the force vanishes here */
+            for (int n = 0; n <= ORDER; n++)
+                force[n] = s->sign * m->force[n];
+            parts = vanishes = turns = INFINITY;
+            const double size = fmax(cor_motion_start(m), fabs(m->v[0]));
+            whole = fmin(longest_step(m->v, size), longest_step(m->power[1].c, size));
+            whole = fmin(whole, STRETCH * m->step);
+            s->moment = MOMENT * whole;
+            if (!returns)
+                whole = fmin(whole, turns = first_fall(m->v, m->v, whole));
+            if (m->v[0] < 0) {
+                whole = fmin(whole, parts = first_fall(m->power[1].c, m->power[1].c, whole));
+                whole = fmin(whole, vanishes = first_fall(force, force, whole));
+            }
         }
-        s->idle = step > 0 ? 0 : s->idle + 1;
+        change_mode(s, next, side);
+        const double step = expand_mode(s, whole, &next, &side);
+        s->idle = step >= s->moment ? 0 : s->idle + 1;
         if (step > 0)
             s->parts |= s->mode == SLIPS ? COR_OBLIQUE_SLIPS : COR_OBLIQUE_STICKS;
         s->w = value_at(s->series_w, step);
         s->q = s->mode == STICKS ? value_at(s->series_q, step) : s->q;
         m->step = step;
         cor_motion_advance(m);
-        if (parts <= step || (vanishes <= step && end == COR_END_ZERO_FORCE))
+        if (parts <= step || (returns && cor_motion_start(m) < MOMENT * most) ||
+            (vanishes <= step && end == COR_END_ZERO_FORCE))
             return 1;
+        moves = step > 0 || vanishes <= step;
         if (vanishes <= step) {
             s->sign = -s->sign;
             next = STICKS;
+        } else {
+            vanishes = moves ? (double)INFINITY : vanishes;
         }
         if (turns <= step) {
             const double r = s->r;
-            returns = 1;
+            returns = moves = 1;
+            most = cor_motion_start(m);
             if (!set_memory(s, returns))
                 return 0;
-            s->q *= cor_quiet_power(whole_power(cor_motion_start(m), s->d), r - s->r);
+            s->q *= cor_quiet_power(whole_power(most, s->d), r - s->r);
         }
     }
     return 0;
@@ -409,6 +430,7 @@ NOT_INLINE int follow_impact(struct cor_oblique_impact *oblique, const struct co
     s.w = s.size = tangent > 0 ? tangent : 1;
     s.q = 0;
     s.idle = s.parts = 0;
+    s.terms[ORDER] = 0;
     if (!follow(&s, end))
         return COR_FAULT_PRESSED;
     oblique->eps = contact->force_n > 0 ? oblique->eps : fmax(-s.m.v[0] / speed, 0);
@@ -438,9 +460,9 @@ int cor_scene_oblique(struct cor_oblique_impact *oblique, const struct cor_scene
         (rescaled && tangential->constant_stiffness) || !cor_scene_has_end(contact, end) || contact->plate ||
         contact->plastic || contact->liquid_speed_m_s > 0 || contact->adhesion_j_m2 > 0)
         return COR_FAULT_RANGE;
-    if (contact->force_n > 0) {
+    if (contact->force_n > 0 || cor_scene_beta(contact, speed_m_s) > 0.5) { /* the bodies may stay together */
         const int status = cor_scene_eps(&oblique->eps, contact, speed_m_s, end);
-        if (status != COR_FAULT_NONE || oblique->eps == 0)
+        if (oblique->eps == 0 || (contact->force_n > 0 && status != COR_FAULT_NONE))
             return status;
     }
     return follow_impact(oblique, contact, tangential, friction, speed_m_s, tangent, end);

@@ -168,13 +168,14 @@ static void end_slip(long double *y, struct reference *r)
         stick(y, r);
 }
 
-/* Returns u'/u. restart: the first step after a change of the mode */
-static long double reference_restitution(struct reference *r, long double tangent, int end, long double restart)
+/* Returns u'/u. longest: the longest step. restart: the first step after a change of the mode */
+static long double reference_restitution(struct reference *r, long double tangent, int end, long double longest,
+                                         long double restart)
 {
-    enum { OVERLAP, ABOVE, BELOW, SLIP, FORCE, SPEED, CREEP_BELOW, CREEP_ABOVE, VALUES, STEPS = 20000 };
+    enum { OVERLAP, ABOVE, BELOW, SLIP, FORCE, SPEED, CREEP_BELOW, CREEP_ABOVE, VALUES, STEPS = 200000 };
     static ode_value *const value[VALUES] = {motion_overlap, room_above, room_below,  slip_goes_on,
                                              force_left,     speed_left, creep_below, creep_above};
-    struct ode o = {.slopes = reference_slopes, .of = r, .n = 4, .longest = 0.02L, .h = 1e-4L};
+    struct ode o = {.slopes = reference_slopes, .of = r, .n = 4, .h = 1e-4L};
     const int d = r->law.denominator, a = r->law.elastic, b = r->law.damping;
     const long double u = 1e-8L, early[] = {u, 1, tangent, 0}; /* the first terms decide the first mode */
     const long double first = r->kappa * power(u, r->p + d) * tangent / (remembers_force(r) ? 1 + r->p / (double)d : 1);
@@ -193,12 +194,13 @@ static long double reference_restitution(struct reference *r, long double tangen
         }
     }
     for (int k = 0; k < STEPS; k++) {
-        o.longest = y[1] < 0 ? fminl(0.02L, 0.1L * y[0] + 1e-4L) : 0.02L; /* the last slip may be short */
+        o.longest = y[1] < 0 ? fminl(longest, 0.1L * y[0] + 1e-4L) : longest; /* the last slip may be short */
         int found = ode_until(&o, y, value, VALUES);
+        const long double rounding = 1e-15L * r->cap * fabsl(normal_force(y, r));
         for (int i = ABOVE; i <= SLIP && found < 0; i++) /* a test that was 0 at the start of the step */
-            found = value[i](y, r) < 0 ? i : found;
+            found = value[i](y, r) < -rounding ? i : found;
         o.h = found < 0 ? o.h : restart;
-        if (r->mode == CREEPS)
+        if (r->mode == CREEPS && y[0] > 0)
             y[2] = threshold(y, r);
         if (found == OVERLAP || (found == FORCE && end == COR_END_ZERO_FORCE))
             return y[2] / tangent;
@@ -256,28 +258,46 @@ static void compare(const struct impact *i)
                           .in_cap = t.damper_in_cap || nothing,
                           .p = t.constant_stiffness ? 0 : twice * (e->elastic - e->denominator)};
     struct cor_oblique_impact oblique;
-    assert_int_equal(cor_scene_oblique(&oblique, &c, &t, i->mu, 1, i->tangent, i->end), COR_OK);
-    if (isnan(oblique.eps) || oblique.eps == 0) /* held by the constant force */
+    const int status = cor_scene_oblique(&oblique, &c, &t, i->mu, 1, i->tangent, i->end);
+    if (status == COR_OK && !(oblique.eps >= 1e-3)) /* COR_OBLIQUE_ERROR does not hold there */
         return;
-    double other = (double)reference_restitution(&r, i->tangent, i->end, 1e-9L);
-    if (!(fabs(oblique.restitution - other) < COR_OBLIQUE_ERROR)) /* roundings may begin a wrong mode, but not twice */
-        other = (double)reference_restitution(&r, i->tangent, i->end, 1e-7L);
-    check(fabs(oblique.restitution - other) < COR_OBLIQUE_ERROR,
+    /* A slip shorter than a step can be missed, and roundings may begin a wrong mode, but not with all these steps. */
+    static const long double steps[][2] = {{0.02L, 1e-9L}, {0.02L, 1e-7L}, {2e-4L, 1e-8L}};
+    double other = NAN;
+    for (size_t k = 0; k < COUNT_OF(steps) && !(fabs(oblique.restitution - other) < COR_OBLIQUE_ERROR); k++)
+        other = (double)reference_restitution(&r, i->tangent, i->end, steps[k][0], steps[k][1]);
+    check(status == COR_OK && fabs(oblique.restitution - other) < COR_OBLIQUE_ERROR,
           "law %d end %d beta %.17g press %.17g memory %d constant %d in cap %d kappa %.17g damping %.17g mu %.17g "
           "tangent %.17g: %.15g, not %.15g",
           i->law, i->end, i->beta, i->press, t.memory, t.constant_stiffness, t.damper_in_cap, t.kappa, t.damping, i->mu,
           i->tangent, oblique.restitution, other);
 }
 
-/* 500 impacts of every model, law and end */
+/* 500 impacts of every model, law and end, many of them next to a boundary between stick and slip */
 TEST(against_another_method)
 {
-    /* a damper outside the cap holds w between slip and stick; a damper fills the cap at the first touch */
     static const struct impact rare[] = {
+        /* a damper outside the cap holds w between slip and stick, once with a cap that pulls before the end */
         {COR_LAW_HERTZ_DASHPOT, 1, COR_REMEMBERS_FORCE, 0, 0, 0.05, 0, 4, 0.7, 0.32, 1.8},
+        {2, 0, 3, 0, 0, 0.031626973606115716, 0, 1.3718264680914363, 0.083633820266818537, 0.11072672221065727,
+         1.2509808058731937},
+        /* a damper fills the cap at the first touch */
         {COR_LAW_TSUJI, 0, COR_REMEMBERS_DISPLACEMENT, 0, 1, 0.1, 0, 4, 0.9, 0.1, 0.5},
         {COR_LAW_TSUJI, 0, COR_REMEMBERS_DISPLACEMENT, 0, 1, 0, 0, 4, 0.1, 0.3, 0.5},
-        {COR_LAW_VISCOELASTIC, 1, COR_REMEMBERS_DISPLACEMENT, 0, 1, 0.1, 0, 4, 0.9, 0.1, 0.5}};
+        {COR_LAW_VISCOELASTIC, 1, COR_REMEMBERS_DISPLACEMENT, 0, 1, 0.1, 0, 4, 0.9, 0.1, 0.5},
+        /* a slip just before the end */
+        {0, 0, 2, 0, 1, 0, 0, 3.8548582385997756, 0.002635731388418452, 0.13398053370494065, 0.12164633450952819},
+        {3, 0, 3, 0, 0, 0, 0, 5.5003021170771156, 1.8423129779585914, 0.060837195264783116, 0.0007541091266365825},
+        /* the end of the slip at the first touch is found from a small difference */
+        {4, 1, 0, 0, 0, 0, 0, 4.5002850733625426, 0.073432301776936576, 0.69026889094942612, 0.53684179802365461},
+        {4, 0, 2, 0, 0, 0, 0, 4.4999838595495572, 0.17872088338921652, 9.6589975343512187, 7.5125806633527672},
+        /* large terms cancel in the cap, and in the force */
+        {4, 1, 1, 0, 1, 0.0062034858863136708, 0.028739970361874426, 0.10733338472459437, 1.261359801085598,
+         3.1748697912593107, 155.29246324779749},
+        {2, 0, 4, 1, 0, 0.0019578832681578879, 0, 0.5860802902899056, 9.1403837914188895, 1.7329748456214156,
+         0.22646075468032512},
+        {2, 0, 3, 0, 0, 0.38798922528341845, 0.0012013704328785741, 4.500012073555145, 0, 0.80058213341295226,
+         51.390642047990163}};
     for (size_t k = 0; k < COUNT_OF(rare); k++)
         compare(&rare[k]);
     for (size_t k = points(few_or_all(60, 500)); k > 0; k--) {
@@ -285,16 +305,23 @@ TEST(against_another_method)
                            .end = (int)random_below(&draw, 2),
                            .memory = (int)random_below(&draw, COR_TANGENTIAL_MEMORIES),
                            .damper_in_cap = (int)random_below(&draw, 2),
-                           .beta = random_below(&draw, 3) ? random_log(&draw, 0.03, 0.6) : 0,
-                           .press = random_below(&draw, 4) ? 0 : random_log(&draw, 0.01, 0.2),
-                           .kappa = random_log(&draw, 0.5, 20),
-                           .mu = random_log(&draw, 0.1, 1)};
-        const int rescaled =
-            i.memory == COR_REMEMBERS_DISPLACEMENT_RESCALED || i.memory == COR_REMEMBERS_FORCE_RESCALED;
+                           .beta = random_below(&draw, 3) ? random_log(&draw, 1e-3, 2) : 0,
+                           .press = random_below(&draw, 4) ? 0 : random_log(&draw, 1e-3, 1),
+                           .kappa = random_log(&draw, 0.1, 100),
+                           .mu = random_log(&draw, 1e-3, 10)};
+        const int force = i.memory == COR_REMEMBERS_FORCE || i.memory == COR_REMEMBERS_FORCE_RESCALED,
+                  rescaled =
+                      i.memory == COR_REMEMBERS_DISPLACEMENT_RESCALED || i.memory == COR_REMEMBERS_FORCE_RESCALED;
         i.constant_stiffness = !rescaled && random_below(&draw, 4) == 0;
         i.law = rescaled && i.law == COR_LAW_LINEAR ? COR_LAW_VISCOELASTIC : i.law; /* it has no contact radius */
-        i.damping = random_below(&draw, 2) || i.memory == COR_REMEMBERS_NOTHING ? random_log(&draw, 0.03, 1) : 0;
-        i.tangent = random_log(&draw, 0.1, 10) * 3.5 * i.mu / i.kappa;
+        i.damping = random_below(&draw, 2) || i.memory == COR_REMEMBERS_NOTHING ? random_log(&draw, 1e-3, 10) : 0;
+        if (random_below(&draw, 4) == 0) /* near 4.5 elastic spheres slip just before the end */
+            i.kappa = 4.5 + random_uniform(&draw, -1, 1) * random_log(&draw, 1e-6, 0.3);
+        i.tangent = 3.5 * i.mu / i.kappa; /* stick begins here if the displacement is remembered */
+        if (random_below(&draw, 4) == 0)
+            i.tangent *= (force ? 1.5 : 1) * (1 + random_uniform(&draw, -1, 1) * random_log(&draw, 1e-8, 0.1));
+        else
+            i.tangent *= random_log(&draw, 1e-2, 100);
         compare(&i);
     }
 }
