@@ -24,20 +24,20 @@ export interface Laws {
     ends(): string[];
     quantities(): string[];
     value(law: string, end: string, quantity: string, x: Numbers): Float64Array;
-    /** domain and bound on the error, in units of the last place; null: the law has no such function */
+    /** the domain, and the bound on the error in units of the last place; null: the law has no such function */
     function(law: string, end: string, quantity: string): { least: number; largest: number; max_ulp: number } | null;
 }
 
-/** a name of Cor.contactLaws(), as "tsuji" */
+/** a name of Cor.contactLaws(), such as "tsuji" */
 export type Law = string;
-/** surface: under a constant force, in place of zero-force */
+/** under a constant force "surface" replaces "zero-force" */
 export type End = "zero-overlap" | "zero-force" | "surface";
 /** a name of Cor.simulators(), as "lammps" */
 export type Simulator = string;
 
 /** The options of `corgen contact`, with _ for each hyphen: bodies or a spring, one way to give the damping, a law.
- * gravity presses body 1 to a wall or a plate. restitution is eps measured at the speed `at`; at the end `end`, or, if
- * that is not given, at either. time_step_s is the shortest duration over steps, 50. */
+ * gravity presses body 1 to a wall or a plate. restitution is eps measured at the speed `at`, and at the end
+ * `end` of contact or, without `end`, at either. time_step_s is the shortest duration over steps (default: 50). */
 export type ContactOptions = Partial<Record<"young" | "poisson" | "radius" | "density" | "mass" | "young_2" | "poisson_2"
     | "radius_2" | "density_2" | "mass_2" | "plate_thickness" | "gravity" | "duration" | "stiffness" | "effective_mass"
     | "dissipation_time" | "dissipation_time_2" | "g_star" | "restitution" | "at" | "damping_coefficient" | "beta"
@@ -48,34 +48,34 @@ export type ContactOptions = Partial<Record<"young" | "poisson" | "radius" | "de
     viscosity?: string; viscosity_2?: string;
     adhesion_model?: "dmt" | "jkr";
     end?: End; law?: Law;
-    /** its integrator is used by stepErrors */
+    /** stepErrors uses its integrator */
     for?: Simulator;
 };
 
-/** Columns of numbers; surface: under a constant force, in place of zero_force */
+/** Columns of numbers. Under a constant force "surface" replaces "zero_force" in their names. */
 type EndName = "zero_overlap" | "zero_force" | "surface";
 export type Impacts = Record<"beta" | `eps_${EndName}` | `duration_s_${EndName}` | "max_overlap_m" | "max_force_n"
     | "time_step_s", Float64Array>;
 
-/** Results are lists of one element, or of two where a restitution is given without its end: measured at zero overlap,
- * and at zero force. */
+/** Results are lists of one element. If a restitution is given without its end, they have two: for eps measured at zero
+ * overlap and at zero force. */
 export interface Contact {
     readonly options: ContactOptions;
     readonly count: number;
-    /** effective_mass, dissipation_time, g_star, ...: those that are known */
+    /** the known numbers: effective_mass, dissipation_time, g_star, ... */
     readonly summary: Record<string, number[]>;
     impacts(speeds: Numbers): Impacts[];
     eps(speeds: Numbers, end: End, measured?: number): Float64Array;
-    /** eps that a simulator realises less the exact one: mean and standard deviation over phases of the first step, as
-     * bias and scatter; where the end of contact is not given and matters, bias_zero_overlap, ... of each end */
+    /** bias and scatter: mean and standard deviation, over phases of the first step, of the realised eps minus the
+     * exact eps. If the end of contact matters and is not given: bias_zero_overlap, ... for each end */
     stepErrors(speeds: Numbers, timeStep: number): Record<string, Float64Array>[];
     /** the lines to paste into a simulator's input */
     lines(simulator: Simulator, more?: { speed?: Numbers; version?: string; steps?: number }): string;
-    /** the corgen command that writes a C header; where eps is the same at every speed, the header */
+    /** the corgen command that writes a C header, or, if eps is the same at every speed, the header itself */
     header(more?: { speed_min?: number; speed_max?: number; tolerance?: number }): string;
 }
 
-/** What cor refuses: the sentence of corgen, and the option that it is about */
+/** A refusal: the sentence of corgen, and the option that caused it */
 export declare class CorError extends Error {
     readonly option: string;
 }
@@ -92,5 +92,5 @@ export interface Cor {
     simulators(): { name: Simulator; title: string }[];
 }
 
-/** The bytes of cor.wasm; without them those beside this module are read. */
+/** source: the bytes of cor.wasm; if absent, the file next to this module is read. */
 export declare function load(source?: BufferSource): Promise<Cor>;

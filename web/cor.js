@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // libcor and libcor_scene, compiled for WebAssembly, as functions of JavaScript. All arithmetic is in the module; this
-// file passes text and arrays. Types and what each function does: cor.d.ts.
+// file passes text and arrays. cor.d.ts describes the types and the functions.
 
 export class CorError extends Error {
     constructor(text, option) {
@@ -10,7 +10,7 @@ export class CorError extends Error {
     }
 }
 
-// The module's bytes beside this file, in node and in a page
+// Returns the bytes of the module, which is next to this file, in node and in a page.
 async function bytes() {
     const place = new URL("./cor.wasm", import.meta.url);
     if (place.protocol === "file:")
@@ -49,7 +49,7 @@ function wrap(c) {
             c.free(at);
         }
     };
-    // use(x, y, n) reads n numbers at x and writes `columns` times as many at y
+    // use(x, y, n) reads n numbers at x and writes n `columns` numbers at y
     const withArray = (array, columns, use) => {
         if (typeof array !== "object" || array === null || typeof array.length !== "number")
             throw new TypeError("cor takes an array of numbers");
@@ -112,7 +112,7 @@ function wrap(c) {
 
     // ---- a contact ----
 
-    // Text that holds options, one a line; JavaScript's name of an option has _ for each hyphen.
+    // Returns options as text, one in a line. JavaScript's name of an option has _ for each hyphen.
     const lines = (options) => Object.entries(options)
         .filter(([, value]) => value !== undefined && value !== null && value !== false)
         .map(([name, value]) => `${name.replace(/_/g, "-")}=${String(value === true ? "yes" : value).replace(/\n/g, " ")}\n`)
@@ -133,13 +133,13 @@ function wrap(c) {
 
     const head = () => table(c.web_table(1, 1))[0]; // beta to time_step_s are the columns that web_impacts fills
 
-    // The command of corgen with options, except options of some names
+    // Returns the command of corgen with all options except those named in `without`.
     const command = (name, options, without) => `corgen ${name}` + lines(options).trimEnd().split("\n")
         .map((line) => [line.slice(0, line.indexOf("=")), line.slice(line.indexOf("=") + 1).replace(/ /g, "")])
         .filter(([option, value]) => value !== "" && !without.includes(option))
         .map(([option, value]) => option === "wall" ? " --wall" : ` --${option} ${value}`).join("");
     const range = ["for", "simulator-version", "speed-min", "speed-max", "tolerance"];
-    // The command that writes a C header of eps over the speeds; where eps is the same at every speed, the header
+    // Returns the command that writes a C header of eps, or, if eps is the same at every speed, the header itself.
     const header = (options) => {
         read(options);
         const law = options.law ?? laws[0] ?? "viscoelastic", curves = text(c.web_curves()).trimEnd().split("\n");
@@ -161,7 +161,7 @@ function wrap(c) {
             this.summary = Object.fromEntries(rows.map((row) => [row[0], row.slice(1, head.length - 1).map(Number)]));
         }
 
-        // For each end at which the restitution may have been measured, one object of columns
+        // Returns an object of columns for each end at which the restitution may have been measured.
         #each(columns, names) {
             const n = columns.length / this.count / names.length;
             return Array.from({ length: this.count }, (_, k) => Object.fromEntries(names.map((name, i) =>

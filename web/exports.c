@@ -45,7 +45,7 @@ static void put_cell(char before, double x, int digits)
     put_number(x, digits);
 }
 
-/* The digits, 15 or more, that read back to the same double */
+/* Writes the fewest digits, at least 15, that read back to the same double. */
 static void put_exact(double x)
 {
     char exact[40];
@@ -59,7 +59,7 @@ static void put_exact(double x)
 
 /* ---- the contact ---- */
 
-/* Returns the name of end 0 or 1 of the contact, as columns have it: "zero_overlap"; "zero_force" or "surface" */
+/* Returns the name of end 0 or 1 of the contact as in columns: "zero_overlap"; "zero_force" or "surface" */
 WEB_EXPORT(web_end) const char *web_end(int end)
 {
     return cor_scene_end_name(&web_now.contact[0], end);
@@ -106,7 +106,7 @@ WEB_EXPORT(web_summary) const char *web_summary(int digits)
     return text;
 }
 
-/* Writes an end of the contact as an option: "zero-overlap", "zero-force", "surface" */
+/* Writes an end of the contact as an option: "zero-overlap", "zero-force" or "surface". */
 static void put_end(int end)
 {
     for (const char *c = web_end(end); *c; c++)
@@ -136,7 +136,7 @@ static int find_curves(struct curve curve[COR_SCENE_ENDS])
 
 enum { BETA, EPS, DURATION = EPS + COR_SCENE_ENDS, OVERLAP = DURATION + COR_SCENE_ENDS, FORCE, TIME_STEP, COLUMNS };
 
-/* The contact, in units of its own where mass and stiffness are not known */
+/* Returns the contact. Mass and stiffness are 1 if they are not known. */
 static struct cor_scene_contact timed(int contact)
 {
     struct cor_scene_contact c = web_now.contact[contact];
@@ -145,7 +145,7 @@ static struct cor_scene_contact timed(int contact)
     return c;
 }
 
-/* The time step in these units: the shortest duration over the steps */
+/* Returns the time step in these units: the shortest duration over the number of steps. */
 static double step_of(const double *speed_m_s, size_t n)
 {
     double least = INFINITY;
@@ -159,8 +159,8 @@ static double step_of(const double *speed_m_s, size_t n)
     return least / web_now.steps;
 }
 
-/* Fills `y` with columns of n numbers: beta, eps at both ends, durations, largest overlap and force, time step; for the
- * second contact, if there is one, again. The time step is the shortest of all durations over the steps. */
+/* Fills `y` with columns of n numbers: beta, eps at both ends, durations, largest overlap and force, time step. The
+ * columns of a second contact follow. The time step is the shortest of all durations over the number of steps. */
 WEB_EXPORT(web_impacts) void web_impacts(const double *speed_m_s, double *y, size_t n)
 {
     const double step = isnan(web_now.contact[0].mass_kg) ? (double)NAN : step_of(speed_m_s, n);
@@ -186,10 +186,10 @@ static int integrator(void)
     return web_now.simulator ? web_now.simulator->integrator : COR_VERLET_HALF_STEP;
 }
 
-#define STEPS_ON_PAGE 2e4 /* in a contact; more would take the page from its reader for seconds */
+#define STEPS_ON_PAGE 2e4 /* in a contact; more would block the page for seconds */
 
-/* Bias and scatter of eps at time_step_s; NaN: the step of the request, where up to STEPS_ON_PAGE are tried. y has n of
- * each, for each curve. */
+/* Computes bias and scatter of eps at time_step_s. NaN: the step of the request, with at most STEPS_ON_PAGE steps.
+ * y receives n of each for every curve. */
 WEB_EXPORT(web_step_errors)
 void web_step_errors(const double *speed_m_s, double *y, size_t n, double time_step_s)
 {
@@ -212,7 +212,7 @@ void web_step_errors(const double *speed_m_s, double *y, size_t n, double time_s
         }
 }
 
-/* The csv of corgen contact with the speeds of the request; `errors`: with the columns of --steps */
+/* Returns the csv of corgen contact with the speeds of the request; `errors`: with the columns of --steps. */
 WEB_EXPORT(web_table) const char *web_table(int digits, int errors)
 {
     enum { STEP_DIGITS = 4 };
@@ -253,7 +253,7 @@ WEB_EXPORT(web_table) const char *web_table(int digits, int errors)
     return text;
 }
 
-/* eps at one end, of contact 0 or 1 */
+/* Computes eps of contact 0 or 1 at one end. */
 WEB_EXPORT(web_eps) void web_eps(const double *speed_m_s, double *y, size_t n, int contact, int end)
 {
     for (size_t i = 0; i < n; i++)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The functions of laws, for arrays. They are loops over scalar functions; the module does without libcor's loops. */
+/* The functions of laws, for arrays. They call scalar functions, because the module lacks the loops of libcor. */
 #include "cor/law.h"
 #include "web/web.h"
 

@@ -186,7 +186,7 @@ function optionsNow() {
     return options;
 }
 
-// Fills the fields from an address. The selections that are no options follow from the numbers that are given.
+// Fills the fields from an address. Selections that are not options follow from the given numbers.
 function fill(options) {
     const has = (...names) => names.some((name) => options.has(name));
     for (const [name, { input }] of fields) {

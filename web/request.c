@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Options as text become a request. Ranges and sentences are the same as in corgen. */
+/* Reads options as text into a request. Ranges and sentences are the same as in corgen. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -73,7 +73,7 @@ static int read_speeds(struct web_request *r, const char *option, const char *te
 
 /* ---- words ---- */
 
-/* Returns the index of a word in a list that NULL ends; -1 with a refusal if it is not there. */
+/* Returns the index of a word in a list that ends with NULL; -1 and a refusal if it is absent. */
 static int find_word(const char *option, const char *noun, const char *text, const char *const *words)
 {
     char allowed[300] = "";
@@ -127,7 +127,7 @@ static int read_simulator(struct web_request *r, const char *text)
 
 static int read_option(struct web_request *r, const char *name, const char *value)
 {
-    /* the rules of the scene's numbers hold for these, too: above 0 */
+    /* these must be above 0, like the number COR_SCENE_AT of a scene */
     const struct {
         const char *name;
         double *value;
@@ -169,7 +169,7 @@ static int read_option(struct web_request *r, const char *name, const char *valu
     return refuse(name, "'%s' is not an option; allowed are those of corgen contact, as young", name);
 }
 
-/* Returns the option at which a fault is shown: the one of its number, or the one that is missing. */
+/* Returns the option at which the page shows a fault: the wrong or the missing one. */
 static const char *option_of(const struct cor_scene_fault *fault)
 {
     static const char *const options[] = {
@@ -198,7 +198,7 @@ static int make_contact(struct web_request *r)
            refuse("speed-max", "--speed-min %g is not below --speed-max %g", r->speed_min_m_s, r->speed_max_m_s);
 }
 
-/* Returns the number of contacts of the options, lines NAME=VALUE, or 0 if they are wrong; the last right ones stay. */
+/* Reads options, lines NAME=VALUE. Returns the number of contacts, or 0 if an option is wrong; web_now then stays. */
 WEB_EXPORT(web_read) int web_read(const char *options)
 {
     static struct web_request r;
@@ -224,7 +224,7 @@ WEB_EXPORT(web_read) int web_read(const char *options)
     return r.count;
 }
 
-/* Returns the option that is wrong, 0, or why, 1. */
+/* Returns the wrong option (part 0), or the reason (part 1). */
 WEB_EXPORT(web_why) const char *web_why(int part)
 {
     return part == 0 ? web_wrong.option : web_wrong.text;

@@ -22,14 +22,14 @@ struct web_request {
     int count;
     double speed_m_s[WEB_SPEEDS];
     size_t speeds;
-    int steps_given, at_surface;                    /* at_surface: the end is given as the surface */
+    int steps_given, at_surface;                    /* at_surface: the given end is "surface" */
     double steps;                                   /* in the shortest contact */
     double speed_min_m_s, speed_max_m_s, tolerance; /* of the header */
     const struct cor_simulator *simulator;          /* NULL: none is chosen */
     char version[WEB_VALUE];                        /* of the simulator */
 };
 
-/* The last request that was right, and what is wrong with one that was not: the name of an option, and a sentence */
+/* web_now: the last correct request. web_wrong: the option that made a later request wrong, and a sentence */
 extern struct web_request web_now;
 extern struct web_wrong {
     char option[WEB_NAME], text[WEB_VALUE + COR_SIMULATOR_REASON];

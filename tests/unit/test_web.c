@@ -33,7 +33,7 @@ static struct cor_sphere_contact glass(double dissipation_time_s)
     return contact;
 }
 
-/* Under gravity the second end is the surface: its name, its numbers, and a header that takes gravity. */
+/* Under gravity the second end is the surface: its name, its numbers, and the header. */
 TEST(test_gravity)
 {
     double y[8], eps;
@@ -59,7 +59,7 @@ TEST(test_gravity)
     assert_true(!web_read(GLASS "g-star=400\nend=surface") && strcmp(web_wrong.option, "end") == 0);
 }
 
-/* The next cell of a row of csv, which has no quotes within cells; *row moves behind it. */
+/* Returns the next cell of a row of csv, which has no quotes within cells. *row moves behind it. */
 static char *cell_of(char **row)
 {
     const int quoted = **row == '"';
@@ -69,7 +69,7 @@ static char *cell_of(char **row)
     return cell;
 }
 
-/* Arguments of corgen as the module's options */
+/* Converts arguments of corgen to options of the module. */
 static void options_of(char *options, char *arguments)
 {
     *options = '\0';
@@ -81,8 +81,8 @@ static void options_of(char *options, char *arguments)
             strcat(options, word);
 }
 
-/* Every contact of tests/reference/contacts.csv that the page has fields for: numbers of the first speed, and the first
- * line for a simulator, or why it has none */
+/* Every contact of tests/reference/contacts.csv for which the page has fields: numbers of the first speed, and the
+ * first line for a simulator or the reason for its absence */
 TEST(test_contacts_of_the_list)
 {
     enum { NUMBERS = 7, COLUMNS = 8 };
@@ -139,7 +139,7 @@ TEST(test_a_wrong_request_leaves_the_last_one)
     }
 }
 
-/* The number after a text; NaN: the text is not there */
+/* Returns the number after a text; NaN: the text is absent. */
 static double number_after(const char *text, const char *before)
 {
     const char *const at = strstr(text, before);
