@@ -49,7 +49,7 @@ function wrap(c) {
             c.free(at);
         }
     };
-    // use(x, y, n) reads n numbers at x and writes n `columns` numbers at y
+    // use(x, y, n) reads n numbers at x and writes `columns` numbers at y for each of them
     const withArray = (array, columns, use) => {
         if (typeof array !== "object" || array === null || typeof array.length !== "number")
             throw new TypeError("cor takes an array of numbers");
