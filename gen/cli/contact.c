@@ -36,6 +36,17 @@ static struct cor_simulator_request request_of(const struct contact_arguments *o
                                           .integrator = default_integrator ? COR_VERLET_HALF_STEP : o->integrator};
 }
 
+static size_t different_numbers(const struct values *v)
+{
+    size_t different = 0;
+    for (size_t i = 0, j; i < v->count; i++) {
+        for (j = 0; j < i && v->nearest[j] != v->nearest[i]; j++)
+            ;
+        different += j == i;
+    }
+    return different;
+}
+
 /* Refuses a step in seconds without a unit of time, a correction for two ends, and friction without bodies. */
 static int check_options(const struct contact_arguments *o, const struct contacts *contacts)
 {
@@ -50,8 +61,8 @@ static int check_options(const struct contact_arguments *o, const struct contact
                            "example --angle 10,30,60");
     if (oblique && o->speed.count == 0)
         return usage_error("--angle and --tangential-speed need --speed LIST, the normal component of the velocity");
-    if (o->walton && o->angle.count + o->tangential_speed.count < 3)
-        return usage_error("--walton needs three angles or more, for example --angle 1:89:lin:89");
+    if (o->walton && different_numbers(o->angle.count > 0 ? &o->angle : &o->tangential_speed) < 3)
+        return usage_error("--walton needs three different angles or more, for example --angle 1:89:lin:89");
     if (o->walton && o->simulator)
         return usage_error("--walton and --for exclude each other; leave out --for");
     if (slides && (isnan(c->mass_kg) || contacts->scene.plate || c->adhesion_j_m2 > 0))
@@ -123,7 +134,7 @@ static int print_tables(const struct contact_arguments *o, const struct contacts
     struct table table = {0}, summary;
     struct output out;
     char text[CONTACT_LAW_TEXT];
-    const struct oblique_request oblique = oblique_of(o);
+    struct oblique_request oblique = oblique_of(o);
     int status = oblique.count > 0 ? contact_oblique(&table, contacts, &oblique, digits)
                  : rows            ? contact_rows(&table, contacts, &request, digits)
                                    : STATUS_OK;
@@ -144,6 +155,8 @@ static int print_tables(const struct contact_arguments *o, const struct contacts
             fputs("\n", out.file);
         if (rows)
             table_print(&table, format, out.file);
+        if (oblique.remark)
+            fprintf(in_text ? out.file : stderr, in_text ? "\n%s\n" : "corgen: %s\n", oblique.remark);
         if (in_text)
             contact_print_ranges(out.file, contacts, rows);
         status = output_commit(&out);

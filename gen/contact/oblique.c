@@ -56,11 +56,12 @@ static int spring_of(double *spring, double *damper, const struct contacts *cont
     return STATUS_OK;
 }
 
-/* Computes the impact of one speed and tangent. */
+/* Computes the impact of one speed and tangent, and sets the remark. */
 static int impact_of(struct cor_oblique_impact *impact, const struct contacts *contacts, int k, int end, int id,
-                     const struct oblique_request *request, double speed, double tangent)
+                     struct oblique_request *request, double speed, double tangent)
 {
     const struct cor_scene_contact *const c = &contacts->contact[k];
+    const struct cor_tangential_model *const model = &cor_tangential_models[id];
     struct cor_tangential tangential;
     double spring, damper;
     int status = spring_of(&spring, &damper, contacts, k, end, id, request);
@@ -69,6 +70,13 @@ static int impact_of(struct cor_oblique_impact *impact, const struct contacts *c
     status = cor_scene_tangential_scaled(&tangential, c, (enum cor_tangential_id)id, spring, damper, speed);
     if (status == COR_FAULT_NONE)
         status = cor_scene_oblique(impact, c, &tangential, request->friction, speed, tangent, end);
+    const double ratio = damper / cor_scene_damping(c, COR_SCENE_DAMPING_COEFFICIENT);
+    if (model->damper_in_cap && !model->constant_stiffness && ratio * tangent > request->friction &&
+        (model->memory == COR_REMEMBERS_DISPLACEMENT || model->memory == COR_REMEMBERS_DISPLACEMENT_RESCALED) &&
+        c->law.damping < c->law.elastic - c->law.denominator)
+        request->remark =
+            "The tangential damper exceeds the friction at the first touch: a simulation with a usual time "
+            "step rebounds otherwise. Reduce --tangential-damping.";
     return status == COR_FAULT_NONE ? STATUS_OK
                                     : fail("cannot integrate the oblique impact at %g m/s with the tangential speed %g "
                                            "m/s: its numbers are out of range",
@@ -120,8 +128,7 @@ static double fit_walton(double *slip, double *beta_0, const double *tangent, co
 
 /* ---- tables ---- */
 
-int contact_oblique(struct table *table, const struct contacts *contacts, const struct oblique_request *request,
-                    int digits)
+int contact_oblique(struct table *table, const struct contacts *contacts, struct oblique_request *request, int digits)
 {
     static const char *const regimes[] = {"rest", "stick", "slip", "both"};
     const bool damped = contacts->contact[0].damping > 0;
@@ -175,10 +182,18 @@ int contact_oblique(struct table *table, const struct contacts *contacts, const 
                 double slip = 3.5 * request->friction * (1 + impact.eps), beta_0;
                 const double factor = 3.5 * (1 + impact.eps),
                              error = fit_walton(&slip, &beta_0, tangent, ratio, request->count);
+                bool bounded = false; /* beta_0 matters at an angle */
+                for (size_t j = 0; j < request->count; j++)
+                    bounded = bounded || 1 - slip / tangent[j] < -beta_0;
+                if (!bounded) {
+                    beta_0 = NAN;
+                    request->remark =
+                        "No beta_0: the contact slips to its end at every angle, so that beta_0 does not matter.";
+                }
                 const double value[] = {impact.eps, slip / factor, beta_0, error};
                 table_add_text(table, decimal_text(text, speed));
                 for (size_t j = 0; j < sizeof value / sizeof *value; j++)
-                    table_add_number(table, value[j], j == 3 ? 3 : CONTACT_DIGITS_TEXT);
+                    table_add_known(table, value[j], j == 3 ? 3 : CONTACT_DIGITS_TEXT);
                 if (both)
                     table_add_text(table, name);
             }
