@@ -312,8 +312,8 @@ def stepped_cases(host, word, walls=(False, )):
     """Returns cases of an implicit method at its printed time step, at which corgen states the mean eps. word: only
     models whose name has it."""
     cases = []
-    for e, wall in itertools.product(RESTITUTIONS, walls):
-        text = text_for(host, "linear", e, "--end", "zero-force", "--speed", "1", wall=wall)
+    for e, wall, corrected in itertools.product(RESTITUTIONS, walls, ([], ["--step-corrected"])):
+        text = text_for(host, "linear", e, "--end", "zero-force", "--speed", "1", *corrected, wall=wall)
         for block in blocks_of(text):
             if word in block.model:
                 cases.append(Case(block, "linear", e, math.nan, block.realised, wall=wall))
