@@ -13,6 +13,7 @@
 #include "support/console.h"
 #include "support/formula.h"
 #include "support/local.h"
+#include "support/output.h"
 
 enum { TOKEN_MAX = 200, BITS = 256, PARTS = 4 };
 
@@ -182,26 +183,19 @@ static char *read_list(uint32_t *check, const struct values_rule *rule, const ch
 {
     enum { MOST_BYTES = 1 << 26 };
     struct stat found;
-    FILE *const file = stat(path, &found) == 0 && S_ISREG(found.st_mode) ? fopen(path, "r") : NULL;
-    char *const list = file && found.st_size < MOST_BYTES ? xmalloc((size_t)found.st_size + 1) : NULL;
-    const char *wrong = errno ? strerror(errno) : "it is not a regular file";
-    size_t length = 0;
+    size_t size = 0, length = 0;
+    char *const list = stat(path, &found) == 0 && S_ISREG(found.st_mode) ? read_file(path, MOST_BYTES, &size) : NULL;
+    const char *const wrong = list ? "it contains no values" : errno ? strerror(errno) : "it is not a regular file";
     bool comment = false;
-    if (list)
-        wrong = "it contains no values";
-    else if (file)
-        wrong = "it has 64 MiB or more";
-    *check = COR_MODE_FILE_CHECK_START;
-    for (int c; list && (c = getc(file)) != EOF && length < (size_t)found.st_size;) {
-        const char byte = (char)c;
-        *check = cor_mode_file_check(*check, &byte, 1);
+    size = list ? size : 0;
+    *check = cor_mode_file_check(COR_MODE_FILE_CHECK_START, list ? list : "", size);
+    for (size_t i = list && strncmp(list, "\xef\xbb\xbf", 3) == 0 ? 3 : 0; i < size; i++) { /* no byte order mark */
+        const char c = list[i];
         comment = c == '#' || (comment && c != '\n');
-        const bool ends = comment || c == ',' || isspace(c);
+        const bool ends = comment || c == ',' || isspace((unsigned char)c);
         if (!ends || (length > 0 && list[length - 1] != ','))
-            list[length++] = ends ? ',' : c ? byte : '?'; /* a '?' is in no number */
+            list[length++] = ends ? ',' : c ? c : '?'; /* a '?' is in no number */
     }
-    if (file)
-        fclose(file);
     length -= length > 0 && list[length - 1] == ',';
     if (length > 0) {
         list[length] = '\0';

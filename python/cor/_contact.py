@@ -103,7 +103,10 @@ class Contact:
         self._options.update(adhesion_model=adhesion_model, equivalent=equivalent, **numbers)
         self._options.update(erp=erp, cfm=cfm, time_step=time_step)
         if erp is not None or cfm is not None or time_step is not None:
-            law, numbers = "linear", {**_spring_of_engine(law, erp, cfm, time_step), **numbers}
+            spring = _spring_of_engine(law, erp, cfm, time_step)
+            if spring.keys() & numbers.keys():
+                raise ValueError(f"erp, cfm, time_step: {', '.join(spring)} follow from them; leave these out")
+            law, numbers = "linear", {**spring, **numbers}
         self._bodies = bodies
         self._scene = scene = ffi.new("struct cor_scene *")
         scene.number = [math.nan] * lib.COR_SCENE_NUMBERS

@@ -111,9 +111,9 @@ def test_an_engine_is_that_of_corgen():
     assert [error.bias, error.scatter] == pytest.approx([float(row["step_bias"]), float(row["step_scatter"])], rel=1e-3)
     assert contact == pickle.loads(pickle.dumps(contact)) and "erp=0.8" in repr(contact)
     assert cor.Contact(**{**engine, "erp": 1}).eps_zero_force(1.0) == 1
-    for wrong in dict(erp=1.1), dict(erp=0), dict(cfm=-1), dict(cfm=None), dict(time_step=None), dict(law="tsuji"):
+    for name, x in dict(erp=1.1, cfm=-1, time_step=None, law="tsuji", stiffness=3).items():
         with pytest.raises(ValueError, match="^erp, cfm, time_step: "):
-            cor.Contact(**{**engine, **wrong})
+            cor.Contact(**{**engine, name: x})
     with pytest.raises(TypeError, match="^steps: "):
         simulators.step_error(BODY, 1.0)
 
