@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tests the package in node: node tests/web/module.mjs NATIVE COUNT FOLDER [--same-libm]
-// NATIVE is tests/web/native.c as a program. Prints a line for each check, and for what failed.
+// NATIVE is tests/web/native.c as a program. Prints a line for each check, and details of failures.
 import { execFileSync, spawnSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { load } from "../../build/web/package/cor.js";
@@ -10,7 +10,7 @@ const [, , native, count, folder, sameLibm] = process.argv;
 const cor = await load();
 // ---- bits ----
 
-// By how many doubles two results differ at most
+// Returns the largest number of doubles between corresponding results.
 function largestDistance(y, z) {
     const a = new BigInt64Array(y.buffer), b = new BigInt64Array(z.buffer);
     let largest = 0;
@@ -22,8 +22,8 @@ function largestDistance(y, z) {
     return largest;
 }
 
-// These pass a result of cbrt, pow or their like of the C library on, which may be off by a unit of the last place, and the module
-// has another C library than the native program.
+// These functions use cbrt, pow or similar functions of the C library, which may be off by a unit of the last place. The
+// module and the native program have different C libraries.
 const ofLibm = /^viscoelastic,(zero-force,duration|approach-only,damping-of-loss)|^hertz-dashpot,(zero-force,[eld]|.*,time)/;
 
 const names = execFileSync(native, [count, folder], { encoding: "utf8" }).trim().split("\n");
@@ -80,7 +80,7 @@ check(`${scenes().length} scenes: tables, and lines for simulators, are those of
 
 // ---- any request ----
 
-// Options at random, right and wrong: what is refused says why, and texts of the others hold no number that is none.
+// Right and wrong options at random: a refusal has a reason, and no eps of an accepted request is outside [0, 1].
 let seed = 34, read = 0, refused = 0;
 const random = (n) => {
     seed = Math.imul(seed, 1664525) + 1013904223 >>> 0;
@@ -120,7 +120,7 @@ for (let i = 0; i < 3000; i++) {
 check(`3000 requests at random: ${read} read, ${refused} refused with a reason`, odd.length === 0 && read > 500 && refused > 500,
     odd.slice(0, 4).join("\n"));
 
-// Right requests at random: the page's own module, in web/calculator.html, gives the numbers of corgen.
+// Random requests: the module inside web/calculator.html gives the numbers of corgen.
 const html = readFileSync("web/calculator.html", "utf8"), [, bytes, packed] = html.match(/id="wasm" data-bytes="(\d+)">([^\n]*)<\/script>/);
 const unpack = (0, eval)(`(${html.match(/async function unpack[^]*?\n}\n/)[0]})`);
 const shipped = await load(await unpack({ textContent: packed, dataset: { bytes } }));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Uses build/web/calculator.html in Chromium like a user: node tests/web/page.mjs CHROMIUM WORK [--write] [--long]
 // WORK is an empty folder for downloads. With --long all scenes are typed into the fields, otherwise every fourth; the
-// others come by their address. puppeteer-core and axe-core are in build/web/test.
+// others are opened by their address. puppeteer-core and axe-core are in build/web/test.
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
@@ -62,7 +62,7 @@ async function enter(options) {
         await type(name, value);
 }
 
-// Waits until the page has read the address, which it then writes in its own way.
+// Opens an address of the page, and waits until the page has read it.
 async function follow(options) {
     await page.evaluate((hash) => {
         location.hash = "#label=";
@@ -71,7 +71,7 @@ async function follow(options) {
     }, `#${new URLSearchParams(asTyped(options))}`);
 }
 
-// tests/web/module.mjs compares the module with corgen, and this the page with the module.
+// tests/web/module.mjs compares the module with corgen; this file compares the page with the module.
 const module = await load(), differ = [];
 const moduleText = (...call) => { try { return module.page.text(...call); } catch (error) { return error.message; } };
 for (const [i, { line, options }] of scenes().entries()) {

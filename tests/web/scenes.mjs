@@ -5,7 +5,7 @@ import { readFileSync } from "node:fs";
 
 const corgen = process.env.CORGEN ?? "build/gcc/corgen";
 
-// The contacts of the list that the page has fields for: options as the module takes them, and as arguments
+// Returns the contacts for which the page has fields: options of the module, and the line of arguments.
 export function scenes() {
     return readFileSync("tests/reference/contacts.csv", "utf8").split("\n").slice(1)
         .map((row) => row.match(/^(?:"([^"]*)"|([^,"]*)),yes,/)).filter((cells) => cells)
@@ -26,7 +26,7 @@ function argumentsOf(options, without) {
         .flatMap(([name, value]) => name === "wall" ? ["--wall"] : [`--${name}`, value]);
 }
 
-// The table of impacts, the summary, and the lines of the simulator or the reason why there are none
+// Returns the table of impacts, the summary, and the lines for the simulator or the reason for their absence.
 export function byCorgen(options) {
     const run = (more, without) => execFileSync(corgen, ["contact", ...argumentsOf(options, without), ...more],
         { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
