@@ -378,6 +378,19 @@ def test_audit_of_the_package():
         cor.simulators.audit("text")
 
 
+def test_clear_begins_an_empty_system():
+    system = """units si
+atom_style sphere
+region b block -1 1 -1 1 -1 1
+create_box 1 b
+pair_style granular
+pair_coeff * * hooke 1000 %s damping coeff_restitution
+"""
+    wall = "fix w all wall/gran granular hooke 1000 0.9 damping coeff_restitution zplane 0 NULL\nrun 1\nclear\n"
+    found = cor.simulators.audit(system % 0.9 + wall + system % 0.5 + "run 1\n", density=2500, radius=1e-3)
+    assert [(f.pair, f.asked) for f in found] == [("1-1", 0.9), ("1-wall", 0.9), ("1-1", 0.5)]
+
+
 SETTINGS = {
     "lammps": """model=hertz/material 1e7 0.5 0.3 damping tsuji,wall=0
 model=hertz/material 1e7 0.5 0.3 damping tsuji,wall=1
