@@ -319,10 +319,9 @@ TEST(test_forgetting)
     const size_t count = COUNT_OF(cases) - (points(1) > 1 ? 0 : 1);
     for (size_t i = 0; i < count; i++) {
         const struct cor_exponents law = law_of(cases[i].a, cases[i].b);
-        const struct ratio n_ratio = law_fall_power(&law), speed_power = law_speed_exponent(&law);
-        const double a = (double)law_elastic(&law).num / (double)law_elastic(&law).den,
-                     b1 = (double)law_damping(&law).num / (double)law_damping(&law).den + 1;
-        const double n = (double)n_ratio.num / (double)n_ratio.den, q = n / (a + 1);
+        const struct ratio speed_power = law_speed_exponent(&law);
+        const double a = ratio_double(law_elastic(&law)), b1 = ratio_double(law_damping(&law)) + 1;
+        const double n = ratio_double(law_fall_power(&law)), q = n / (a + 1);
         const double P = 1 / q + 2 * (a - b1 + 1) * (2 / n - 1 / b1), k = law_forgetting(&law);
         double constant[3];
         assert_int_equal(collision_final_speed(v, &law, 120), 0);
@@ -402,8 +401,7 @@ TEST(test_strong_force)
     LOCAL(arb, beta);
     for (size_t i = 0; i < COUNT_OF(laws); i++) {
         const struct cor_exponents law = law_of(laws[i][0], laws[i][1]);
-        const double a = (double)law_elastic(&law).num / (double)law_elastic(&law).den,
-                     b = (double)law_damping(&law).num / (double)law_damping(&law).den;
+        const double a = ratio_double(law_elastic(&law)), b = ratio_double(law_damping(&law));
         const double X = pow(b + 1, 1 / (b + 1));
         double eps_rest[2], time_rest[2];
         for (int k = 0; k < 2; k++) {

@@ -243,7 +243,7 @@ TEST(test_pressed_ellipse)
     double most = 0;
     LOCAL(collision, c);
     LOCAL(arb, press, beta, force, x);
-    arb_set_d(press, first_force * exp(-lo * (double)power.num / (double)power.den));
+    arb_set_d(press, first_force * exp(-lo * ratio_double(power)));
     const struct interpolant_layout layout = {
         .law = law, .root = 1, .interval = &interval, .intervals = 1, .press = press, .press_log = -10};
     struct interpolant *const f = interpolant_new(&layout, exp(lo), exp(hi));

@@ -30,7 +30,7 @@ static void case_init(struct law_case *c, const struct law_functions *f)
     assert_null(law_parse(&c->law, f->elastic, f->damping));
     LOCAL(arb, beta_c, height);
     if (law_is_linear(&c->law)) {
-        c->threshold = sqrt(2 * ((double)law_elastic(&c->law).num / (double)law_elastic(&c->law).den + 1));
+        c->threshold = sqrt(2 * (ratio_double(law_elastic(&c->law)) + 1));
     } else if (law_fall_power(&c->law).num < 0) {
         assert_int_equal(collision_threshold(beta_c, height, &c->law, PREC / 2), 0);
         c->threshold = arf_get_d(arb_midref(beta_c), ARF_RND_NEAR);
