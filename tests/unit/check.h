@@ -147,6 +147,8 @@ static int (*check_before)(void **state), (*check_after)(void **state);
 
 static void check_add(struct CMUnitTest test, int line)
 {
+    if (check_count == CHECK_MOST)
+        abort();
     int i = check_count++;
     for (; i > 0 && check_line[i - 1] > line; i--) {
         check_tests[i] = check_tests[i - 1];
