@@ -22,7 +22,7 @@ DRIVER = r"""
 #include <stdio.h>
 #include "cor/scene.h"
 int web_read(const char *options);
-const char *web_lines(void), *web_models(int digits), *web_wrong_text(void);
+const char *web_lines(void), *web_models(int digits), *web_why(int part);
 int main(void)
 {
     char options[2048];
@@ -38,7 +38,7 @@ int main(void)
         for (char *c = options; *c; c++)
             *c = *c == '\t' ? '\n' : *c;
         const char *const text = web_read(options) ? web_lines() : NULL;
-        printf("%s", text ? text : web_wrong_text());
+        printf("%s", text ? text : web_why(1));
         printf("%s", text ? web_models(12) : "\n");
     }
 }
