@@ -41,7 +41,7 @@ static int is_number(double *value, const char *from, const char *to, const stru
 static int read_number(double *value, const char *text, const struct cor_scene_option *option)
 {
     return is_number(value, text, text + strlen(text), option) ||
-           refuse(option->name, "--%s: '%s' is not %s, written as 0.1, 1.5e-3", option->name, text, option->allowed);
+           refuse(option->name, "--%s: '%s' is not %s; write it as 0.1 or 1.5e-3", option->name, text, option->allowed);
 }
 
 static int read_viscosity(double eta[2], const char *text, const struct cor_scene_option *option)
@@ -49,9 +49,10 @@ static int read_viscosity(double eta[2], const char *text, const struct cor_scen
     const char *const comma = strchr(text, ',');
     if (comma && is_number(&eta[0], text, comma, option) && is_number(&eta[1], comma + 1, text + strlen(text), option))
         return 1;
-    return refuse(option->name,
-                  "--%s: '%s' is not two numbers, 0 or more, with a comma between them: ETA1,ETA2 in Pa s, as 1e3,2e3",
-                  option->name, text);
+    return refuse(
+        option->name,
+        "--%s: '%s' is not two numbers, 0 or more, with a comma between them: ETA1,ETA2 in Pa s, for example 1e3,2e3",
+        option->name, text);
 }
 
 static int read_speeds(struct web_request *r, const char *option, const char *text)
@@ -62,8 +63,8 @@ static int read_speeds(struct web_request *r, const char *option, const char *te
         if (r->speeds == WEB_SPEEDS ||
             !is_number(&r->speed_m_s[r->speeds++], from, to, &cor_scene_options[COR_SCENE_AT]))
             return refuse(option,
-                          "--%s: '%.*s' is not a finite number above 0 m/s; allowed: up to %d of them, with commas, as "
-                          "0.1,1,10",
+                          "--%s: '%.*s' is not a finite number above 0 in m/s; allowed: up to %d numbers with commas, "
+                          "for example 0.1,1,10",
                           option, (int)(to - from), from, WEB_SPEEDS);
         from = to;
         if (*from == '\0')
@@ -142,7 +143,7 @@ static int read_option(struct web_request *r, const char *name, const char *valu
             struct cor_scene_option option = cor_scene_options[own[i].like];
             option.name = own[i].name;
             return read_number(own[i].value, value, &option) &&
-                   (r->steps >= 1 || refuse("steps", "--steps: '%s' is not 1 or more", value));
+                   (r->steps >= 1 || refuse("steps", "--steps: '%s' is not a number, 1 or more", value));
         }
     if (strcmp(name, "speed") == 0)
         return read_speeds(r, name, value);
@@ -166,7 +167,7 @@ static int read_option(struct web_request *r, const char *name, const char *valu
             return read_viscosity(&r->scene.number[number], value, option);
         return read_number(&r->scene.number[number], value, option);
     }
-    return refuse(name, "'%s' is not an option; allowed are those of corgen contact, as young", name);
+    return refuse(name, "'%s' is not an option; allowed: the options of corgen contact, for example young", name);
 }
 
 /* Returns the option at which the page shows a fault: the wrong or the missing one. */
@@ -192,8 +193,9 @@ static int make_contact(struct web_request *r)
         return refuse(option_of(&fault), "%s", why);
     }
     if (r->scene.end == COR_END_ZERO_FORCE && r->at_surface != (r->contact[0].force_n > 0))
-        return refuse("end", r->at_surface ? "--end surface needs a constant force; without one write --end zero-force"
-                                           : "--end zero-force: under a constant force write --end surface");
+        return refuse("end", r->at_surface
+                                 ? "--end surface needs a constant force; without a force write --end zero-force"
+                                 : "--end zero-force does not apply under a constant force; write --end surface");
     return r->speed_min_m_s < r->speed_max_m_s ||
            refuse("speed-max", "--speed-min %g is not below --speed-max %g", r->speed_min_m_s, r->speed_max_m_s);
 }

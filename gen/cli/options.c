@@ -313,7 +313,7 @@ static int check_synonyms(const struct option *accepted, int argc, char **argv)
             if (same && (*end == '\0' || *end == '='))
                 for (const struct option *o = accepted; o->name; o++)
                     if (strcmp(o->name, synonyms[k].meant) == 0)
-                        return usage_error("corgen %s does not know '--%s' (did you mean --%s?); see corgen %s --help",
+                        return usage_error("corgen %s has no option '--%s' (did you mean --%s?); see corgen %s --help",
                                            argv[0], given, o->name, argv[0]);
         }
     return STATUS_OK;

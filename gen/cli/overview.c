@@ -60,7 +60,7 @@ static const char *const terms[][2] = {
     {"beta", "dimensionless damping, the only number on which eps depends; beta = 0.867 (g/g*)^(1/5)"},
     {"zeta", "damping ratio of the laws linear and tsuji, whose eps is the same at every speed"},
     {"law", "exponents a and b of the force K x^a + C x^b x', or a name for them"},
-    {"host", "a simulator whose contact model is known to corgen"},
+    {"host", "a simulator whose contact model corgen supports"},
     {"disk", "elastic disk without damping: a collision turns energy into vibrations, its modes"},
 };
 enum { TERMS = sizeof terms / sizeof *terms };

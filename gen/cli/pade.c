@@ -123,8 +123,10 @@ static void print_text(FILE *file, const struct table *table, const void *argume
                 k == 1 ? "numerator" : "denominator", k == 1 ? 1 : k - 1);
         free(text);
     }
-    fprintf(file, "d_0 is near zero, so a_3 and a_4 rounded to six decimals fix d_1, d_2, d_3 to about 2e-4 only.\n"
-                  "x = (g/g*)^(1/5). C_3 and C_4 behind these numbers are wrong: corgen series has the right ones.\n");
+    fprintf(
+        file,
+        "d_0 is close to zero, so a_3 and a_4, rounded to six decimals, give d_1, d_2 and d_3 only to about 2e-4.\n"
+        "x = (g/g*)^(1/5). The values of C_3 and C_4 used here are wrong; corgen series prints the correct ones.\n");
 }
 
 /* Adds the coefficients as rows, up to the first that is undecided. */

@@ -127,7 +127,7 @@ static void search_two_point(struct embed_form *best, const struct embed_scene *
 {
     LOCAL_INIT(pade, f, (&f));
     if (s->end != COR_END_ZERO_OVERLAP)
-        snprintf(best->why, sizeof best->why, "at zero force large beta has no power law to match");
+        snprintf(best->why, sizeof best->why, "eps at zero force has no power law at large beta");
     for (slong m = 0; s->end == COR_END_ZERO_OVERLAP && 2 * m + 5 <= PADE_MAX && !best->found; m++)
         if (pade_two_point_of_series(&f, s->series, s->h_star_5, m, EMBED_BITS))
             try_quotient(best, s, &f, m, m + 5);

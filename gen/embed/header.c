@@ -97,13 +97,11 @@ static void append_scene(FILE *t, const struct embed_request *request, const str
                 ratio_power(law_speed_exponent(&s->law)).text, s->beta_min, s->beta_max);
     if (!arb_is_zero(s->liquid_speed))
         fprintf(t,
-                "A liquid takes s = %s m/s on the way in and on the way out: with dry eps(v - s)\n"
+                "A liquid removes s = %s m/s on the way in and on the way out: with dry eps(v - s)\n"
                 "at the speed v - s, eps = (eps(v - s) (v - s) - s)/v.\n",
                 middle_text(s->liquid_speed).text);
     if (s->pressed)
-        fprintf(t,
-                "A constant force presses the bodies together, and up to v_s = %s m/s (enclosed)\n"
-                "they stay so: eps = 0.",
+        fprintf(t, "A constant force holds the bodies together up to v_s = %s m/s (enclosed):\neps = 0.",
                 middle_text(s->sticking_speed).text);
     if (s->pressed && embed_number(request, EMBED_SPEED_MIN) <= s->onset)
         fprintf(t, " The function is 0 up to %.17g m/s, where eps is %.2g.", s->onset, s->samples.eps[0]);
@@ -112,29 +110,29 @@ static void append_scene(FILE *t, const struct embed_request *request, const str
     if (!(proof->error <= s->tolerance) && isfinite(proof->error))
         fprintf(t, "sampled, below; proved: %s", emit_bound(proof->error).text);
     else if (proof->proved && !proved_everywhere(proof, s))
-        fprintf(t, "proved from %.6g m/s on, sampled below that", proof->from);
+        fprintf(t, "proved for %.6g m/s and above, sampled below", proof->from);
     else
         fprintf(t, "%s, below", proof->proved ? "proved" : "sampled");
     fprintf(t, ").\nOutside: %s; negative or NaN -> NaN.\n\n",
-            s->pressed ? "0 as above, otherwise the value at the nearer end, of +inf too"
-                       : "the value at the nearer end, of speed 0 and +inf too");
+            s->pressed ? "0 as above, otherwise the value at the nearer end, also for +inf"
+                       : "the value at the nearer end, also for speed 0 and +inf");
 }
 
 static void append_choice(FILE *t, const struct embed_request *request, const struct embed_scene *s,
                           const struct embed_form *form, enum embed_family chosen, const struct embed_proof *proof)
 {
-    static const char balanced[] = "the least time, a call of its own counting\nas much as four numbers of a loop that "
-                                   "becomes vectors, scalar + 4 vector";
+    static const char balanced[] =
+        "the least time, one separate call counting\nas much as four numbers of a vectorised loop, scalar + 4 vector";
     static const char *const rule[] = {[PURPOSE_BALANCED] = balanced,
-                                       [PURPOSE_SCALAR] = "the least time for calls of their own, column scalar",
-                                       [PURPOSE_ARRAY] = "the least time in loops that become vectors, column vector",
-                                       [PURPOSE_REBOUND] = "the least time for calls of their own, column scalar"};
+                                       [PURPOSE_SCALAR] = "the least time for separate calls, column scalar",
+                                       [PURPOSE_ARRAY] = "the least time in vectorised loops, column vector",
+                                       [PURPOSE_REBOUND] = "the least time for separate calls, column scalar"};
     const struct embed_form *f = &form[chosen];
     char size[64];
     embed_form_size(size, sizeof size, f);
     fprintf(t,
-            "Chosen: %s, %s. Of what meets the tolerance it takes\n%s (--for %s).\n"
-            "Largest error found %s, at %.6g m/s, of %d speeds even in their logarithm, sums of products rounded\n"
+            "Chosen: %s, %s. Of the forms that meet the tolerance it needs\n%s (--for %s).\n"
+            "Largest error found %s, at %.6g m/s, at %d speeds with equal ratios, sums of products rounded\n"
             "once and twice: sampled. %s\n",
             embed_family_name(chosen, s), size, rule[request->purpose], embed_purpose_names[request->purpose],
             emit_bound(f->error).text, f->error_at + f->origin, EMBED_SAMPLES,
@@ -148,15 +146,14 @@ static void append_choice(FILE *t, const struct embed_request *request, const st
             fprintf(t, "Proved at every speed of the range: %s at most, of which rounding ",
                     emit_bound(proof->error).text);
         else
-            fprintf(t, "Proved from %.6g m/s on: %s at most, of which rounding ", proof->from,
+            fprintf(t, "Proved for %.6g m/s and above: %s at most, of which rounding ", proof->from,
                     emit_bound(proof->error).text);
         fprintf(t, "%s%s,%cwith + - * / and sqrt rounded to nearest, products fused or not.\n",
                 emit_bound(proof->rounding).text, proof->proved ? "" : " at most", proof->proved ? '\n' : ' ');
     }
-    fprintf(
-        t, "\nThe cheapest of each kind. error: the largest found. ns are made from the operations and what they cost\n"
-           "in a loop where that was measured (docs/embed.md): right as ratios. Division and square root run beside\n"
-           "the others.\n\n");
+    fprintf(t, "\nThe cheapest of each kind. error: the largest found. ns follow from the operations and their cost,\n"
+               "measured in a loop (docs/embed.md); only their ratios are right on other processors. Division and\n"
+               "square root run in parallel with the others.\n\n");
     append_alternatives(t, s, form, chosen);
 }
 

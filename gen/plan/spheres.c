@@ -485,7 +485,7 @@ static char *pressing_remark(const struct spheres *s)
     while (k <= SCAN && may_go(contact, end, tolerance, speed_max * pow(ratio, k)))
         k++;
     if (k == 0) {
-        where = xprintf("at no speed of this range up to its end");
+        where = xprintf("only above this range of speeds");
     } else if (k > SCAN) {
         where = xprintf("at every speed of this range");
     } else {

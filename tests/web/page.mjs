@@ -205,9 +205,9 @@ check("a term is explained", (await textOf(page, ".help:not([hidden])")).include
 
 for (const [name, value, says] of [["radius", "-1", "'-1' is not a finite number above 0"],
     ["poisson", "0.7", "a number above -1 and up to 0.5"], ["restitution", "1.5", "a number above 0 and up to 1"],
-    ["at", "", "needs \u201cSpeed of the measurement\u201d"], ["density", "2.5.1", "written as 0.1, 1.5e-3"],
-    ["speed", "1;x", "up to 64 of them"], ["speed-max", "1e-9", "is not below"], ["radius", "5 inch", "allowed: m, also with"],
-    ["young", "0x7", "'x7' is not a unit here"], ["steps", "0.5", "is not 1 or more"], ["radius", "1;2", "'1;2' is not a finite"], ["points", "0.1,0.9", "'0.1,0.9' is not a speed and an eps"],
+    ["at", "", "needs \u201cSpeed of the measurement\u201d"], ["density", "2.5.1", "write it as 0.1 or 1.5e-3"],
+    ["speed", "1;x", "up to 64 numbers"], ["speed-max", "1e-9", "is not below"], ["radius", "5 inch", "allowed: m, also with"],
+    ["young", "0x7", "'x7' is not a unit here"], ["steps", "0.5", "is not a number, 1 or more"], ["radius", "1;2", "'1;2' is not a finite"], ["points", "0.1,0.9", "'0.1,0.9' is not a speed and an eps"],
     ["poisson", "9".repeat(5000), "more than 1535 characters"], ["tolerance", "0", "above 0 and up to 1"]]) {
     await follow(glass);
     const before = await page.$eval("#picture", (e) => e.innerHTML), address = page.url();

@@ -698,9 +698,7 @@ class Granular(System):
             contact.zeta_factor = math.sqrt(share)
         elif name not in ("HOOKE_VELOCITY", "HERTZ_VELOCITY"):
             contact.number *= share
-        contact.notes.append(
-            "One body is neither frozen nor integrated: its mass counts in the damping."
-        )
+        contact.notes.append("One body is neither frozen nor integrated: its mass counts in the damping.")
 
     def new(self, words: Words, one: Body, two: Body, style: str, unknown: str = "") -> Contact:
         line = words.line

@@ -436,7 +436,9 @@ class World:
         found = self.script.options.include(name, self.stack[-1][0].name) if is_known(name) and self.stack else None
         if found is None:
             shown = name.split(_MARK)[1] if not is_known(name) else name
-            self.script.remark(words.line, f"The file {shown} cannot be read: it must be a plain file next to this one.")
+            self.script.remark(
+                words.line, f"The file {shown} cannot be read: it must be a plain file next to this one."
+            )
             return None
         return Source(found[1], found[0])
 

@@ -132,8 +132,8 @@ class Result:
         first = next(fit for fit in judged if fit[1].fits)
         if best[1] is not first[1]:
             return (
-                f"The simplest model that the data do not reject is {best[0].title}: the least AIC, of "
-                f"{first[0].title}, is less than 2 below."
+                f"The simplest model that the data do not reject is {best[0].title}; "
+                f"{first[0].title} has the least AIC, but by less than 2."
             )
         return f"Of the models that fit, {best[0].title} has the least AIC."
 
@@ -209,7 +209,7 @@ class Result:
             lines.append(f"Not determined, because the minimum is flat: parameters of {', '.join(flat)}.")
         lines += self._outlier_remarks(mine)
         kind = "a chi2" if e.p_of_chi2 else "means of neighbouring residuals"
-        lines.append(f"p: probability of so large {kind}, if the model is right; below {SIGNIFICANCE} it does not fit.")
+        lines.append(f"p: probability of {kind} this large if the model is right; below {SIGNIFICANCE} it does not fit.")
         named: Dict[str, List[str]] = {}
         for m, _ in fits:
             named.setdefault(m.curve.name, []).append(m.title)
