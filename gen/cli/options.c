@@ -299,25 +299,12 @@ static int check_files(const void *arguments, const struct option_rule *rules, c
     return status;
 }
 
-/* Refuses another name of an option, which may be an abbreviation of a third one, as --eps of --eps-inf. */
-static int check_synonyms(const struct option *accepted, int argc, char **argv)
-{
-    static const struct {
-        const char *given, *meant;
-    } synonyms[] = {{"eps", "restitution"}, {"e", "restitution"}, {"cor", "restitution"}, {"mu", "friction"},
-                    {"nu", "poisson"},      {"youngs", "young"},  {"rho", "density"},     {"velocity", "speed"}};
-    for (int i = 1; i < argc; i++)
-        for (size_t k = 0; k < sizeof synonyms / sizeof *synonyms; k++) {
-            const char *const given = synonyms[k].given, *const end = argv[i] + 2 + strlen(given);
-            const bool same = strncmp(argv[i], "--", 2) == 0 && strncmp(argv[i] + 2, given, strlen(given)) == 0;
-            if (same && (*end == '\0' || *end == '='))
-                for (const struct option *o = accepted; o->name; o++)
-                    if (strcmp(o->name, synonyms[k].meant) == 0)
-                        return usage_error("corgen %s has no option '--%s' (did you mean --%s?); see corgen %s --help",
-                                           argv[0], given, o->name, argv[0]);
-        }
-    return STATUS_OK;
-}
+/* Other names of options. Without them getopt takes --eps for an abbreviation of --eps-inf. */
+static const struct {
+    const char *given, *meant;
+} synonyms[] = {{"eps", "restitution"}, {"e", "restitution"}, {"cor", "restitution"}, {"mu", "friction"},
+                {"nu", "poisson"},      {"youngs", "young"},  {"rho", "density"},     {"velocity", "speed"}};
+enum { SYNONYMS = sizeof synonyms / sizeof *synonyms, SYNONYM = 1 << 16 };
 
 static int parse_all(void *arguments, const struct option_rule *rules, const struct option *accepted, bool *given,
                      int argc, char **argv, bool *help)
@@ -327,6 +314,9 @@ static int parse_all(void *arguments, const struct option_rule *rules, const str
     for (int key; (key = getopt_long(argc, argv, ":h", accepted, NULL)) != -1;) {
         if (key == ':' || key == '?')
             return refuse_option(rules, key, argv);
+        if (key >= SYNONYM)
+            return usage_error("corgen %s has no option '--%s' (did you mean --%s?); see corgen %s --help", argv[0],
+                               synonyms[key - SYNONYM].given, synonyms[key - SYNONYM].meant, argv[0]);
         const size_t i = (size_t)(key - LONG_OPTION);
         if (key == 'h' || !rules[i].name) {
             *help = true;
@@ -352,18 +342,20 @@ static int parse_all(void *arguments, const struct option_rule *rules, const str
 int options_parse(void *arguments, const struct option_rule *rules, int argc, char **argv, bool *help)
 {
     const size_t n = count_rules(rules);
-    struct option *accepted = xmalloc((n + 2) * sizeof *accepted);
+    struct option *accepted = xmalloc((n + 2 + SYNONYMS) * sizeof *accepted);
     bool *given = xmalloc((n + 1) * sizeof *given);
     for (size_t i = 0; i < n; i++)
         accepted[i] = (struct option){rules[i].name, rules[i].kind == OPTION_FLAG ? no_argument : required_argument,
                                       NULL, LONG_OPTION + (int)i};
     accepted[n] = (struct option){help_name, no_argument, NULL, LONG_OPTION + (int)n};
-    accepted[n + 1] = (struct option){0};
+    size_t count = n + 1;
+    for (size_t k = 0; k < SYNONYMS * n; k++)
+        if (strcmp(rules[k % n].name, synonyms[k / n].meant) == 0)
+            accepted[count++] = (struct option){synonyms[k / n].given, optional_argument, NULL, SYNONYM + (int)(k / n)};
+    accepted[count] = (struct option){0};
     memset(given, 0, n * sizeof *given);
     *help = false;
-    int status = check_synonyms(accepted, argc, argv);
-    if (status == STATUS_OK)
-        status = parse_all(arguments, rules, accepted, given, argc, argv, help);
+    int status = parse_all(arguments, rules, accepted, given, argc, argv, help);
     for (size_t i = 0; i < n && !*help && status == STATUS_OK; i++)
         if (rules[i].kind == OPTION_ELASTIC) {
             struct option_law *const law = (void *)((char *)arguments + rules[i].offset);

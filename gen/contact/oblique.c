@@ -136,20 +136,14 @@ int contact_oblique(struct table *table, const struct contacts *contacts, struct
     const int id = model_of(request->model ? request->model : "displacement", &contacts->contact[0]);
     const struct cor_body body = cor_scene_body(&contacts->scene, 1);
     double *const tangent = xmalloc(2 * request->count * sizeof *tangent), *const ratio = tangent + request->count;
-    char text[DECIMAL_TEXT];
+    char text[DECIMAL_TEXT], header[NAMES];
     int status = id < 0 ? STATUS_USAGE : STATUS_OK;
-    if (request->walton)
-        table_init(table,
-                   both ? "speed_m_s,eps,friction,beta_0,largest_error,end"
-                        : "speed_m_s,eps,friction,beta_0,largest_error",
-                   "tnnnnt");
-    else
-        table_init(table,
-                   both ? "speed_m_s,angle_degrees,tangential_speed_m_s,tangential_restitution,rebound_angle_degrees,"
-                          "spin_rad_s,regime,end"
-                        : "speed_m_s,angle_degrees,tangential_speed_m_s,tangential_restitution,rebound_angle_degrees,"
-                          "spin_rad_s,regime",
-                   "tnnnnntt");
+    snprintf(header, sizeof header, "speed_m_s,%s%s",
+             request->walton ? "eps,friction,beta_0,largest_error"
+                             : "angle_degrees,tangential_speed_m_s,tangential_restitution,rebound_angle_degrees,"
+                               "spin_rad_s,regime",
+             both ? ",end" : "");
+    table_init(table, header, request->walton ? "tnnnnt" : "tnnnnntt");
     for (int end = 0; end < COR_SCENE_ENDS; end++)
         for (size_t i = 0; i < request->speeds; i++) {
             const int k = contacts->count > 1 ? end : 0;
