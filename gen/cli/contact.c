@@ -36,17 +36,6 @@ static struct cor_simulator_request request_of(const struct contact_arguments *o
                                           .integrator = default_integrator ? COR_VERLET_HALF_STEP : o->integrator};
 }
 
-static size_t different_numbers(const struct values *v)
-{
-    size_t different = 0;
-    for (size_t i = 0, j; i < v->count; i++) {
-        for (j = 0; j < i && v->nearest[j] != v->nearest[i]; j++)
-            ;
-        different += j == i;
-    }
-    return different;
-}
-
 /* Refuses a step in seconds without a unit of time, a correction for two ends, and friction without bodies. */
 static int check_options(const struct contact_arguments *o, const struct contacts *contacts)
 {
@@ -61,7 +50,8 @@ static int check_options(const struct contact_arguments *o, const struct contact
                            "example --angle 10,30,60");
     if (oblique && o->speed.count == 0)
         return usage_error("--angle and --tangential-speed need --speed LIST, the normal component of the velocity");
-    if (o->walton && different_numbers(o->angle.count > 0 ? &o->angle : &o->tangential_speed) < 3)
+    const struct values *const given = o->angle.count > 0 ? &o->angle : &o->tangential_speed;
+    if (o->walton && (given->count < 3 || given->least == given->largest))
         return usage_error("--walton needs three different angles or more, for example --angle 1:89:lin:89");
     if (o->walton && o->simulator)
         return usage_error("--walton and --for exclude each other; leave out --for");

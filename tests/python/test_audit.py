@@ -497,6 +497,33 @@ def test_oblique_impacts(tmp_path, line):
     assert found(text) == [None, None]
 
 
+OLD_STYLES = """hooke/history 3e4 NULL 50 NULL 0.4 1|hooke 3e4 50 tangential linear_history 8571.4285714285714 0.5 0.4 damping mass_velocity
+hooke/history 3e4 2e4 50 20 0.4 0|hooke 3e4 50 tangential linear_history 2e4 0 0.4 damping mass_velocity
+hertz/history 2e7 1.5e7 5e4 2e4 0.3 1|hertz 2e7 5e4 tangential mindlin 1.5e7 0.4 0.3 damping viscoelastic"""
+
+
+def test_oblique_impacts_of_other_styles(tmp_path):
+    """The old styles of LAMMPS have the numbers of pair style granular; LIGGGHTS gives 0.0276, and 0.3163 without the
+    tangential damper, at an overlap of a thousandth of the radius."""
+    head = (ROOT / "tests" / "audit" / "lammps.in").read_text(encoding="utf-8").split("pair_style")[0]
+    tail = "timestep 1e-6\nfix move all nve/sphere\nrun 1\n"
+
+    def found(text):
+        out = run("audit", write(tmp_path, "in", text), "--speed", "1", "--angle", "40", "--format", "json")[1]
+        return json.loads(out)[0]["tangential_restitution"]
+
+    for old, granular in (line.split("|") for line in OLD_STYLES.splitlines()):
+        expected = found(f"{head}pair_style granular\npair_coeff * * {granular}\n{tail}")
+        assert expected and found(f"{head}pair_style gran/{old}\npair_coeff * *\n{tail}") == pytest.approx(expected), old
+    text = (ROOT / "tests" / "audit" / "liggghts.in").read_text(encoding="utf-8").replace("1e7 2e7", "1e7 1e7")
+    text = text.replace("0.3 0.2", "0.3 0.3").replace("tangential off", "tangential history")
+    friction = "coefficientFriction peratomtypepair 2 0.3 0.3 0.3 0.3\npair_style "
+    text = text.replace("pair_style ", f"fix mu all property/global {friction}", 1)
+    assert abs(found(text) - 0.0276) < 3e-4
+    assert abs(found(text.replace("gran model ${model}", "gran model ${model} tangential_damping off")) - 0.3163) < 5e-4
+    assert found(text.replace("gran model ${model}", "gran model ${model} rolling_friction cdt")) is None
+
+
 if __name__ == "__main__":
     results = {deck.name: audit(deck) for deck in DECKS}
     EXPECTED.write_text(expected_text(results), encoding="utf-8")

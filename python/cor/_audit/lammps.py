@@ -41,6 +41,7 @@ _KNOWN = _BY_MASS + _BY_ROOT + ("HOOKE_VELOCITY", "HERTZ_VELOCITY")
 _MIXES_SINCE = 20221103  # earlier, LAMMPS uses damping velocity for every mixed pair
 _MODELS = ("hertz", "hooke", "hertz/stiffness", "hooke/stiffness")  # of LIGGGHTS
 _TANGENTIAL = ("mindlin", "mindlin/force", "mindlin_rescale", "mindlin_rescale/force")  # with the contact radius
+_HISTORY = {"hooke/history": "linear_history", "hertz/history": "mindlin"}  # old styles, by their force
 _RIGID = "\0rigid"  # the group of atoms inserted as parts of bodies
 
 
@@ -750,6 +751,12 @@ class Granular(System):
         contact.spring = Spring.HOOKE if force == "hooke" else Spring.HERTZ
         if of.style == "granular" and not any(words.after(w, at) not in ("", "none") for w in ("rolling", "twisting")):
             self.read_tangential(contact, words, at)
+        elif of.style in _HISTORY:
+            normal, damper = words.value(at + 2), words.value(at + 3) if words[at + 3] != "NULL" else NAN
+            ratio = 0.5 if words[at + 3] == "NULL" else damper / normal if normal > 0 else damper and NAN
+            ratio = 0.0 if words.value(at + 5) == 0 else ratio
+            spring = words.value(at) * 2 / 7 if words[at + 1] == "NULL" else words.value(at + 1)
+            contact.tangential = _HISTORY[of.style], spring, ratio, words.value(at + 4)
 
     def read_tangential(self, contact: Contact, words: Words, at: int) -> None:
         """Sets the tangential force. The stiffness NULL of mindlin is 8 G* from the numbers of hertz/material."""
@@ -787,6 +794,12 @@ class Granular(System):
             speed = self.property("characteristicVelocity")
             contact.spring = Spring.MATERIAL if is_hertz else Spring.CHARACTERISTIC
             contact.spring_speed = speed.value(6) if speed else NAN
+            friction, rolls = self.property("coefficientFriction"), words.after("rolling_friction", at)
+            if is_hertz and friction and words.after("tangential", at) == "history" and rolls in ("", "off"):
+                kappa = lib.cor_tangential_kappa(one.young, one.poisson, two.young, two.poisson)  # 21 G*/E*
+                compliance = sum((1 - body.poisson**2) / (body.young or NAN) for body in (one, two))
+                ratio = 0.0 if words.after("tangential_damping", at) == "off" else math.sqrt(4 * kappa / 21)
+                contact.tangential = "history", 8 / 21 * kappa / (compliance or NAN), ratio, friction.value(places[0])
         else:
             kn = self.property("kn")
             contact.stiffness = kn.value(places[0]) if kn and kn.value(6) == types else NAN

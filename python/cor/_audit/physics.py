@@ -351,7 +351,7 @@ class _Audit:
             return
         model, tangent = lib.cor_tangential_models[found[0]], math.tan(math.radians(self.options.angle))
         no_force = model.memory in (lib.COR_REMEMBERS_DISPLACEMENT, lib.COR_REMEMBERS_DISPLACEMENT_RESCALED)
-        grows = no_force and not model.constant_stiffness and ratio * tangent > friction
+        grows = no_force and model.damper_in_cap and not model.constant_stiffness and ratio * tangent > friction
         if grows and 2 * scene.law.damping < scene.law.denominator:  # its limit needs impracticably small steps
             row.advice += " The tangential damper exceeds the friction at the first touch: the rebound along the "
             row.advice += "surface depends on the time step."
