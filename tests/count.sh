@@ -12,7 +12,7 @@ needs() {
     local file
     for file in "$@"; do
         [ -e "$file" ] || {
-            echo "$0: no $file; build it, or name it as the head of this script says" >&2
+            echo "$0: $file does not exist; build it, or name it as described at the start of this script" >&2
             exit 1
         }
     done

@@ -61,7 +61,7 @@ static const char help[] =
     "  --speed-min G, --speed-max G   range of speeds, m/s; other speeds give the value of the nearer end\n"
     "  --tolerance T    largest relative error of eps, 1e-15 (float: 4e-7) to 0.1\n" HELP_END_PRESSED
     "  --type T         type of the numbers, double or float (default double)\n"
-    "  --for USE        use to optimise for, scalar (single calls), array (vectorised loops), balanced (both)\n"
+    "  --for USE        purpose to optimise for, scalar (single calls), array (vectorised loops), balanced (both)\n"
     "                   or rebound (scalar, with NAME_callback for REBOUND) (default balanced)\n"
     "  --name NAME      name of the function and of the include guard (default cor_scene_eps)\n" HELP_CONTACT
     "\n" HELP_COMMON "\n"

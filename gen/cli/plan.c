@@ -89,7 +89,7 @@ static const char help[] =
     "Compares models of eps with enclosed collisions over a range of speeds, and prints the cheapest\n"
     "model that meets the tolerance, with the command or call to use.\n\n"
     "Spheres and other laws: speeds in m/s; T is the relative error of eps, 1e-15 to below 1.\n" HELP_END_PRESSED
-    "  --for USE        use whose time is compared, scalar (single calls), array (loops) or balanced (both)\n"
+    "  --for USE        purpose whose time is compared, scalar (single calls), array (loops) or balanced (both)\n"
     "                   (default balanced)\n" HELP_CONTACT "\n"
     "Disks that collide with a rigid wall, with all their modes: speeds in sqrt(E/rho), 0.001 to 0.5.\n"
     "  --disks          use disks instead of spheres; disks lose energy to their vibrations\n"
