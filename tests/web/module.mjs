@@ -4,7 +4,7 @@
 import { execFileSync, spawnSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { load } from "../../build/web/package/cor.js";
-import { byCorgen, check, finish, scenes } from "./scenes.mjs";
+import { byCorgen, check, errorOf, finish, printed, scenes } from "./scenes.mjs";
 
 const [, , native, count, folder, sameLibm] = process.argv;
 const cor = await load();
@@ -45,16 +45,9 @@ check(`WebAssembly has the bits of native code: ${names.length - near} functions
 // ---- sizes that 32 bits do not hold ----
 
 const large = 2 ** 28 + Math.floor(Math.random() * 2 ** 28), contact = cor.contact({ g_star: 0.2 });
-const refusals = [() => cor.sphere.eps_zero_force({ length: large }), () => contact.impacts({ length: large / 4 })].map((act) => {
-    try {
-        act();
-        return "no error";
-    } catch (error) {
-        return error instanceof cor.CorError ? "" : String(error);
-    }
-});
+const refusals = [() => cor.sphere.eps_zero_force({ length: large }), () => contact.impacts({ length: large / 4 })].map(errorOf);
 check(`an array of ${large} numbers is refused, and the next call is right`,
-    refusals.join("") === "" && cor.sphere.eps_zero_force([0])[0] === 1, refusals.join("\n"));
+    refusals.every((error) => error instanceof cor.CorError) && cor.sphere.eps_zero_force([0])[0] === 1, refusals.join("\n"));
 
 // ---- scenes ----
 
@@ -66,11 +59,7 @@ for (const { line, options } of scenes()) {
     if (theirs.table)
         ours.table = cor.page.text("table", 12, options.steps ? 1 : 0);
     if (theirs.lines)
-        try {
-            ours.lines = cor.page.text("lines");
-        } catch (error) {
-            ours.lines = error.message;
-        }
+        ours.lines = errorOf(() => cor.page.text("lines"))?.message ?? cor.page.text("lines");
     for (const part of ["summary", "table", "lines"])
         if (ours[part] !== theirs[part])
             differ.push(`${line}\n${theirs[part]}\n${ours[part]}`);
@@ -102,7 +91,7 @@ for (let i = 0; i < 3000; i++) {
         if (random(/-2|plate/.test(name) ? 20 : 4) === 0)
             options[name] = name === "end" ? pick(["zero-overlap", "zero-force"])
                 : name === "for" ? pick(cor.simulators()).name : number();
-    try {
+    const error = errorOf(() => {
         cor.page.read(options);
         read++;
         const [curves] = [["curves"], ["table", 6, 1], ["summary", 6], ["models", 6]]
@@ -111,11 +100,10 @@ for (let i = 0; i < 3000; i++) {
             odd.push(JSON.stringify(options), curves.join("\n"));
         if (options.for)
             cor.page.text("lines");
-    } catch (error) {
-        refused++;
-        if (!(error instanceof cor.CorError) || error.message === "")
-            odd.push(`${JSON.stringify(options)} ${error.stack}`);
-    }
+    });
+    refused += error ? 1 : 0;
+    if (error && (!(error instanceof cor.CorError) || error.message === ""))
+        odd.push(`${JSON.stringify(options)} ${error.stack}`);
 }
 check(`3000 requests at random: ${read} read, ${refused} refused with a reason`, odd.length === 0 && read > 500 && refused > 500,
     odd.slice(0, 4).join("\n"));
@@ -134,8 +122,7 @@ for (let i = 0; i < 200; i++) {
         Object.assign(options, { young: within(1e6, 1e12), poisson: within(0.01, 0.49), radius: within(1e-5, 1), density: within(500, 9e3) },
             pick([{}, {}, { wall: "yes" }, { wall: "yes", gravity: "9.81" }, { "radius-2": within(1e-5, 1) }, { "adhesion-model": "dmt", adhesion: "1e-3" }]));
     shipped.page.read(options);
-    const ours = shipped.page.text("table", 10, 0), theirs = execFileSync(process.env.CORGEN ?? "build/gcc/corgen", ["contact", "--format", "csv",
-        ...Object.entries(options).flatMap(([name, value]) => name === "wall" ? ["--wall"] : [`--${name}`, value])], { encoding: "utf8" });
+    const ours = shipped.page.text("table", 10, 0), theirs = printed(options, ["--format", "csv"]);
     const cells = (text) => text.split(/[,\n]/), mine = cells(ours);
     const same = cells(theirs).length === mine.length && cells(theirs).every((cell, k) => cell === mine[k] || Math.abs(cell / mine[k] - 1) < 1e-9);
     if (!same)
@@ -149,7 +136,10 @@ const glass = { young: 7e10, poisson: 0.2, radius: 5e-3, density: 2500 };
 const measured = cor.contact({ ...glass, restitution: 0.9, at: 1 });
 check("a restitution without its end has two contacts, each 0.9 at its own end", measured.count === 2 &&
     Math.abs(measured.eps([1], "zero-overlap", 0)[0] - 0.9) < 1e-14 &&
-    Math.abs(measured.eps([1], "zero-force", 1)[0] - 0.9) < 1e-14);
+    Math.abs(measured.eps([1], "zero-force", 1)[0] - 0.9) < 1e-14 && Math.abs(measured.impacts([1])[1].eps_zero_force[0] - 0.9) < 1e-14);
+const [phases, ends] = [measured, cor.contact({ ...glass, g_star: 7e4 })].map((c) => c.stepErrors([1], 1e-6));
+check("errors of a time step have the name of their end where the contact does not", Math.abs(phases[1].bias[0]) < 1e-3 &&
+    phases.length === 2 && Object.keys(ends[0]).join() === "bias_zero_overlap,scatter_zero_overlap,bias_zero_force,scatter_zero_force");
 check("two contacts do not disturb each other", (() => {
     const other = cor.contact({ ...glass, g_star: 3 }), eps = other.eps([1], "zero-force")[0];
     measured.impacts([1]);
@@ -171,8 +161,7 @@ writeFileSync(`${folder}/materials.csv`, "name,young_pa,poisson,density_kg_m3,ra
 writeFileSync(`${folder}/pairs.csv`, "a,b,restitution,at_m_s\nm0,m0,0.9,1\nm1,m1,0.85,2\nm0,m2,0.8,1\nm1,m2,0.8,1\n");
 cor.page.read({ restitution: 0.9, at: 1, speed: "1,2", end: "zero-force", for: "lammps" });
 check("the block of two materials and a wall is that of corgen", cor.page.block("m0\nm1\nm2", balls.flat()) ===
-    execFileSync(process.env.CORGEN ?? "build/gcc/corgen", ["contact", "--materials", `${folder}/materials.csv`, "--pairs",
-        `${folder}/pairs.csv`, "--end", "zero-force", "--speed", "1,2", "--for", "lammps"], { encoding: "utf8" }));
+    printed({ materials: `${folder}/materials.csv`, pairs: `${folder}/pairs.csv`, end: "zero-force", speed: "1,2", for: "lammps" }));
 check("special values", Object.is(cor.sphere.eps_zero_force([0, Infinity, -1, NaN]).join(), "1,0,NaN,NaN") &&
     cor.sphere.eps_zero_force([]).length === 0);
 const { law, sphere } = cor, eps = sphere.eps_zero_force([0.5]), inverse = law.function("Tsuji", "limited", "damping_of_eps");
@@ -191,18 +180,11 @@ for (const [what, act, name, text] of [
     ["a wall that moves", () => cor.contact({ ...glass, g_star: 1, wall: true, mass_2: 1 }), "wall", /^--wall is flat/],
     ["a line break in a value", () => cor.contact({ g_star: "1\nwall=yes" }), "g-star", /is not a finite number/],
     ["too long a value", () => cor.contact({ radius: "1".repeat(5000) }), "radius", /more than 1535 characters/]]) {
-    let error;
-    try {
-        act();
-    } catch (caught) {
-        error = caught;
-    }
-    const says = error instanceof cor.CorError && error.option === name &&
-        (text instanceof RegExp ? text.test(error.message) : error.message === text);
-    check(`refused: ${what}`, says, error ? `${error.option}: ${error.message}` : "not refused");
+    const error = errorOf(act);
+    check(`refused: ${what}`, error instanceof cor.CorError && error.option === name && text.test(error.message), error ? `${error.option}: ${error.message}` : "not refused");
 }
-const bad = ((act) => { try { act(); } catch (error) { return error instanceof TypeError; } return false; });
-check("a number instead of an array is a TypeError", bad(() => cor.sphere.eps_zero_force(1)) && bad(() => cor.hunt_crossley.duration([1])));
+check("a number instead of an array is a TypeError", [() => cor.sphere.eps_zero_force(1), () => cor.hunt_crossley.duration([1])]
+    .every((act) => errorOf(act) instanceof TypeError));
 
 // ---- the example of the page ----
 

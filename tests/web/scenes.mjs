@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The contacts of tests/reference/contacts.csv, and the answers of corgen; how checks are printed.
-import { execFileSync, spawnSync } from "node:child_process";
+import { spawnSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 
 const corgen = process.env.CORGEN ?? "build/gcc/corgen";
@@ -21,22 +21,21 @@ function optionsOf(words) {
     return options;
 }
 
-function argumentsOf(options, without) {
-    return Object.entries(options).filter(([name]) => !without.includes(name))
+// Returns the output of corgen contact for options, except those named in `without`, and more arguments.
+export function printed(options, more = [], without = []) {
+    const given = Object.entries(options).filter(([name]) => !without.includes(name))
         .flatMap(([name, value]) => name === "wall" ? ["--wall"] : [`--${name}`, value]);
+    const { status, stdout, stderr } = spawnSync(corgen, ["contact", ...given, ...more], { encoding: "utf8" });
+    return status === 0 ? stdout : stderr.replace(/^corgen: /, "").trimEnd();
 }
 
 // Returns the table of impacts, the summary, and the lines for the simulator or the reason for their absence.
 export function byCorgen(options) {
-    const run = (more, without) => execFileSync(corgen, ["contact", ...argumentsOf(options, without), ...more],
-        { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
-    const result = { summary: run(["--format", "csv"], ["for", "speed", "steps"]) };
+    const result = { summary: printed(options, ["--format", "csv"], ["for", "speed", "steps"]) };
     if (options.speed)
-        result.table = run(["--format", "csv"], ["for"]);
-    if (options.for) {
-        const lines = spawnSync(corgen, ["contact", ...argumentsOf(options, [])], { encoding: "utf8" });
-        result.lines = lines.status === 0 ? lines.stdout : lines.stderr.replace(/^corgen: /, "").trimEnd();
-    }
+        result.table = printed(options, ["--format", "csv"], ["for"]);
+    if (options.for)
+        result.lines = printed(options);
     return result;
 }
 
@@ -47,6 +46,16 @@ export function check(what, ok, why = "") {
     if (!ok)
         console.log(String(why).replace(/^/gm, "      "));
     failed += ok ? 0 : 1;
+}
+
+// Returns the error that a function throws.
+export function errorOf(act) {
+    try {
+        act();
+    } catch (error) {
+        return error;
+    }
+    return undefined;
 }
 
 export function finish() {
