@@ -47,7 +47,7 @@ def collisions():
     reached = f"which {off} of them, mostly chaotic, do not reach" if off else "which all reach"
     return [CSV_HEAD] + [row_of(*item) for item in table.items()], (
         f"{len(table)} collisions, each with the tolerance {TOLERANCE:g} on eps, {reached}. They have at most "
-        f"{SIZES[-1]} modes, as the tables in the library.")
+        f"{SIZES[-1]} modes, like the tables in the library.")
 
 
 @figure("Fig. 1", "eps against speed")
@@ -68,14 +68,13 @@ def restitution():
     least = PAPER_SPEEDS[0]
     return rows, (
         f"Agrees: eps falls as v grows, and is smaller for nu = 0.9. Here eps(0.1) = {eps[NU, 0.1]:.3f} at nu = 0.33 "
-        f"and {eps[0.9, 0.1]:.3f} at 0.9, eps(0.3) = {eps[NU, 0.3]:.3f} and {eps[0.9, 0.3]:.3f}. These values are "
-        f"uncertain by at most {worst:.4f}, narrower than the points: the largest change when fewer or other modes and "
-        f"walls are extrapolated. The line is the limit itself, all modes at a rigid wall: "
-        f"{hard_wall(NU, 0.1).eps:.5f} and {hard_wall(0.9, 0.1).eps:.5f} at v = 0.1, {hard_wall(NU, 0.3).eps:.5f} "
-        f"and {hard_wall(0.9, 0.3).eps:.5f} at 0.3. The points are within {apart:.1f} times both uncertainties "
-        f"together. Does not agree: at nu = 0.9, v = 0.3 the text says about 0.65. Nor does eps simply tend to one as "
-        f"v falls: at nu = 0.33 it is {eps[NU, best]:.4f} at v = {best:g} but {eps[NU, least]:.4f} at {least:g} (last "
-        f"figure).")
+        f"and {eps[0.9, 0.1]:.3f} at 0.9, eps(0.3) = {eps[NU, 0.3]:.3f} and {eps[0.9, 0.3]:.3f}. Their uncertainty is "
+        f"at most {worst:.4f}, less than the size of the points: the largest change if fewer or other modes and walls "
+        f"are extrapolated. The line is the limit itself, all modes at a rigid wall: {hard_wall(NU, 0.1).eps:.5f} and "
+        f"{hard_wall(0.9, 0.1).eps:.5f} at v = 0.1, {hard_wall(NU, 0.3).eps:.5f} and {hard_wall(0.9, 0.3).eps:.5f} at "
+        f"0.3. The distance of the points from it is at most {apart:.1f} times the sum of both uncertainties. Does not "
+        f"agree: the text gives about 0.65 at nu = 0.9, v = 0.3. Nor does eps rise steadily to one as v falls: at nu = "
+        f"0.33 it is {eps[NU, best]:.4f} at v = {best:g} but {eps[NU, least]:.4f} at {least:g} (below).")
 
 
 # ---- the modes ----
@@ -164,8 +163,8 @@ def shapes():
     return rows, (
         f"Agrees with the text (the caption names no modes). The three lowest modes are the quadrupole (n, l) = (2, 0) "
         f"at omega = {omega[0]:.6f}, (1, 0) at {omega[1]:.6f} and (0, 0) at {omega[2]:.6f}. The centre of (1, 0) moves "
-        f"against the rim. The displacements are those of (19); (27), which repeats it, exchanges kappa and kappa' in "
-        f"u_phi. Normalised by (26), u_r and u_phi at the rim equal C and S of the mode table to better than 1e-9.")
+        f"against the rim. (19) gives the displacements; (27), which repeats it, exchanges kappa and kappa' in u_phi. "
+        f"Normalised by (26), u_r and u_phi at the rim equal C and S of the mode table to better than 1e-9.")
 
 
 @figure("Fig. 3", "frequencies of the free modes, radial and tangential")
@@ -188,10 +187,10 @@ def spectrum():
         f"Agrees with the text: even rows for small l, an irregular mixture for l >> n, more tangential modes than "
         f"radial ones. The lowest {DISK.count} modes at nu = {NU} reach omega = {DISK.omega[-1]:.3f} and n = "
         f"{max(of_n)}. {DISK.count - len(others)} of them have n = 0; {sum(map(radial, others))} of the others move "
-        f"the rim more radially (|C| > |S|), {len(others) - sum(map(radial, others))} more tangentially. In "
-        f"{sum(x > 10 or x < 0.1 for x in ratio)} of the {len(ratio)} with l >= 20 n the ratio exceeds 10. The closest "
-        f"pair of one n is l = {mode.l}, {mode.l + 1} of n = {mode.n}, with a relative distance of {distance:.1e}. A "
-        f"search for changes of sign may miss such a pair; a count of the roots cannot.")
+        f"the rim more radially (|C| > |S|), {len(others) - sum(map(radial, others))} more tangentially. For "
+        f"{sum(x > 10 or x < 0.1 for x in ratio)} of the {len(ratio)} with l >= 20 n, |C/S| is above 10 or below 1/10. "
+        f"The closest frequencies of one n are l = {mode.l} and {mode.l + 1} of n = {mode.n}: they differ by the "
+        f"fraction {distance:.1e}.")
 
 
 @figure("Fig. 5", "shape of the disk in time")
@@ -239,7 +238,7 @@ def sequence():
     after = [breadth for frame, (breadth, _) in enumerate(extent) if frame > out.contact_time + 1]
     return rows, (
         f"Agrees: the oscillations after the collision are visible. v = {speed}, nu = 0.33, alpha = {alpha}, {modes} "
-        f"modes (the caption gives v alone), true to scale; a rigid disk would touch at t = 0. The disk is closest at "
+        f"modes (the caption gives only v), true to scale; a rigid disk would touch at t = 0. The disk is closest at "
         f"t = {closest[1]:.2f}, with delta = {out.max_compression:.4f}; at t = 3 it is {extent[3][0]:.2f} wide and "
         f"{extent[3][1]:.2f} high. The contact lasts {out.contact_time:.2f}; in the pictures after it the width is "
         f"{min(after):.2f} to {max(after):.2f}.")
@@ -269,7 +268,7 @@ def energies():
         f"{100 * sum(e for (n, l), e in energy.items() if l == 0):.1f} %, those with n = 0 "
         f"{100 * sum(e for (n, l), e in energy.items() if n == 0):.1f} %. The caption's (n = 0, l = 2) means n = 2, l "
         f"= 0: the mode that it names has {100 * energy[0, 2]:.2f} %. The caption gives neither v nor alpha nor the "
-        f"number of modes; those of Table 1 are used here.")
+        f"number of modes; the values of Table 1 are used here.")
 
 
 PRINTED = {  # Table 1: average energy, and energy after the collision
@@ -303,12 +302,12 @@ def ranking():
     return ["printed_rank,n,l,printed_average,printed_after,rank,average,after"] + [
         "%d,%d,%d,%.7f,%.7f,%d,%.4f,%.5f" % row for row in here
     ], (f"Agrees: the quadrupole leads, then (3, 0), and {sum(row[5] <= 10 for row in here)} of the ten modes are "
-        f"among the first ten here. The averages of those with n > 0 are {min(times):.2f} to {max(times):.2f} times "
-        f"the printed ones. Not reproduced: the rows with n = 0 except the first, whose modes hold a third of the "
-        f"printed energy. The energies after the collision differ, too: {min(times_after):.2f} to "
-        f"{max(times_after):.2f} times the printed ones, all ten together {sum(row[7] for row in here):.4f}, printed "
-        f"{sum(row[4] for row in here):.4f}, of 1 - eps^2 = {out.one_minus_eps2:.4f} here. Nor do \"75 % of the most "
-        f"significant modes have n = 0\": of the first 100 here {n_0[0]:.0f} %, of the first 300 {n_0[1]:.0f} %.\n\n" +
+        f"among the first ten here. For n > 0 the averages are {min(times):.2f} to {max(times):.2f} times the printed "
+        f"ones. Not reproduced: (0, 1) and (0, 2), which hold a third of the printed energy here. The energies after "
+        f"the collision differ, too: they are {min(times_after):.2f} to {max(times_after):.2f} times the printed ones. "
+        f"Their sum over the ten modes is {sum(row[7] for row in here):.4f}, and {sum(row[4] for row in here):.4f} in "
+        f"print, of 1 - eps^2 = {out.one_minus_eps2:.4f} here. \"75 % of the most significant modes have n = 0\" "
+        f"is not reproduced: {n_0[0]:.0f} % of the first 100 do, and {n_0[1]:.0f} % of the first 300.\n\n" +
         "\n".join("| %d, %d | %d | %.7f | %.7f | %d | %.4f | %.5f |" % (n, l, i, *rest) for i, n, l, *rest in here))
 
 
@@ -333,10 +332,10 @@ def wall_limit():
         f"Agrees: 1 - eps^2 grows with alpha and is a straight line in 1/alpha, once alpha v is 25. From there to 100, "
         f"where the lines are drawn through, no point is off by more than {max(off['line']):.2f} % of the limit. "
         f"Softer walls, down to alpha v = 10, are off by up to {max(off['soft']):.1f} %. At alpha v = 200, still "
-        f"harder, points are off by up to {max(off['hard']):.1f} %: {modes} modes cannot follow such a wall. Its limit "
-        f"has to be taken before it. The walls are scaled with the speed, alpha v = 10 to 200, because the paper does "
-        f"not say which were taken. Dots are the limit of all modes at a rigid wall. The lines end between "
-        f"{min(ends):+.1f} % and {max(ends):+.1f} % from it.")
+        f"harder, points are off by up to {max(off['hard']):.1f} %: {modes} modes cannot follow such a wall, so the "
+        f"number of modes must grow first. alpha v is 10 to 200, because the paper does not state its walls. Dots are "
+        f"the limit of all modes at a rigid wall. The lines end between {min(ends):+.1f} % and {max(ends):+.1f} % from "
+        f"it.")
 
 
 @figure("Fig. 8", "extrapolation to all modes")
@@ -357,13 +356,14 @@ def mode_limit():
         slopes[v] = few.slope / many.slope
     slowest = [wall_line(NU, n, PAPER_SPEEDS[0]).at_zero for n in (300, 600, 1800)]
     return rows, (
-        f"Agrees: from v = 0.02 on more modes leave eps closer to one. {sum(steps)} of the {len(steps)} steps from one "
-        f"N to the next go the other way. 1 - eps^2 is about a straight line in 1/sqrt(N), and a faster collision "
-        f"needs more modes to reach the line. The slope of N = 300 to 940 is {slopes[0.02]:.2f} of that of N = 940 to "
-        f"1800 at v = 0.02, {slopes[0.3]:.2f} at 0.3. Hence the limits of the paper's four N and of N = 940 to 1800 "
-        f"differ by up to {apart:.4f}. From the computed limit of all modes (dots) they differ by up to {few_off:.4f} "
-        f"and {many_off:.4f}. Does not agree at the smallest speed: at v = 0.005 N = 300 leaves {slowest[0]:.4f}, 600 "
-        f"{slowest[1]:.4f} and 1800 {slowest[2]:.4f}. Few modes make a disk that is stiff where the contact is small.")
+        f"Agrees: at v = 0.02 and above, more modes bring eps closer to one, except in {sum(steps)} of {len(steps)} "
+        f"steps from one N to the next. 1 - eps^2 is about a straight line in 1/sqrt(N), and a faster collision "
+        f"needs more modes to reach the line. From N = 300 to 940 the slope is {slopes[0.02]:.2f} of the slope from N "
+        f"= 940 to 1800 at v = 0.02, and {slopes[0.3]:.2f} of it at 0.3. Hence the limits extrapolated from the "
+        f"paper's four N and from N = 940 to 1800 differ by up to {apart:.4f}. From the computed limit of all modes "
+        f"(dots) they differ by up to {few_off:.4f} and {many_off:.4f}. Does not agree at the smallest speed, v = "
+        f"0.005: 1 - eps^2 is {slowest[0]:.4f} for N = 300, {slowest[1]:.4f} for 600 and {slowest[2]:.4f} for 1800. A "
+        f"disk of few modes is too stiff where the contact is small.")
 
 
 # ---- contact law ----
@@ -398,13 +398,14 @@ def load():
     return rows, (
         f"Agrees: the relaxed disk (alpha = 500, 1300 modes: P = {relaxed(0.05)[0]:.6f} at delta = 0.05, "
         f"{at_large[0]:.6f} at 0.2) and the contact law differ at large delta. At small delta the relaxed disk does "
-        f"not follow the printed law: x_0 in (41) is the centre of mass. P tends to the law with that datum as the "
-        f"wall hardens. At delta = {small} the ratio of both is {at_small[0] / limit:.4f} for alpha = 500 (1300 "
-        f"modes), {at_small[2] / limit:.4f} for 2000 and {at_small[3] / limit:.4f} for 20000 (all modes). A soft wall "
-        f"pushes before it is touched. There the printed law, (57), is {100 * (1 - printed / limit):.1f} % below that "
-        f"limit, the law of the diameter {100 * (1 - diameter / limit):.1f} %. At delta = {large} the hardest wall "
-        f"carries {at_large[3] / law(large)[0]:.3f} of the law, which assumes a small contact. Halving the number of "
-        f"points changes no load by more than the fraction {coarse_error:.0e}.")
+        f"not follow the printed law, because x_0 in (41) is the centre of mass. As the wall hardens, P tends to the "
+        f"law with this datum. At delta = {small} the ratio of P to this law is {at_small[0] / limit:.4f} for alpha = "
+        f"500 (1300 modes), {at_small[2] / limit:.4f} for 2000 and {at_small[3] / limit:.4f} for 20000 (all modes). A "
+        f"soft wall pushes before it is touched. At this delta the printed law, (57), is "
+        f"{100 * (1 - printed / limit):.1f} % below the law with the centre of mass, and the law of the diameter "
+        f"{100 * (1 - diameter / limit):.1f} %. At delta = {large} the load at the hardest wall is "
+        f"{at_large[3] / law(large)[0]:.3f} of the law, which assumes a small contact. Half the number of points "
+        f"changes no load by more than the fraction {coarse_error:.0e}.")
 
 
 @figure("Fig. 10", "load against compression in a collision")
@@ -428,9 +429,9 @@ def load_dynamic():
         way_out.append("%.4f" % out_again)
     return rows, (
         f"In a collision (below; alpha = {alpha}, {modes} modes) the loads are higher, as in the paper, and closer to "
-        f"the relaxed disk at the smaller speed. Compare at half the largest delta, on the way in. The load is "
+        f"the relaxed disk at the smaller speed. At half the largest delta, on the way in, the load is "
         f"{said[0] % ' of the relaxed disk'}. It is {said[1] % ''}. On the way out it is {' and '.join(way_out)}. At "
-        f"larger delta the load of v = 0.1 falls below that of the relaxed disk and oscillates with the fast modes.")
+        f"larger delta the load at v = 0.1 falls below the load of the relaxed disk and oscillates with fast modes.")
 
 
 @figure("Fig. 11", "contact time and largest compression against speed")
@@ -460,16 +461,16 @@ def contact():
         f"Agrees: the contact time grows like the root of a logarithm as v falls. tau v/(pi delta_max) tends to 1 "
         f"slowly ({ratio(1e-2):.4f} at v = 1e-2, {ratio(1e-4):.4f} at 1e-4, {ratio(1e-8):.4f} at 1e-8). (61) is good, "
         f"because the terms that it leaves out, b and half the logarithm of its logarithm, nearly cancel at the speeds "
-        f"drawn. Against the law as printed its tau is off by {tau_off[0]:+.1f} % at v = 0.0001 and by "
+        f"drawn. Compared with the printed law its tau is off by {tau_off[0]:+.1f} % at v = 0.0001 and by "
         f"{tau_off[1]:+.1f} % at 0.1, its delta_max by {delta_off[0]:+.1f} % and {delta_off[1]:+.1f} %. With the "
         f"centre of mass as datum tau(0.0001) = {tau(1e-4, centre):.4f} instead of the printed law's {tau(1e-4):.4f}; "
         f"with the diameter it is {tau(1e-4, 'diameter'):.4f}. The law ends at v = {ends[centre]:.4f}, "
         f"{ends['printed']:.4f} and {ends['diameter']:.4f}. The full dynamics has {SIZES[-1]} modes and alpha = "
-        f"{WALLS[-1]}/v; its contact lasts while the load is above a thousandth of its largest. It agrees with the law "
+        f"{WALLS[-1]}/v; its contact lasts while the load is above a thousandth of its maximum. It agrees with the law "
         f"for the centre of mass: tau(0.01) = {dynamic[0.01].contact_time:.2f}, law {tau(0.01, centre):.2f}, and "
         f"delta_max {100 * (1 - dynamic[0.01].max_compression / delta(0.01, centre)):.1f} % below the law's. It "
-        f"departs from the law where that ends: tau(0.1) = {dynamic[0.1].contact_time:.2f}, law "
-        f"{tau(0.1, centre):.2f}, and goes on to {dynamic[0.3].contact_time:.2f} at v = 0.3. The black line is all "
+        f"departs from the law near the end of the law: tau(0.1) = {dynamic[0.1].contact_time:.2f}, law "
+        f"{tau(0.1, centre):.2f}, and tau(0.3) = {dynamic[0.3].contact_time:.2f}. The black line is all "
         f"modes at a rigid wall: tau(0.01) = {hard_wall(NU, 0.01).contact_time:.4f}, tau(0.1) = "
         f"{hard_wall(NU, 0.1).contact_time:.4f}, delta_max(0.1) = {hard_wall(NU, 0.1).max_compression:.5f}.")
 
@@ -510,18 +511,18 @@ def rayleigh():
     wall = {nu: [hard_wall(nu, v).one_minus_eps2 for v in (0.01, 0.1)] for nu in MATERIALS}
     head = ["nu_%.2f_%s_%s" % (*key, what) for key in series for what in ("1800_modes", "all_modes", "quadrupole")]
     return [",".join(["speed"] + head)] + rows, (
-        f"Agrees in size, and in the quadrupole as the mode that takes most: "
+        f"Agrees: the size, and the quadrupole as the mode with the largest energy, "
         f"{100 * quadrupole[series[0]][top] / whole[series[0]][top]:.0f} % at the maximum, though nothing in the dips. "
-        f"Does not agree in the place of the maximum, near v = 1e-2 in print. The quadrupole's share follows "
+        f"Does not agree: the place of the maximum, near v = 1e-2 in print. The quadrupole's share follows "
         f"cos^2(omega tau/2), so the fraction oscillates as tau grows with -ln v. For the centre of mass, the diameter "
         f"and the printed datum its largest values at nu = 0.33 are {maxima[NU]}. At nu = 0.9 they are {maxima[0.9]}. "
         f"The constant b only shifts the curve along ln v. After the maximum come a dip and then a rise, not a fall. "
-        f"Beyond v = {ends}, shaded, perturbation theory has ended, and gives up to {beyond:.2f} times the energy "
-        f"there is. The modes above the lowest 1800 add {largest_tail:.2g} of the fraction at most, too little to be "
+        f"Beyond v = {ends}, shaded, perturbation theory fails, and gives up to {beyond:.2f} times the energy of the "
+        f"impact. The modes above the lowest 1800 add at most {largest_tail:.2g} of the fraction, too little to be "
         f"seen. The full dynamics, all modes at a rigid wall, agrees in size with the print, but its dip is shallow "
-        f"and its rise less steep. At nu = 0.33 it gives {wall[NU][0]:.4f} at v = 0.01 where Rayleigh, with the centre "
-        f"of mass, has {theory[NU][0]:.4f}, and {wall[NU][1]:.4f} at 0.1 for {theory[NU][1]:.2f}. At nu = 0.9 it gives "
-        f"{wall[0.9][0]:.4f} for {theory[0.9][0]:.4f}, and {wall[0.9][1]:.4f} for {theory[0.9][1]:.2f}.")
+        f"and its rise less steep. At nu = 0.33 it gives {wall[NU][0]:.4f} at v = 0.01 and {wall[NU][1]:.4f} at 0.1; "
+        f"Rayleigh, with the centre of mass, has {theory[NU][0]:.4f} and {theory[NU][1]:.2f}. At nu = 0.9 it gives "
+        f"{wall[0.9][0]:.4f} and {wall[0.9][1]:.4f}; Rayleigh has {theory[0.9][0]:.4f} and {theory[0.9][1]:.2f}.")
 
 
 def of_all_modes(speed):
@@ -554,14 +555,15 @@ def oscillation():
         return values[top], SLOW_SPEEDS[top], 100 * (1 - values[bottom] / values[top]), SLOW_SPEEDS[bottom]
 
     return rows, (
-        "1 - eps^2 does not fall steadily with v, in the full dynamics either. At nu = 0.33, with %d modes and a hard "
+        "In the full dynamics, too, 1 - eps^2 does not fall steadily with v. At nu = 0.33, with %d modes and a hard "
         "wall, it falls from a maximum of %.4f at v = %.2g by %.0f %% to a minimum at v = %.2g. Then it rises again. "
-        "Rayleigh's curve, with the centre of mass, falls from %.4f at v = %.2g by %.0f %% to v = %.2g. It is as high, "
-        "but at half the speed, and much deeper. From v = %.2g on extrapolations know the limit to %.0f %%, and are "
-        "drawn. At smaller speeds the contact is too narrow for 1800 modes, and N = 940, 1300 and 1800, drawn for all, "
-        "do not yet form a line. The black line is the limit itself, all modes at a rigid wall: %.5f at v = 0.0023, "
-        "%.5f at 0.015." % (SIZES[-1], *fall(dynamic), *fall(theory), SLOW_SPEEDS[first], 100 * max(uncertain[first:]),
-                       hard_wall(NU, 0.0023).one_minus_eps2, hard_wall(NU, 0.015).one_minus_eps2))
+        "Rayleigh's curve, with the centre of mass, falls from %.4f at v = %.2g by %.0f %% to v = %.2g. Its "
+        "maximum is nearly as high, at half the speed, and its minimum much deeper. Extrapolations are drawn at v = "
+        "%.2g and above, where their uncertainty is at most %.0f %%. At smaller speeds the contact is too narrow for "
+        "1800 modes, and the points of N = 940, 1300 and 1800 do not yet form a line. The black line is the limit "
+        "itself, all modes at a rigid wall: %.5f at v = 0.0023, %.5f at 0.015." %
+        (SIZES[-1], *fall(dynamic), *fall(theory), SLOW_SPEEDS[first], 100 * max(uncertain[first:]),
+         hard_wall(NU, 0.0023).one_minus_eps2, hard_wall(NU, 0.015).one_minus_eps2))
 
 
 @figure("Beyond the paper", "the limit of the paper's figures")
@@ -589,12 +591,12 @@ def rigid_wall():
     estimate = max(hard_wall(nu, v).error_estimate for nu in MATERIALS for v in PAPER_SPEEDS)
     return rows, (
         "cor_disk_hard_wall computes the limit itself, all modes at a rigid wall, to %.0e in 1 - eps^2 at the paper's "
-        "speeds. At nu = 0.33 the extrapolation from the paper's N = 300 to 940 ends up to %+.1e from it, at v = %g "
-        "(%+.1f %%). That from N = 940 to 1800 ends up to %+.1e from it, at v = %g (%+.1f %%); %d of its %d points are "
-        "farther off than both uncertainties together. At nu = 0.9 the latter ends up to %+.1e off, at v = %g (%+.1f "
-        "%%), %d of %d beyond these uncertainties. At the small speeds of the last figure it ends up to %+.1e off, at "
-        "v = %.2g (%+.0f %%)." % (estimate, *few[:3], *miss(NU, PAPER_SPEEDS), *miss(0.9, PAPER_SPEEDS),
-                                *miss(NU, SLOW_SPEEDS)[:3]))
+        "speeds. At nu = 0.33 the extrapolation from the paper's N = 300 to 940 is off by up to %+.1e, at v = %g "
+        "(%+.1f %%). The extrapolation from N = 940 to 1800 is off by up to %+.1e, at v = %g (%+.1f %%), and by more "
+        "than both uncertainties together at %d of %d points. At nu = 0.9 the latter is off by up to %+.1e, at v = %g "
+        "(%+.1f %%), and by more than these uncertainties at %d of %d. At small speeds, in the figure of the "
+        "oscillation, it is off by up to %+.1e, at v = %.2g (%+.0f %%)." %
+        (estimate, *few[:3], *miss(NU, PAPER_SPEEDS), *miss(0.9, PAPER_SPEEDS), *miss(NU, SLOW_SPEEDS)[:3]))
 
 
 @figure("Beyond the paper", "how Rayleigh's theory is approached")
@@ -614,9 +616,9 @@ def approach():
         whole[k] += (power * power * theory)**2
     part = [100 * sqrt(a / b) for a, b in zip(difference, whole)]
     return rows, (
-        f"Rayleigh's theory, in which vibrations do not act back on the load, is approached slowly, about like "
-        f"1/sqrt(ln(1/v)). Its energy and that of all modes at a rigid wall (nu = 0.33, centre of mass) differ by "
-        f"{part[0]:.0f} %, root mean square, from v = 1e-3 to 1e-10. Down to 1e-30 they differ by {part[1]:.0f} %, "
+        f"In Rayleigh's theory vibrations do not act back on the load. Collisions approach it slowly, about like "
+        f"1/sqrt(ln(1/v)). Its energy and the energy of all modes at a rigid wall (nu = 0.33, centre of mass) differ "
+        f"by {part[0]:.0f} %, root mean square, from v = 1e-3 to 1e-10. Down to 1e-30 they differ by {part[1]:.0f} %, "
         f"down to 1e-100 by {part[2]:.0f} %, and down to 1e-300 by {part[3]:.0f} %.")
 
 
