@@ -20,7 +20,7 @@ TOLERANCE = 1e-8  # absolute error allowed in eps
 # Hardness of the wall in units of 1/speed: alpha v is the growth rate of the wall's force on impact, to be compared
 # with omega of the modes. First the values for every limit, then the further ones for wall_limit
 WALLS, OTHER_WALLS = (25, 50, 100), (10, 15, 200)
-# Numbers of modes: for the limits, for the paper's limits, and for the slow speeds, where the better limit uses them
+# Numbers of modes. All: PAPER_SPEEDS. FEW: the limits in the paper. LARGE: SLOW_SPEEDS and the limits of limit_of
 SIZES = (300, 400, 600, 940, 1300, 1800)
 FEW, LARGE = SIZES[:4], SIZES[3:]
 # Tolerances of 1 - eps^2: for a limit given as a number, and for a line in a picture
@@ -109,8 +109,8 @@ def agree(old, new):
 
 
 def read_table(sample):
-    """Reads collisions.csv, whose rows must be the planned ones. Computes `sample` of them again, which COR_SEED
-    draws, or all if None. Returns True if they agree."""
+    """Reads collisions.csv, whose rows must be the planned ones. Computes `sample` random rows again (seed: COR_SEED),
+    or all if None. Returns True if they agree."""
     head, *rows = COLLISIONS.read_text(encoding="ascii").splitlines()
     table.update(map(read_row, rows))
     if [head, *table] != [CSV_HEAD, *planned()] or rows != [row_of(*item) for item in table.items()]:

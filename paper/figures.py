@@ -568,7 +568,7 @@ def oscillation():
 
 @figure("Beyond the paper", "the limit of the paper's figures")
 def rigid_wall():
-    """The line that the other figures draw, and the distance of the extrapolations from it"""
+    """Writes the limit that other figures draw, and the distance of the extrapolations from it."""
     rows = ["nu,speed,one_minus_eps2,uncertainty,eps,contact_time,max_compression"]
     for nu in MATERIALS:
         for v in [log_point(1e-6, 0.3, i, 56) for i in range(55)] + [0.3]:

@@ -25,7 +25,7 @@ static const struct subcommand *subcommand_named(const struct subcommand *const 
     return NULL;
 }
 
-/* Prints the help, with the words of an option, "a, b", for its name in braces. */
+/* Prints the help. Replaces the name of an option in braces by the words that it accepts, as "a, b". */
 static void print_subcommand_help(const struct subcommand *cmd, const char *help)
 {
     for (const char *at = help; *at; at++) {

@@ -84,7 +84,7 @@ extern const char *const contact_simulator_names[]; /* names of cor_simulators, 
 char *contact_simulator_text(const struct cor_simulator_request *request);
 
 /* Returns the lines for all contacts of the materials of a csv file, malloc'ed. pairs: a csv file with measured pairs,
- * or NULL. The scene of the request has law and end. */
+ * or NULL. The scene of the request supplies law and end. */
 char *contact_materials_text(struct cor_simulator_request request, const char *materials, const char *pairs);
 
 #endif

@@ -42,7 +42,7 @@ int collision_force_max(arb_t force, const arb_t beta, const struct cor_exponent
 /* Encloses v_f = lim beta^(1/q) eps_zero_overlap for large beta, for q > 0. */
 int collision_final_speed(arb_t v_f, const struct cor_exponents *law, slong bits);
 
-/* Encloses h* = v_f^q for spheres: eps_zero_overlap -> (h_star/beta)^5. */
+/* Encloses h* = v_f^q for spheres: for large beta, eps_zero_overlap tends to (h_star/beta)^5. */
 int collision_h_star(arb_t h_star, slong bits);
 
 /* Encloses beta_c, q <= 0: bodies part at zero overlap only below it. If q < 0 also C* = beta_c^(2/n) x_max there. */

@@ -108,8 +108,8 @@ static bool find_zero_overlap(struct motion *m, arb_t end)
 }
 
 /* Shortens a step that passes the overlap of release under a constant force, so that it ends just above that overlap.
- * In one approach to x = 0 the contact force can vanish, and grow again only below that overlap. Signs at both ends of
- * each step then show whether the force vanishes in it. Returns true if `end` moved. */
+ * A contact force that vanishes during an approach to x = 0 can grow again only below that overlap. After the cut, the
+ * signs at both ends of a step show whether the force vanishes in it. Returns true if `end` moved. */
 static bool cut_at_release(struct motion *m, arb_t end)
 {
     struct taylor *y = &m->y;

@@ -520,7 +520,7 @@ char *plan_wave_remark(const struct embed_request *request, double speed, double
     return xprintf("Elastic waves only: 1 - eps^2 = %.2g at %.4g m/s, to first order, if the wall is massive and as "
                    "dense as the\nsphere; with this dissipation time it is %.2g. %s\n",
                    waves, speed, all,
-                   waves < all ? "A measured dissipation time includes the waves."
+                   waves < all ? "A measured dissipation time includes the loss by waves."
                                : "The waves dissipate more: the dissipation time is too small.");
 }
 

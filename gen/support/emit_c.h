@@ -27,8 +27,8 @@ struct emit {
  * excepted. NULL ends the csv file. */
 void emit_digits(FILE *file);
 
-/* Writes the licence line, the banner and the include guard, in capitals. The banner is plain text with line breaks. No
- * text can end the comment early. */
+/* Writes the licence line, the banner and the include guard. The guard is written in capitals. The banner is plain text
+ * with line breaks. No text can end the comment early. */
 void emit_open(struct emit *e, FILE *file, const char *guard, const char *banner);
 void emit_close(struct emit *e);
 

@@ -89,7 +89,7 @@ uint64_t sweep_rows_of_material(const struct sweep *sweep)
     return sweep->rows / sweep->poisson.count;
 }
 
-/* Returns the value of a list in row *number, which becomes the row's number in the combinations of the later lists. */
+/* Returns the value of a list in row *number. Sets *number to the row's number in the combinations of later lists. */
 static double next_of(const struct values *list, uint64_t *number)
 {
     const double value = list->nearest[*number % list->count];

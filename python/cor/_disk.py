@@ -182,7 +182,7 @@ def _record(struct: str, call: Callable[[Any], int]) -> Any:
 
 
 def _records(struct: str, speed: ArrayLike, function: Any, given: Tuple[Any, ...], more: Tuple[Any, ...] = ()) -> Any:
-    """Returns an array of records of the results and the status, of the shape of speed. more: arguments of function
+    """Returns an array of records, shaped like speed, with results and status. more: arguments of function
     between the results and the statuses, for all speeds at once."""
     speeds = np.array(speed, np.float64, order="C")
     mask = mask_of([speed], speeds.shape)
@@ -221,7 +221,7 @@ def rayleigh(modes: DiskModes, n_modes: int, datum: int, speed: float, mode_frac
 
 @_documented("cor_disk_rayleigh_array")
 def rayleigh_array(modes: DiskModes, n_modes: int, datum: int, speed: ArrayLike, mode_fraction: bool = False) -> Any:
-    """Returns an array of records of the results and the status, of the shape of speed. With mode_fraction it also
+    """Returns an array of records, shaped like speed, with results and status. With mode_fraction it also
     returns the fractions, an array with one more axis."""
     table = _table(modes)
     n_modes = number("n_modes", n_modes, True)
@@ -242,7 +242,7 @@ def rayleigh_tolerance(modes: DiskModes, datum: int, speed: float, tolerance: fl
 
 @_documented("cor_disk_collision_array")
 def collision_array(modes: DiskModes, n_modes: int, options: Any, speed: ArrayLike) -> Any:
-    """Returns an array of records of the results and the status, of the shape of speed."""
+    """Returns an array of records, shaped like speed, with results and status."""
     given = (_table(modes), number("n_modes", n_modes, True), pointer(options, "cor_disk_collision_options"))
     return _records("cor_disk_collision", speed, lib.cor_disk_collision_array, given)
 

@@ -73,7 +73,7 @@ def number(name: str, value: Any, integer: bool = False, least: int = 0) -> Any:
     except OverflowError:
         raise OverflowError(f"{name}: an integer too large for a double; allowed: up to 1.8e308 in magnitude") from None
     if integer and not least <= made < 2**63:
-        raise OverflowError(f"{name}: {made} is not from {least} to 2^63 - 1")
+        raise OverflowError(f"{name}: {made} is out of range; allowed: {least} to 2^63 - 1")
     return made
 
 

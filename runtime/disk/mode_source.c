@@ -219,7 +219,7 @@ struct root_search {
 /* Roots of one n that are computed at once */
 struct group {
     int lanes;
-    long l[LANES], place[LANES]; /* place: of the series, or -1 */
+    long l[LANES], place[LANES]; /* place: index in search.place, or -1 */
     struct root_search bracket[LANES];
     double omega[LANES], highest;
     int moves[2]; /* true if series serve the wave */

@@ -184,7 +184,7 @@ int cor_surface_modes_next(struct cor_surface_modes *surface, const struct cor_r
     double omega[COR_LINES], strength[COR_LINES];
     if (surface->known == 0)
         return 0;
-    /* the frequency of the previous mode shows if the last chunk has reached the end */
+    /* the last chunk has reached the end unless its last frequency is below `end` */
     set->surface(&surface->fit, surface->n, omega, strength);
     if (surface->n > surface->known && !(omega[0] < end))
         return 0;

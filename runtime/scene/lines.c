@@ -1329,9 +1329,9 @@ static int check_task(struct task *task)
            refuse_task(task, "no model of %s has lines for a wall; leave out --wall", task->simulator->title);
 }
 
-/* Replaces a law that no model has. If a model is linear, the contact in *request becomes a spring of the same duration
- * at the speed, K = m (pi/T)^2, with T of the contact without damping. False: no linear model, a constant force, or no
- * mass */
+/* Replaces a law that no model has by a linear spring of the same duration T at the speed, without damping:
+ * K = m (pi/T)^2. False: no linear model, no mass, no eps up to 1, a constant force, a plate, plastic bodies, or a
+ * fault of the new scene. */
 static int replace_law(struct cor_simulator_request *request, struct cor_scene *scene,
                        struct cor_scene_contact contacts[COR_SCENE_ENDS], const struct task *task)
 {

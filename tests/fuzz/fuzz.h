@@ -49,7 +49,7 @@ static inline uint8_t take_byte(struct input *in)
     return x;
 }
 
-/* Returns 0 to most, all of them likely. */
+/* Returns a number from 0 to `most`, all about equally likely. */
 static inline size_t take_up_to(struct input *in, size_t most)
 {
     uint16_t x;

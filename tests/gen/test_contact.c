@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* cor/scene.h and gen/contact against an integration of the force in SI units and against textbook formulas. Every way
- * to specify the dissipation, converted there and back. Every number of corgen contact --for, put through the
- * conversion of its simulator. */
+ * to specify the dissipation, converted there and back. Every number of corgen contact --for, converted as its
+ * simulator does. */
 #include "../reference/ode.h"
 #include "ball.h"
 #include "scene.h"
@@ -470,7 +470,7 @@ TEST(the_step_for_a_tolerance_is_rounded_down)
     }
 }
 
-/* ---- --for: the numbers in the lines, put through the conversion of the simulator ---- */
+/* ---- --for: the numbers in the lines, converted as the simulator does ---- */
 
 #define REQUEST(NAME, CONTACTS, SPEED_M_S)                                                                             \
     (&(const struct cor_simulator_request){.simulator = (NAME),                                                        \
@@ -563,8 +563,8 @@ static double number_after(const char *text, const char *name, double otherwise)
     return at ? strtod(at + strlen(name), NULL) : otherwise;
 }
 
-/* The lines for Chrono's Hertz contact, put through the force of ChContactSMC: kn R sqrt(x) x + gn m R sqrt(x) x',
- * never attractive. Type::BULLET uses the default for R, 0.1 m unless set. Type::MULTICORE computes R1 R2/(R1 + R2). */
+/* Integrates the force that ChContactSMC computes from the lines for Chrono's Hertz contact: kn R sqrt(x) x +
+ * gn m R sqrt(x) x', never attractive. Type::BULLET: R is 0.1 m unless set. Type::MULTICORE: R is R1 R2/(R1 + R2). */
 TEST(chrono_finds_the_radius)
 {
     for (int i = 0; i < 8; i++) {

@@ -21,7 +21,7 @@ static double relative(const arb_t x, const arb_t y)
     return arf_get_d(bound, ARF_RND_UP);
 }
 
-/* Up to beta = 3/8, where the loss has its own quotient. */
+/* 0 <= beta <= 3/8. In this range the loss has its own quotient. */
 TEST(test_small_beta)
 {
     struct interpolant *f = interpolant_new(&interpolant_sphere_proof, 0, 0.375);

@@ -90,7 +90,7 @@ TEST(test_rows_are_the_function)
     }
 }
 
-/* A bound above the bits of the rows, and rows too wide for their degree. */
+/* Refuses more bits than the rows have, and rows too wide for their degree. */
 TEST(test_bound_missed)
 {
     for (int kind = 0; kind < 4; kind++) {

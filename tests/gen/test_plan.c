@@ -168,7 +168,7 @@ TEST(test_spheres)
     for (slong i = 0; i <= last; i++)
         assert_true(fabs(cor_contact_eps_zero_force(&contact, plan.speed[i]) / plan.truth[i] - 1) <= m->error[i]);
     assert_true(m->worst < 1e-14 && m->cost == (4.4 + 4 * 2.2) / 5); /* a call, and numbers in a loop */
-    /* the error that corgen embed found between the points counts */
+    /* an error that corgen embed found between the points is included */
     struct plan_model *written = &plan.model[plan.chosen];
     const double found = written->elsewhere;
     plan.tolerance = 2 * found;
@@ -396,7 +396,7 @@ TEST(test_waves)
     static const struct {
         const char *young, *poisson, *compared;
         double speed, eps;
-    } walls[] = {{"7e10", "0.25", "it is 0.19. A measured dissipation time includes the waves.", 2, 0.9},
+    } walls[] = {{"7e10", "0.25", "it is 0.19. A measured dissipation time includes the loss by waves.", 2, 0.9},
                  {"7e10", "0.25", "it is 0.0002. The waves dissipate more", 2, 0.9999},
                  {"2e11", "0.3", "", 0.01, 0.9},
                  {"1e6", "0.49", "", 0.01, 0.9},

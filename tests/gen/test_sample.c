@@ -149,7 +149,7 @@ TEST(no_smaller_table)
         if (isfinite(s.error_of_fewer))
             check(fewest_on_grid(&r, s.error_of_fewer * 0.999) + more > segments - 1,
                   "the grid needs fewer than %d segments for %g", segments - 1, s.error_of_fewer);
-        /* that error suffices for one point fewer */
+        /* error_of_fewer as the tolerance allows one point fewer */
         struct sample fewer;
         r.tolerance = s.error_of_fewer * (1 + 1e-4);
         if (isfinite(s.error_of_fewer)) {

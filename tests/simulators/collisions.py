@@ -334,8 +334,8 @@ def yade_gravity(work):
 
 
 def yade_vn(work):
-    """The spheres' law: YADE finds A from en at vn by its Pade approximant. With en = eps the result differs from
-    eps only by the error of the approximant, with the opposite sign."""
+    """The spheres' law: YADE finds A from en at vn by its Pade approximant. With en = eps the relative error of
+    the result is minus the error of the approximant."""
     rights = [exact("zero_force", beta_at(speed)) for speed in SPEEDS]
     pades = [yade_pade(beta_at(speed)) for speed in SPEEDS]
     found = yade_eps(work, 1.5, [yade_sphere(MINDLIN % "en=%.17g, vn=%s" % (en, speed), speed, YADE_STEPS)
@@ -405,7 +405,7 @@ PAIR, LIKE, WALLS, FALL = (0, 1, 0, 0), [(0, 0, 0, 0), (1, 1, 0, 0)], [(0, 1, 1,
 
 
 def unlike_options(host, bodies, kind, e, gravity="0"):
-    """Returns the options of corgen contact for body i and body j, or for a wall of its material."""
+    """Returns the options of corgen contact for body i and body j, or a wall of the material of body j."""
     names = ["young", "poisson", "radius", "density"]
     words = ["--%s=%.6g" % pair for pair in zip(names, bodies[kind[0]])]
     words += ["--%s-2=%.6g" % pair for pair in zip(names[:2] if kind[2] else names, bodies[kind[1]])]

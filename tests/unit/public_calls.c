@@ -490,7 +490,7 @@ static void call_cor_disk_rayleigh_array(const struct arguments *a, struct resul
     static struct cor_disk_rayleigh out[PUBLIC_COUNT];
     static double fraction[12 * PUBLIC_COUNT];
     int status[PUBLIC_COUNT];
-    const size_t n = a->n_modes[0] % 4 == 0 || a->n < 10 ? a->n : 10; /* many speeds are slow */
+    const size_t n = a->n_modes[0] % 4 == 0 || a->n < 10 ? a->n : 10; /* a call with many speeds is slow */
     memset(out, 0, sizeof out);
     results_put(r,
                 cor_disk_rayleigh_array(&a->modes[0], a->n_modes[0], a->datum[0], a->speed, n, out, fraction, status));

@@ -11,7 +11,7 @@
 #include "reference_rayleigh.h"
 
 typedef long double real;
-enum { POINTS = 28, HALVINGS = 40 }; /* of a panel; of the panels towards each end, until only rounding remains */
+enum { POINTS = 28, HALVINGS = 40 }; /* points of a panel; halvings towards each end, until only rounding remains */
 #define PHASE 30                     /* a panel spans at most this much of omega s, at the highest frequency */
 #define NEAR 1e-11L                  /* a relative step below this was the last: its square is rounding */
 

@@ -35,7 +35,7 @@ static struct cor_disk_rayleigh rayleigh(const struct cor_disk_modes *modes, siz
     return out;
 }
 
-/* Values of arbitrary precision: nu = 0.33, with the printed constant b except in the last */
+/* Values computed in arbitrary precision, nu = 0.33: COR_DISK_DATUM_PRINTED, the last COR_DISK_DATUM_CENTRE_OF_MASS */
 TEST(test_values)
 {
     static const struct {

@@ -231,8 +231,8 @@ static double integrated_eps(const struct pair *s, enum cor_end end, double damp
     return (double)motion_course(&(struct motion){4, 0, scaled_force, &p, free, 0}).eps[free];
 }
 
-/* A constant impedance d is a linear dashpot: compared with the closed form and, for small d, under gravity, with the
- * surface of a pressed contact. d from 0.9 to 0.95: compared with eps of MuJoCo's own step. */
+/* A constant impedance d is a linear dashpot: compared with the closed form. Small d under gravity: compared with
+ * cor_scene_eps under a constant force. d from 0.9 to 0.95: compared with eps of MuJoCo's own step. */
 TEST(mujoco)
 {
     const double solimp[5] = {0.9, 0.9, 0.001, 0.5, 2}, grown[5] = {0.9, 0.95, 0.001, 0.5, 2};

@@ -44,7 +44,7 @@ class Spring(Enum):
 class Body:
     """A body of a contact: a sphere of one type or material, or a wall.
 
-    name: the type, label or geometry, as in the column pair. radius: least and largest. mass: least and largest, if
+    name: the type, label or geometry, as in column `pair`. radius: least and largest. mass: least and largest, if
     density and radius do not give it (set mass, rigid bodies). wall: infinite radius and mass. held: a sphere of
     infinite mass (frozen, fixed). type: the simulator's number of the type; 0: no type."""
 
@@ -76,7 +76,7 @@ class Contact:
 
     model: the id of a model of cor_simulators without COR_, such as "LAMMPS_HOOKE_VELOCITY". If it is "", cor does not
     support the model, and `unknown` is the reason. style: the deck's own name of the model; it replaces the table's.
-    number: e, or the number that the user of the model sets. limited: the model, ended at zero force. zeta_factor:
+    number: e, or the number that the user of the model sets. limited: the contact ends at zero force. zeta_factor:
     damping of this contact over the damping that the model computes from e. slots: parts [start, end) of repair.text
     that contain e. gravity: acceleration that presses the bodies together, for walls. global_damping: the fraction by
     which YADE increases each force against the motion and decreases it along the motion. losses: sentences about losses

@@ -367,7 +367,7 @@ class Script:
         named = [name for name in walls if name in c.wall or self.places[name] in c.wall] or list(walls)
         words = walls.get(named[0], []) if len(named) == 1 else []
         if not words:
-            raise Failed("at this run the wall does not exist")
+            raise Failed("the wall does not exist at this run")
         if self.new:
             end = next((i for i, word in enumerate(words) if word in PLANES and i > 3), len(words))
             return f"fix cor_wall all wall/gran {' '.join(words[4:end])} xplane {x:.17g} NULL"

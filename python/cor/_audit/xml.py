@@ -27,7 +27,7 @@ def parse(text: str, name: str) -> ET.Element:
             raise DeckError(f"{name}: more than {MAX_DEPTH} nested elements, or {MAX_ELEMENTS} in all")
 
     def refuse(*words: Any) -> None:
-        raise DeckError(f"{name}: line {parser.CurrentLineNumber}: entities of XML are not read")
+        raise DeckError(f"{name}: line {parser.CurrentLineNumber}: XML entities are not supported; write their text")
 
     def characters(data: str) -> None:
         stack[-1].text = (stack[-1].text or "") + data

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Reads measured bounces from a csv file, a file object, an object of pandas or arrays."""
+"""Reads measured bounces from a csv file, a file object, a pandas object, or arrays."""
 
 import csv
 import re
@@ -486,7 +486,7 @@ def _apexes(table: Table, ball: Ints, run: List[str]) -> Apexes:
 
 
 def _array_table(source: Any, form: Form) -> Table:
-    """Return the table of an object of pandas, a dict, a structured array, or arrays without names in SI units."""
+    """Return the table of a pandas object, a dict, a structured array, or arrays without names in SI units."""
     table = Table("the data", "row", form)
     if hasattr(source, "iloc"):
         series = not hasattr(source, "columns")
@@ -515,7 +515,7 @@ def _array_table(source: Any, form: Form) -> Table:
 
 
 def read(source: Any, form: Form = Form(), progress: Callable[[str], None] = lambda step: None) -> Data:
-    """Return the data of a path ("-": standard input), an open file, an object of pandas, a dict, or arrays.
+    """Return the data of a path ("-": standard input), an open file, a pandas object, a dict, or arrays.
 
     Raises DataError, whose text names the place, the allowed values and an example, and OSError."""
     if isinstance(source, (str, PathLike)):

@@ -399,9 +399,9 @@ def comparisons(results, logs):
                                              deviations(fine.states, fine.theory))]
         error, stages = math.sqrt(2) * coarse.error, len(differences)
         minutes = processor_min(coarse, log, stages), processor_min(fine, fine_log, stages)
-        said = ("%d spheres with %d corrected steps against %d: ln T differs by %.2f %% at most in %d stages, %.1f "
-                "standard errors of a\ndifference, root mean square %.2f %%. The stages took %.1f and %.1f minutes of "
-                "a processor, a factor of **%.2f**.\n" %
+        said = ("%d spheres with %d corrected steps against %d: ln T differs by at most %.2f %% in %d stages, %.1f "
+                "standard errors of\nthe difference. Its root mean square is %.2f %%. The stages took %.1f and %.1f "
+                "minutes of a processor, a factor of\n**%.2f**.\n" %
                 (fine.spheres, coarse.steps, fine.steps, 100 * largest(differences), stages,
                  largest(differences) / error, 100 * root_mean_square(differences), *minutes, minutes[1] / minutes[0]))
         verdict(largest(differences) <= ALLOWED * error, " ".join(said.split()))

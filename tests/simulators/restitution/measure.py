@@ -34,7 +34,7 @@ LAWS = ["linear", "tsuji", "viscoelastic", "hertz-dashpot", "hunt-crossley"]
 DAMPING_EXPONENT = {"linear": 1, "tsuji": 0.25, "viscoelastic": 0.5, "hertz-dashpot": 1, "hunt-crossley": 1.5}
 # Numbers of time steps within the contact; each is twice the previous one.
 COUNTS = [5000, 10000, 20000]
-# Largest |eps - e| with the lines of corgen, and between a simulator's map and runtime/scene/simulators.c
+# Largest |eps - e| with corgen's lines. With a user's own e: largest |eps - the map of runtime/scene/simulators.c|
 TOLERANCE = 1e-5
 # The bodies of the drivers: effective mass 1.6 g, effective radius 4 mm; at a wall only the first one
 SPRING = ["--stiffness", "1e5", "--effective-mass"]
@@ -327,7 +327,7 @@ def bullet_cases():
         if "Stiffness" in case.model:
             continue
         case.numbers = (1, case.wall, 0, 1 / 240)
-        # Bullet's defaults; the number does not change
+        # the same restitution with Bullet's other defaults
         own = copy.copy(case)
         own.model, own.own = "setRestitution of both bodies, product e, Bullet's defaults", True
         own.lines = [line for line in case.lines if "setRestitution(" in line]
