@@ -168,6 +168,12 @@ def test_audit_reads_what_is_included():
         simulators.audit("pair_style granular\n\0", simulator="lammps")
 
 
+def test_oblique_impacts_next_to_the_elastic_theory():
+    program = Path(__file__).resolve().parents[1] / "reference" / "mindlin.py"
+    done = subprocess.run([sys.executable, program, "--quick"], stdout=subprocess.PIPE, universal_newlines=True)
+    assert done.returncode == 0, done.stdout
+
+
 def test_step_error():
     contact = cor.Contact(BODY, restitution=0.9, at=1.0, end="zero_force")
     error = simulators.step_error(contact, [1.0, 1.0], [12, 50])
