@@ -197,34 +197,25 @@ static double longest_step(const double *c, double size)
     return RATIO * exp2(-growth);
 }
 
-/* Sets q of a contact that slipped and now sticks at x = 0. A damper in the cap leaves a spring force of the order of
- * x^b, b < a. If b < r no finite q gives this force, and the spring pushes back to the cap on the other side. */
-static void stick_at_first_touch(struct slide *s)
-{
-    const int order = (int)lround(s->r * s->d);
-    s->q = s->least == order ? s->side * s->held[0] / s->kappa : 0;
-    if (s->least < order && s->held[0] != 0) {
-        s->mode = SLIPS;
-        s->side = -s->side;
-    }
-}
-
-/* Begins a mode at the place of m. */
+/* Begins a mode at the place of m. A contact that slipped and now sticks keeps its spring force. At x = 0 a damper in
+ * the cap leaves a force of the order of x^b, b < a. If b < r no finite q gives this force, and the spring pushes back
+ * to the cap on the other side. */
 static void change_mode(struct slide *s, int mode, double side)
 {
-    const int touches = cor_motion_start(&s->m) == 0;
+    const int touches = cor_motion_start(&s->m) == 0, order = (int)lround(s->r * s->d);
     mode = mode == CREEPS && touches ? STICKS : mode;
-    const int sticks = mode == STICKS && s->mode != STICKS;
-    s->mode = mode;
-    if (sticks && s->kappa > 0 && touches) {
-        stick_at_first_touch(s);
-    } else if (sticks && s->kappa > 0) {
+    if (mode == STICKS && s->mode != STICKS && s->kappa > 0 && touches) {
+        s->q = s->least == order ? s->side * s->held[0] / s->kappa : 0;
+        if (s->least < order && s->held[0] != 0) {
+            mode = SLIPS;
+            side = -s->side;
+        }
+    } else if (mode == STICKS && s->mode != STICKS && s->kappa > 0) {
         const double damper = s->damper_in_cap ? s->gamma * power_series(s, s->damper)[0] * s->w : 0;
         s->q = (s->side * s->cap * s->sign * s->m.force[0] - damper) / (s->kappa * power_series(s, s->spring)[0]);
-        s->side = side;
-    } else {
-        s->side = side;
     }
+    s->mode = mode;
+    s->side = side;
 }
 
 /* Expands the tangential motion. Returns the place at which the mode ends, or the length of the step. */
