@@ -5,8 +5,8 @@
     tests/reference/mindlin.py [--quick | --write]    CORGEN names corgen
     --write renews docs/oblique.csv and docs/oblique.svg; --quick uses fewer springs and checks both and the page
 
-Prints the difference of u'/u of each model from the theory. Maw, Barber and Fawcett, Wear 38, 101 (1976), integrate it by
-annuli. Here springs on a line replace the half-space (Popov and Hess, Method of Dimensionality Reduction, 2015). A
+Prints the difference of u'/u of each model from the theory. Maw, Barber and Fawcett, Wear 38, 101 (1976), integrate it
+by annuli. Here springs on a line replace the half-space (Popov and Hess, Method of Dimensionality Reduction, 2015). A
 spring at z has the normal force (x - z^2) dz, and a tangential one of at most mu times that. Needs numpy.
 """
 import csv

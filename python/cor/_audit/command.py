@@ -53,7 +53,7 @@ def add_arguments(parser: Parser) -> None:
     add("--time-step", type=positive, metavar="DT", default=NAN, help="time step, s (default: the file's)")
     add("--angle", type=_angle, metavar="DEGREES", default=NAN,
         help="impact angle, degrees, 0 to below 90; fills tangential_restitution (-u'/u) for pair styles granular "
-        "and gran/.../history of LAMMPS and for LIGGGHTS hertz tangential history, without rolling friction")  # fmt: skip
+        "and gran/*/history of LAMMPS, and hertz tangential history of LIGGGHTS, without rolling")  # fmt: skip
     add("--tolerance", type=positive, metavar="T", default=0.01,
         help="largest relative difference of eps and e, and scatter, of a contact as asked (default 0.01)")  # fmt: skip
     add(
