@@ -298,7 +298,7 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
 #define OF_LIGGGHTS(in) OF("src/" in, "run", "3.8, source 3d5c00f2")
 #define OF_YADE(in) OF("pkg/dem/" in, "run", "2023.02a")
 #define OF_MERCURYDPM(in) OF("Kernel/Species/NormalForceSpecies/" in, "run", "source fb0ebf1d")
-#define OF_CHRONO OF("src/chrono/physics/ChContactSMC.cpp", "source", "source 7689fbc0")
+#define OF_CHRONO OF("src/chrono/physics/ChContactSMC.cpp", "run", "source 7689fbc0")
 #define OF_MFIX OF("model/check_data/check_solids_dem.f", "source", "21.3.2")
 #define OF_KRATOS(in) OF("applications/DEMApplication/" in, "source", "source 03f57bf0")
 #define OF_ESYS_PARTICLE OF("Model", "run", "2.3.5")
