@@ -42,7 +42,7 @@ static const char help[] =
     "  --modes N        number of modes, 1 to 10000000 (default 1800)\n"
     "  --check          compare every byte instead of writing, and fail at a difference; also compute\n"
     "                   disk_limits.h again at random places\n"
-    "  --all            compute also disk_limits.h again, which needs 13 minutes of CPU time; with\n"
+    "  --all            also compute disk_limits.h again, which needs 13 minutes of CPU time; with\n"
     "                   --check, compute it at all places\n"
     "  --digits         print every coefficient with 25 digits, as csv table,row,column,value,digits;\n"
     "                   write no file\n"

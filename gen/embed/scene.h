@@ -64,9 +64,9 @@ void embed_scene_eps(arb_t eps, const struct embed_scene *s, const arb_t speed);
 /* Returns x rounded to the scene's type */
 double embed_rounded(const struct embed_scene *s, double x);
 
-/* ---- the contact of a request, as exact as its numbers are written ----
+/* ---- the contact of a request, from the exact decimal numbers ----
  *
- * cor_scene_contacts has accepted them, and computes the same in doubles. */
+ * cor_scene_contacts has accepted the numbers, and computes the same in doubles. */
 
 /* Fills numbers that are 0 before, enclosed to `prec` bits:
  *
@@ -74,7 +74,7 @@ double embed_rounded(const struct embed_scene *s, double x);
  *                    2^-79 of itself, under a constant force to 2^-149. Elastic-plastic spheres have none.
  *     force: f_1 of the constant force f = f_1 (speed/(m/s))^(-2a/(a+1)) of x'' + beta x^b x' + x^a = f; 0 without one
  *     yield_speed: v_y of elastic-plastic spheres, m/s
- *     liquid_speed: the speed that a liquid takes on each way, m/s; 0 without one
+ *     liquid_speed: the speed lost to a liquid on each way, m/s; 0 without one
  *
  * Returns STATUS_OK, or STATUS_FAILED after a message. */
 int embed_contact_numbers(arb_t beta_per_root, arb_t force, arb_t yield_speed, arb_t liquid_speed,

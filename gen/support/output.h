@@ -10,8 +10,8 @@ enum output_format { FORMAT_TEXT, FORMAT_CSV, FORMAT_JSON, FORMAT_LATEX };
 
 /* If the path names a regular file or no file, the output stays in memory until it is committed. A commit writes a
  * temporary file in the same folder, .corgen-XXXXXX, and renames it over the file. Signals wait meanwhile, so only
- * SIGKILL at this moment leaves it. The new file has the mode of the file that it replaces. For a symbolic link, the
- * file behind all links is created or replaced. A file with several hard links is refused.
+ * SIGKILL can leave the temporary file. The new file has the mode of the file that it replaces. For a symbolic link,
+ * the file behind all links is created or replaced. A file with several hard links is refused.
  *
  * All other paths are written directly: standard output (path NULL or /dev/stdout), a terminal, a pipe, /dev/null. */
 struct output {

@@ -89,7 +89,7 @@ enum {
  * occurred where the movement is too large for first order. */
 #define COR_TUNING_ANGLES_IN_EPS 3.0
 /* If more than this fraction of the tolerance may be due to the angles, a run with shifted angles measures it. Chosen:
- * 10 allows for errors of the estimate. */
+ * a tenth allows for errors of the estimate. */
 #define COR_TUNING_ANGLES_SHARE 0.1
 /* If the measured fraction is larger than this, more angles are used. Chosen: a third allows for movements that are
  * small by chance. */

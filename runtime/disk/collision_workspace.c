@@ -92,7 +92,7 @@ void cor_motion_set_angles(struct cor_motion *m, size_t phi, size_t shift)
 {
     const size_t terms = m->size.terms, points = cor_whole(phi, COR_PANEL), half = 2 * phi;
     m->phi = phi;
-    for (size_t i = 0; i < half; i++) { /* half the distance between angles apart; each part is a quarter of a turn */
+    for (size_t i = 0; i < half; i++) { /* steps of half the distance between angles; each part: a quarter turn */
         m->table[i] = cos((double)i * (COR_PI / (4 * (double)phi)));
         m->table[half + i] = -sin((double)i * (COR_PI / (4 * (double)phi)));
         m->table[2 * half + i] = -m->table[i];

@@ -429,8 +429,8 @@ static double cosines_work(const struct cor_hard_wall_angles *angles, size_t cou
                                                       : k * (double)points;
 }
 
-/* Returns the multiplications of a kick for modes, reach of the rim and series of the forces, without contact
- * forces. */
+/* Returns the number of multiplications in a kick for the modes, the reach of the rim and the series of the forces,
+ * without the search for contact forces. */
 static double kick_work(const struct level *level, size_t end)
 {
     const struct sizes *const size = &level->size;

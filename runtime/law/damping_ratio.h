@@ -42,8 +42,8 @@ static const double cor_ratio_phase_polynomial[15] = {
 
 /* ---- A(zeta), up to zeta = 3 ---- */
 
-/* Returns numerator h(u)/(c (1 + c)), which is A(zeta) for numerator = 2, for zeta <= COR_RATIO_FORCE_NEAR: relative
- * error 2^-55.
+/* Returns numerator h(u)/(c (1 + c)), with a relative error of 2^-55 for zeta <= COR_RATIO_FORCE_NEAR. If the
+ * numerator is 2, the result is A(zeta).
  *
  * c = sqrt((1 + zeta)/2) is the cosine of half the phase at the turning point, u = (1 - c)/(1 + c) = (c - c^2)/(c +
  * c^2) is between -0.172 and 0.172, and h(u) = atan(sqrt(u))/sqrt(u) is analytic at zeta = 1, where u = 0. */

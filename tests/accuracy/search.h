@@ -50,7 +50,7 @@ double search_error(const struct search_function *f, const struct search_options
 
 void worst_take(struct worst *worst, double error, double at);
 
-/* Tests every double from `radius` before |x| to `radius` after it, with the sign of x: error, order, range. */
+/* Checks error, order and range at every double from `radius` before |x| to `radius` after it, with the sign of x. */
 void worst_walk(struct worst *worst, const struct search_function *f, const struct search_options *o, double x,
                 uint64_t radius);
 

@@ -28,7 +28,7 @@ int LLVMFuzzerInitialize(int *argc, char ***argv);
 
 enum { ARGUMENTS_MAX = 24, SIZE_MAX_INPUT = 600, PATH_LENGTH = 4096 };
 
-/* skipped: the subcommand was too large to run. planning: plan runs, up to the point where its modes begin */
+/* skipped: the subcommand was too large to run. planning: the subcommand is plan, which fails at its first modes */
 static bool skipped, planning;
 
 /* Requires that the value of an option is in its range, or is its default. */

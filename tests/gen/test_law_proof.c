@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The proofs of eps for other laws. Enclosures at complex damping are compared with enclosed collisions on the real
- * axis, and with Cauchy's integrals off it. Ellipses that reach a singularity. Polynomials, against collisions between
- * their samples. */
+ * axis, and with Cauchy's integrals off it. Polynomials are compared with collisions between their samples. Ellipses
+ * that reach a singularity. */
 #include "ball.h"
 
 #include <complex.h>

@@ -145,7 +145,7 @@ TEST(no_smaller_table)
         const int segments = (int)s.best.count - 1, more = r.log ? 1 : 0;
         check(segments <= fewest_on_grid(&r, r.tolerance) + more, "%d segments, the grid needs %d", segments,
               fewest_on_grid(&r, r.tolerance));
-        /* the free points need no larger error than the grid for one point fewer */
+        /* with one point fewer, the error of the free points is not larger than the error of points on the grid */
         if (isfinite(s.error_of_fewer))
             check(fewest_on_grid(&r, s.error_of_fewer * 0.999) + more > segments - 1,
                   "the grid needs fewer than %d segments for %g", segments - 1, s.error_of_fewer);

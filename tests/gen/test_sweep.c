@@ -62,7 +62,7 @@ TEST(test_lists)
     assert_exact(&values, 3, "1/7");
     assert_true(values.least == 1.0 / 7 && values.largest == 1000);
     values_clear(&values);
-    /* of two exact numbers with one double, only the first remains */
+    /* if two exact numbers round to one double, the list contains only the first */
     assert_int_equal(values_parse(&values, &any, "1/3,0.33333333333333333,2,33333333333333333e-17"), STATUS_OK);
     assert_int_equal(values.count, 2);
     assert_exact(&values, 0, "1/3");

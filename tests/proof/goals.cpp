@@ -172,8 +172,8 @@ static mpq_class arbitrary(void)
     return value + 1 + calls++ % 4096;
 }
 
-/* Checks that a list of operations, without rounding, is a formula. Compares their sum at 24 arbitrary numbers, which
- * the formula gives to the variables. This is a proof for polynomials of one variable and a degree below 24. */
+/* Checks that a list of operations, without rounding, is a formula. Compares their sum with the formula at 24 arbitrary
+ * values of the variables. This is a proof for polynomials of one variable and a degree below 24. */
 static void check_formula(const std::string &what, std::initializer_list<term> operations,
                           const std::function<mpq_class(assignment &)> &formula)
 {

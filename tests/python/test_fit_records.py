@@ -280,7 +280,7 @@ def test_command_refuses(tmp_path, capfd):
         (2, "--young: 'inf' is not", file, "--young", "inf"),
         (2, "--young-2: '-inf' is not", file, "--young-2=-inf"),
         (2, "--radius: missing; bodies need young, poisson,", file, "--young", "1e9"),
-        (2, "--mass: not with density; allowed: one", file, "--mass", "1", "--density", "1"),
+        (2, "--mass: cannot be combined with density; give one", file, "--mass", "1", "--density", "1"),
         (2, "--mass-2: not with wall, which is flat", file, "--wall", "--mass-2", "1"),
         (2, "--unit: 'km/h' is not a unit; allowed: m/s", file, "--unit", "km/h"),
         (2, "--mass: missing; drag_coefficient needs mass", file, "--drag-coefficient", "0.4"),

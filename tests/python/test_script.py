@@ -200,7 +200,7 @@ def test_masses(more, pairs):
 
 
 def test_a_body_held_without_freeze():
-    """Its damping uses the mass of both bodies, but it moves as if its mass were infinite."""
+    """The damping uses the masses of both bodies, but the held body moves as if its mass were infinite."""
     moving = "group one type 1\nfix i one nve/sphere\n"
     mass = 1 / (1 / BALLS[1] + 1 / BALLS[2])
     found = dict(rows(ATOMS + moving + HOOKE))

@@ -86,7 +86,7 @@ TEST(damped_approach)
     const double least = cor_sphere_eps_approach_only(DBL_MAX);
     check(isfinite(cor_sphere_beta_approach_only(least * (1 + 0x1p-48))), "beta is finite up to the largest double");
     check(isinf(cor_sphere_beta_approach_only(least * (1 - 0x1p-48))), "beta is infinite beyond the largest double");
-    /* sqrt(4/5) beta^(-5/4); the factor (1 + (5/4) ln(beta) beta^-5/2...) is 1 there; then a subnormal eps */
+    /* eps = sqrt(4/5) beta^(-5/4), because the factor 1 + (5/4) ln(beta) beta^-5/2... rounds to 1; 1e256: subnormal */
     check_ulp(of(COR_LAW_HERTZ_DASHPOT, COR_END_APPROACH_ONLY, COR_EPS)(1e200), 8.94427190999915878564e-251L, 2);
     check_ulp(of(COR_LAW_HERTZ_DASHPOT, COR_END_APPROACH_ONLY, COR_EPS)(1e256), 8.9442719099991588e-321L, 2);
     check_ulp(of(COR_LAW_HERTZ_DASHPOT, COR_END_APPROACH_ONLY, COR_DURATION)(1e200), half * powl(0.8L, -0.1L) * 1e50L,
@@ -453,7 +453,7 @@ TEST(hertz_dashpot_slowest_speed)
 /* x'' = -x^a, and two linear systems that start at the turning point: displacements s'' = -kappa x^(a-1) s, and
  * velocities u' = -f with forces f' = kappa x^(a-1) u. Each has an even and an odd solution. State: x, x', then s, s'
  * twice, then f, u twice, the even solution first. */
-enum { OBLIQUE = 10 }; /* after these comes r; the time is -r^4, so x^(a-1) is smooth in r for exponents in quarters */
+enum { OBLIQUE = 10 }; /* the next element is r; the time is -r^4, so x^(a-1) is smooth in r if 4 a is an integer */
 
 static void oblique_slopes(long double *dy, const long double *y, const void *of)
 {

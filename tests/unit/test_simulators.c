@@ -208,7 +208,7 @@ struct scaled_pair {
     double damping, b, time; /* of damping x^b v */
 };
 
-/* Returns the force for the end of contact: damped while approaching only, or damping at most the spring's force. */
+/* Returns the force for the end of contact: damped during the approach only, or damping at most the spring's force. */
 static long double scaled_force(long double w, long double v, const void *of)
 {
     const struct scaled_pair *const p = of;

@@ -181,7 +181,7 @@ class Bodies:
             raise TypeError(f"{unknown[0]!r} is not an argument; allowed: {', '.join(BODIES)}")
         for name in ("mass", "mass_2", "radius_2"):
             if name.replace("mass", "density") in given and name in given and name != "radius_2":
-                raise ValueError(f"{name}: not with {name.replace('mass', 'density')}; allowed: one of them")
+                raise ValueError(f"{name}: cannot be combined with {name.replace('mass', 'density')}; give one of them")
             if wall and name in given and name != "mass":
                 raise ValueError(f"{name}: not with wall, which is flat and fixed; allowed: young_2, poisson_2")
         if self.known:
