@@ -55,14 +55,14 @@ function row_of(t, s, where, how, curve, what, set,    i) {
         if (is_row(t, i, s, where, how) && cell[t, i, 2] == curve && cell[t, i, 3] == what && (set == "" || cell[t, i, 4] == set)) return i
     return 0
 }
-# Returns the method of a row. A header without settings is cor itself; a set of instructions is appended.
+# Returns the name of the method of a row, with its settings and its instruction set. cor itself has no settings.
 function call_it(t, i,    text) {
     text = cell[t, i, 2] == "copy" ? "a copy by" : cell[t, i, 2]
     if (cell[t, i, 3] != "" && text != "cor") text = text " " cell[t, i, 3]
     if (text == "cor" && cell[t, i, 6] != "scalar") text = "cor array"
     return text (cell[t, i, 4] != "" ? ", " cell[t, i, 4] : "")
 }
-# Prints a method from a speed, at zero overlap unless given: its errors in the scenes, its time in the ordinary one
+# Prints a method that starts from a speed: its errors in the scenes, its times in "ordinary". end: default zero overlap
 function method(scenes, title, curve, what, end,    t, s, n, line, i, k) {
     t = "spheres_speed"
     if (end == "") end = "overlap"
@@ -108,7 +108,7 @@ function large(    t, i) {
 
 function disk(i, column) { return cell["disks", i, column] }
 function is_disk(i, t, m) { return disk(i, 1) == t && disk(i, 2) == m }
-# Fewest modes: the time grows with their number, apart from the noise of the clock.
+# Chooses the fewest modes, because the time grows with their number, except for noise of the clock.
 function energy(    e, i, k, m, names, best) {
     head("| error at most | cor to a tolerance | cor, a plain sum |")
     m = split("cor truncation", names, " ")
@@ -123,8 +123,8 @@ function energy(    e, i, k, m, names, best) {
         printf "\n"
     }
 }
-# True if run i stays within the error e, so its own error is not luck: also for every smaller tolerance, or for every
-# larger number of modes.
+# True if run i is within the error e, and so are all runs with a smaller tolerance, or with more modes. Otherwise the
+# small error of run i is luck.
 function stays(i, e,    k) {
     for (k = 1; k <= rows["disks"]; k++)
         if (is_disk(k, disk(i, 1), disk(i, 2)) && disk(k, 3) == disk(i, 3) && disk(k, 7) + 0 > e \

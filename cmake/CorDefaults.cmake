@@ -12,15 +12,15 @@ endif()
 set(CMAKE_C_EXTENSIONS OFF)
 set(CMAKE_C_STANDARD_REQUIRED ON)
 
-# Errors for every value of COR_WERROR and every compiler, as in GCC since 14: a function that no header declares, and
-# similar mistakes.
+# A call of a function that no header declares, and similar mistakes, are errors for every value of COR_WERROR and every
+# compiler, as in GCC since 14.
 set(cor_errors implicit-function-declaration implicit-int int-conversion incompatible-pointer-types)
 list(TRANSFORM cor_errors PREPEND -Werror=)
 
 # No -ffast-math, no -march=native, no contraction: results are the same bits on every IEEE machine. A project without
-# a build type also gets an optimized library. Clang pairs independent operations in a vector and fills its other half
-# with numbers whose sums and products may overflow. Without -fno-slp-vectorize these raise exceptions that no
-# function raises. On s390x, gcc computes floats in double unless -fexcess-precision=fast.
+# a build type also gets an optimized library. Clang puts independent operations into vectors and fills unused elements
+# with numbers whose sums and products may overflow. -fno-slp-vectorize prevents the floating-point exceptions that
+# these would raise. On s390x, gcc computes floats in double unless -fexcess-precision=fast.
 add_library(cor_defaults INTERFACE)
 target_compile_options(cor_defaults INTERFACE
   $<$<CONFIG:>:-O2> -Wall -Wextra -Wpedantic -Wconversion -ffp-contract=off

@@ -46,7 +46,7 @@ if(FLINT_FOUND)
   target_include_directories(corgen_core PUBLIC ${PROJECT_SOURCE_DIR}/gen ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include)
   target_compile_definitions(corgen_core PUBLIC _POSIX_C_SOURCE=200809L $<$<BOOL:${COR_BOOTSTRAP}>:COR_BOOTSTRAP>)
   target_link_libraries(corgen_core PUBLIC FLINT::FLINT m Threads::Threads PRIVATE cor_defaults)
-  # FLINT needs most of corgen's time; with -O2 corgen's own code compiles longer and gains little
+  # corgen spends most of its time in FLINT; -O2 for its own code takes longer to compile and gains little
   target_compile_options(corgen_core PRIVATE $<$<AND:$<CONFIG:Release>,$<C_COMPILER_ID:GNU,Clang,AppleClang>>:-O1>)
   # except paths, which are computed in doubles, and formulas, which are read at each node of an integral
   file(GLOB of_corgen CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gen/enclosure/complex_*.c)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# For the bash scripts gen/run, tests/run, tests/*/run and bench/run, which source it in the root of the repository:
-# missing packages, and build directories.
+# Functions for missing packages and for build directories. The bash scripts gen/run, tests/run, tests/*/run and
+# bench/run source this file in the root of the repository.
 
 jobs=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 missing=()
@@ -37,7 +37,7 @@ want_generator() {
     want libflint-dev has_header flint/fmpq_poly.h
 }
 
-# FLINT 3 contains Arb, and its distributions have no package for Arb. Call this only after FLINT was found.
+# FLINT 3 contains Arb, and distributions with FLINT 3 have no package for Arb. Call this only after FLINT was found.
 want_arb() {
     has_header flint/arb.h || want libflint-arb-dev has_header arb.h
 }
@@ -126,7 +126,7 @@ msvc_reads() {
         -isystem "$(clang -print-resource-dir)/include" -isystem /usr/share/mingw-w64/include "$1"
 }
 
-# turn_of N: prints the number of the part, of N parts of a long test, that a short run does (tests/run --turn K).
+# turn_of N: prints which of the N parts of a long test a short run does (tests/run --turn K).
 turn_of() {
     echo $((${COR_TEST_TURN:-0} % $1))
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Elastic disks against a rigid wall. Slow ones: contact time, compression, eps without the reaction of the vibrations
- * on the contact (first order), and eps with all modes. Faster ones: eps with all modes, and with some modes at a
+/* Elastic disks against a rigid wall. Slow disks: contact time, compression, eps without the reaction of the vibrations
+ * on the contact (first order), and eps with all modes. Faster disks: eps with all modes, and with some modes at a
  * softer wall. */
 #include <cor/disk.h>
 #include <cor/status.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// C++20 needs nothing but the headers of C: a vector of speeds, and eps through spans.
+// C++20 uses the headers of C directly: a vector of speeds, and eps through spans.
 //     c++ -std=c++20 span.cpp $(pkg-config --cflags --libs cor)
 #include <cor/cor.h>
 
@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
-// A contact of two bodies; throws the text of cor for a wrong input.
+// Returns the contact of two bodies. Throws cor's error message for a wrong input.
 cor_sphere_contact contact_of(const cor_body &body_1, const cor_body &body_2)
 {
     cor_sphere_contact contact;

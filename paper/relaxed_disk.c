@@ -91,7 +91,7 @@ struct relaxed_disk *relaxed_disk_of_all_modes(double nu, double alpha, size_t p
     return disk;
 }
 
-/* Returns the number of unknowns. At the points after them the pressure bends nothing: the equation is explicit. */
+/* Returns the number of unknowns. At the later points the pressure bends nothing, so the equation is explicit. */
 static size_t active_points(const struct relaxed_disk *disk)
 {
     double largest = 0;

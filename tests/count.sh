@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Counting for the test scripts, which source this in the root of the repository and end with summary. The files in
-# $work are removed at the end.
+# Counts tests. The test scripts source this file in the root of the repository and end with summary. The files in $work
+# are removed at the end.
 . cmake/shell.sh
 
 work=$(mktemp -d)
@@ -55,7 +55,7 @@ check() {
     fi
 }
 
-# check_with PROGRAM NAME COMMAND...: does check if the program is installed
+# check_with PROGRAM NAME COMMAND...: runs check if the program is installed
 check_with() {
     if have "$1"; then
         check "${@:2}"

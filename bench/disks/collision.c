@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* A collision of 940 modes, error against time, for tolerances from 1e-2 to 1e-12. The truth is a Taylor series of the
- * motion in time, tests/unit/reference_collision.c.
+/* Measures error against time of a collision of 940 modes, for tolerances from 1e-2 to 1e-12. The reference is a Taylor
+ * series of the motion in time, tests/unit/reference_collision.c.
  *
- * Then the errors and the savings of few modes and a soft wall. They compare eps with the limit of all modes at a rigid
- * wall, from the library's table of limits, whose uncertainty is the least error.
+ * Then measures error and time for few modes and soft walls. The reference is eps of all modes at a rigid wall, from
+ * the library's table of limits. No reported error is below the uncertainty of this table.
  *
- * Then all modes at a rigid wall, one run of each scene, including the computation of the modes. The scenes are spread
- * over the domain of that table for v = 0.01 and above. */
+ * Then runs each scene once with all modes at a rigid wall, including the computation of the modes. The scenes are
+ * spread over the domain of that table for v = 0.01 and above. */
 #include <math.h>
 #include <stdlib.h>
 #include <time.h>
@@ -91,7 +91,7 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Writes rows "median" and "slowest", and numbers of scenes within the tolerance: all, and within 2 s. */
+/* Writes rows "median" and "slowest". Then the number of scenes that reached the tolerance, at all and within 2 s. */
 static void rigid_wall(struct disk_bench *bench, double tolerance)
 {
     enum { SCENES = 60, FEW = 6 };

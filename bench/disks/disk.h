@@ -25,8 +25,8 @@ struct disk_bench {
 void disk_rayleigh(struct disk_bench *bench);
 void disk_collision(struct disk_bench *bench);
 
-/* A line of disks.csv, which is also printed. NaN and 0 modes leave their field empty. Errors are relative, except for
- * collisions, whose errors are errors of eps. */
+/* A line of disks.csv, which is also printed. A field is empty if it is NaN or 0 modes. Errors of collisions are
+ * absolute errors of eps, all others are relative. */
 struct disk_row {
     const char *table, *method;
     double speed, setting; /* setting: a tolerance, the points of a panel, or alpha */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Rayleigh's energy: each of 1800 modes from slow to fast, and the energy of all modes, error against time. The truth
- * of a mode is the integral on the real axis in long double. The truth of all modes is the sum over many more of them
+/* Rayleigh's energy: each of 1800 modes at low to high speeds, then all modes together, error against time. The
+ * reference for a mode is its integral on the real axis in long double. For all modes it is a sum over many more modes,
  * with its own tail. */
 #include <math.h>
 #include <stdbool.h>
@@ -110,7 +110,7 @@ static void all_modes(struct disk_bench *bench)
         const struct task *const t = &task[i];
         const bool sum = i >= TOLERANCES;
         if (!sum && (t->status != COR_OK || t->n >= truth.n / 2))
-            continue; /* the truth has the same modes */
+            continue; /* the reference has the same modes */
         const double found = t->out.fraction + (sum ? 0 : t->out.tail);
         disk_csv(bench, &(struct disk_row){"energy", sum ? "truncation" : "cor", USUAL_SPEED, t->tolerance, t->n,
                                            job[i].best_ns / 1e9, fmax(fabs(found / energy - 1), unsure)});

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* The restitution that each simulator realises if a user requests e, and the number to give it instead, from the table
- * of cor/scene.h.
+/* The restitution that each simulator realises if a user requests e, and the number to enter instead, from the table of
+ * cor/scene.h.
  *     cor_realised table      csv, at the values of e of docs/simulators.md
  *     cor_realised curve      csv, at 0.01 to 0.99, for the picture
  *     cor_realised markdown   a table of docs/simulators.md; models with the same end and the same numbers share a row
  *     cor_realised models     csv: all models, with law, end, and a sentence for the user
- *     cor_realised speeds     eps of viscoelastic spheres with 0.5 at 1 m/s, over the speed, and the results of
- *                             simulators for 0.5
+ *     cor_realised speeds     eps over the speed, of viscoelastic spheres with eps = 0.5 at 1 m/s, and the results
+ *                             of simulators for e = 0.5
  * An empty cell: the model refuses this e, or no input gives this e. */
 #include <math.h>
 #include <stdio.h>

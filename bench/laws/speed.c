@@ -178,7 +178,7 @@ static long double exact_oblique(long double tangent)
     return oblique((double)tangent); /* within COR_OBLIQUE_ERROR */
 }
 
-/* Integrates that impact by velocity Verlet, like LAMMPS, with 1000 steps. */
+/* Integrates the impact of oblique() by velocity Verlet with 1000 steps, as LAMMPS does. */
 static double formula_oblique(double tangent)
 {
     const double h = 3.218e-3;
@@ -199,7 +199,7 @@ typedef long double exact_function(long double x);
 
 enum { SCALAR = -1, MAX_JOBS = 128 };
 
-/* Replaces the library's function, so that its arrays use the set of a line. */
+/* Replaces the library's function, so that array functions use the instruction set of the current line. */
 static int array_set;
 int cor_array_set(void)
 {
@@ -215,7 +215,7 @@ static const struct method {
     enum cor_law law;
     enum cor_end end;
     enum cor_quantity of;
-    exact_function *exact; /* of the value, or of eps for an inverse; NULL: none available */
+    exact_function *exact; /* exact value, or exact eps for an inverse; NULL: none available */
     int inverse;
     double low, high; /* range of the argument */
 } methods[] = {
@@ -322,7 +322,7 @@ static int add_line(struct line *line, const struct method *method, int set)
     line->method = method;
     line->set = set;
     line->set_name = set >= 0 ? name[set] : "scalar";
-    /* scattered, always in the same way: multiples of the golden ratio */
+    /* scattered, but the same in every run: multiples of the golden ratio */
     for (int i = 0; i < COUNT; i++)
         line->x[i] = method->low + (method->high - method->low) * fmod(0.61803398874989485 * (i + 1), 1);
     return 1;

@@ -4,7 +4,7 @@
 stem = "left_out_spheres"; home = "docs/speed"; width = 960; height = 600
 load "docs/style.gp"
 
-# Columns: 1 model, 2 beta, 3 error. A model consists of the rows whose name begins like it.
+# Columns: 1 model, 2 beta, 3 error. The rows of a model have names that begin with its name.
 of(name) = strcol(1)[1:strlen(name)] eq name ? column(3) : NaN
 set logscale xy
 set xrange [0.05:6]

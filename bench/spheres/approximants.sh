@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The truncated series, Padés and two-point Padés of growing order that the report compares, as a header. It has
-# one function of z for each, with z = beta at zero overlap and sqrt(beta) at zero force, and the list of all.
+# Prints a header with the truncated series, Padés and two-point Padés of growing order that the report compares. Each
+# is a function of z, with z = beta at zero overlap and sqrt(beta) at zero force. Also prints a list of all.
 #     bench/spheres/approximants.sh CORGEN >HEADER
-# For Padés, only degrees without a pole on beta > 0.
+# Omits Padés with a pole on beta > 0.
 set -eu
 corgen=$1
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Speed of eps, with the error next to every time: one row per method, all in one run.
  *
- *   ns                   random speeds one after the other, each
- *   ns_dependent         each speed waits for the eps before it
+ *   ns                   time per eps, at independent random speeds
+ *   ns_dependent         time per eps, if each speed waits for the previous eps
  *   max_relative_error   largest over the speeds of the scene, against the collision integrated in long double */
 #include <math.h>
 #include <stdio.h>
@@ -176,8 +176,8 @@ static void measure_scene(FILE *const csv[2], const struct methods *methods, con
     inputs_free(&in);
 }
 
-/* Returns the number of elements of an array that, with its eps, is twice the last-level cache. It is at least 64 MiB,
- * and at most an eighth of the memory and 512 MiB, which is also the choice if the cache is unknown. */
+/* Returns the number of elements of an array with the size of the last-level cache; its eps need the same size again.
+ * At least 64 MiB, at most 512 MiB and an eighth of the memory. Uses 512 MiB if the cache is unknown. */
 static size_t large_elements(void)
 {
     const double mib = 1 << 20;
@@ -194,7 +194,7 @@ static size_t large_elements(void)
     return (size_t)bytes / sizeof(double);
 }
 
-/* Measures the library from a speed, and copies, on arrays larger than the cache. */
+/* Measures eps from a speed by the library, and plain copies, on arrays larger than the cache. */
 static void measure_large(FILE *const csv[2], const struct methods *methods, const struct scene *scene)
 {
     static struct task tasks[METHODS_MAX];

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The arrays in float arithmetic next to those in double, by instruction set. Every row has a time, its fraction of the
- * double time, and the error. For floats it is the largest error of all arguments, in units of the last place of a
- * float, against the double function. For doubles it is their bound, in units of a double.
+ * double time, and an error. For floats this is the largest error of all arguments against the double function, in ulp
+ * of a float. For doubles it is the stated bound, in ulp of a double.
  *
  *     cor_bench_floats DIRECTORY [--quick]        writes DIRECTORY/floats.csv */
 #include <math.h>
@@ -22,7 +22,7 @@ static const double least_beta = 0.3, most_beta = 1.9;
 static double x[COUNT], y[COUNT];
 static float xf[COUNT], yf[COUNT];
 
-/* Replaces the library's function, so that its arrays use the set of a line. */
+/* Replaces the library's function, so that array functions use the instruction set of the current line. */
 static int array_set;
 int cor_array_set(void)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The compared methods: every method is a row of the table. A file methods_*.c adds its rows. It also contains the
- * timed loops, in the form that a user would write, so that inline functions are inlined. */
+/* The compared methods: every method is a row of the table. Each file methods_*.c adds its own rows. It also contains
+ * the loops that are timed, written as a user would write them, so that inline functions are inlined. */
 #ifndef COR_BENCH_SPHERES_METHODS_H
 #define COR_BENCH_SPHERES_METHODS_H
 
@@ -64,7 +64,7 @@ void add_embedded_avx512(struct methods *methods);
 #define ONE_BY_ONE ((void)0)
 #endif
 
-/* Makes G available only when LAST is, unchanged and at the least cost that the machine allows. */
+/* Makes G wait for LAST without changing G, at the least cost that the machine allows. */
 #if defined __GNUC__ && defined __AVX__
 #define WAIT_FOR(LAST, G) __asm__ volatile("vunpcklpd %1, %0, %0" : "+x"(G) : "x"(LAST))
 #elif defined __GNUC__ && defined __SSE2__

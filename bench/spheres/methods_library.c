@@ -12,7 +12,7 @@ SCALAR_METHOD_OF(double, speed_force, CONTACT, cor_contact_eps_zero_force(contac
 SCALAR_METHOD_OF(double, beta_overlap, , cor_sphere_eps_zero_overlap(g))
 SCALAR_METHOD_OF(double, beta_force, , cor_sphere_eps_zero_force(g))
 
-/* Replaces the library's function, so that its arrays use the set of a method. */
+/* Replaces the library's function, so that array functions use the instruction set of the current method. */
 static int array_set;
 int cor_array_set(void)
 {

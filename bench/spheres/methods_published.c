@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Printed formulas that users write today, and the steps of a simulator of many grains. The lower limit is an array
- * that is read and written without a computation. */
+/* Printed formulas that users write today, and the steps of a simulator of many grains. A copy of an array, without a
+ * computation, gives the lower limit of the time. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -26,8 +26,8 @@ static double mueller_poeschel_of_yade(double v)
            (1 + v * (1.07232 + v * (1.72765 + v * (1.37842 + v * (1.19449 + v * (0.467273 + v * 0.235585))))));
 }
 
-/* Velocity Verlet with a fixed step. `steps`: number in a contact without dissipation. The damping uses the velocity at
- * the half-step. The contact ends with the step after its end. */
+/* Velocity Verlet with a fixed step. steps: number in a contact without dissipation. The damping uses the velocity at
+ * the half-step. The contact ends at the first step that finds its end exceeded. */
 static double verlet(double beta, enum end end, int steps)
 {
     static const double elastic_contact = 3.2180654597190431, longest = 1e4; /* elastic contacts */
@@ -64,7 +64,7 @@ static void loop_each(const struct method *method, const struct scene *scene, co
 {
     (void)method;
     (void)scene;
-    for (size_t i = 0; i < n; i++) { /* arrays may overlap for the compiler, so this stays a loop */
+    for (size_t i = 0; i < n; i++) { /* the arrays might overlap, so compilers keep the loop */
         ONE_BY_ONE;
         out[i] = in[i];
     }

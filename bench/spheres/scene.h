@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A scene for eps: a contact and a range of impact speeds. And eps there, from the long double integration of the
- * tests. */
+/* A scene: a contact and a range of impact speeds. Its exact eps, from the long double integration of the tests. */
 #ifndef COR_BENCH_SPHERES_SCENE_H
 #define COR_BENCH_SPHERES_SCENE_H
 

@@ -13,7 +13,7 @@ enum {
     FEWER_BITS = 128, /* of motions outside the cell in sqrt(beta) */
     /* beta below 2^FIRST_BINADE: one cell in sqrt(beta) */
     FIRST_BINADE = -3,
-    /* above 2^LAST_BINADE: powers and logarithms; three more binades serve as their period */
+    /* above 2^LAST_BINADE: powers and logarithms, scaled from the three binades that follow */
     LAST_BINADE = 45,
     BINADES = LAST_BINADE + 3 - FIRST_BINADE,
     /* cells per binade: quarters in the first ones, close to singularities in the complex plane, then one */
@@ -67,7 +67,7 @@ static bool is_loss(int quantity)
  *
  *     dw/dsigma = (f - mu w^2)/2,     df/dsigma = -w (w f - mu f + mu^2 w^2),     ds/dsigma = w
  *
- * so f keeps its relative accuracy while it decays. Plain floating point, by the middles of balls. */
+ * so f keeps its relative accuracy while it decays. Only the middles of balls are used, as plain numbers. */
 
 enum { DEGREE = 32, LENGTH };
 

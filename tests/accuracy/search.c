@@ -10,7 +10,7 @@
 
 /* ---- the error at a point ---- */
 
-/* Returns the error of eps at the computed number, or of 1 - eps where that is small, divided by its slope, in ulp. */
+/* Returns the error of eps at the computed number (of 1 - eps if this is small) over the slope, in ulp. */
 static double inverse_error(const struct search_function *f, const struct search_options *o, double computed, double x)
 {
     const bool of_loss = f->shape == INVERSE_OF_LOSS;
@@ -78,7 +78,7 @@ void worst_walk(struct worst *worst, const struct search_function *f, const stru
     }
 }
 
-/* True unless a value that must be 0 or 1 is anything else. */
+/* True if every value that must be 0 or 1 is correct. */
 static bool specials_are_good(const struct search_function *f, const struct search_options *o)
 {
     static NUMBERS(specials, 0.0, -0.0, HUGE_VAL, -HUGE_VAL, NAN, -1.0, -2.0, -0x1p-1074, 1.0, 0x1p-1074, 1.5,

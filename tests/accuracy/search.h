@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The search for the worst error of a function of one double, shared by the programs of this folder. It tests random
- * points on several threads, every double near a place, and points uphill from the worst one. Options. */
+ * points on several threads, every double near a place, and points uphill from the worst one. Reads options. */
 #ifndef COR_TESTS_ACCURACY_SEARCH_H
 #define COR_TESTS_ACCURACY_SEARCH_H
 

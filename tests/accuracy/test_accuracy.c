@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Every sphere function of the library against the reference: random points, all doubles near every boundary of a
- * piece, the neighbours of the worst point. Special values, contacts. Prints one line for each function; the
- * documentation quotes these lines. The reference itself is tested before (test_reference.c), functions of floats after
+ * piece, the neighbours of the worst point, special values, contacts. Prints one line for each function; the
+ * documentation quotes these lines. Tests the reference itself first (test_reference.c), and functions of floats last
  * (test_floats.c). --help lists the options. */
 #include "cor/contact.h"
 #include "cor/sphere.h"

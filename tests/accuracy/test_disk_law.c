@@ -46,14 +46,13 @@ static double random_nu(void)
 #define COMPRESSION "load/pi*(log(4*pi/load) + b)"
 #define ENERGY "load^2/(2*pi)*(log(4*pi/load) + b - 1/2)"
 
-/* The tested functions of x. If z is given, the load follows from w = -W_-1(-z); inserted into the law it must give
- * x. */
+/* The tested functions of x. If z is given, the load follows from w = -W_-1(-z). This load must satisfy the law. */
 static const struct disk_function {
     const char *name;
     double (*value)(double argument, double nu, enum cor_disk_datum datum);
     double (*limit)(double nu, enum cor_disk_datum datum); /* the largest argument */
     const char *exact_limit;
-    const char *x, *z, *load; /* x: of the argument; z NULL: x is the load */
+    const char *x, *z, *load; /* x: formula of the argument; z NULL: x is the load */
     const char *law, *value_of_load;
 } disk_functions[] = {
     {"load", cor_disk_load, cor_disk_compression_limit, "4*exp(b - 1)", "x", "x*exp(-b)/4", "pi*x/w", COMPRESSION,
@@ -174,7 +173,7 @@ static int search_laws(uint64_t points)
                 }
                 error = ball_error(y, exact);
                 if (error == HUGE_VAL && !arb_is_finite(exact))
-                    error = -1; /* too wide to be inside the domain */
+                    error = -1; /* the ball is too wide for the domain */
             } while (error < 0 && precision_raise(&p));
             worst_take(&worst, error < 0 ? HUGE_VAL : error, x);
         }

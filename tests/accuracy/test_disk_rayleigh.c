@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Fractions of single modes, against their integral along the real axis, which the library leaves, and against the
- * motion, from which the integral is derived. Sums and tails of the library's tables, against sums over three times the
- * modes. */
+/* Fractions of single modes, against their integral along the real axis (the library uses another path) and against the
+ * motion from which it is derived. Sums and tails of the library's tables, against sums over three times the modes. */
 #include "check.h"
 
 #include <cor/disk.h>

@@ -4,8 +4,8 @@
  * its bound counts as part of the error. From 16 onward the arrays return the rounded double function, and only 1 in
  * FAR_STRIDE floats is tested.
  *
- * test_accuracy --stride N uses every Nth float times FAST_SHARE. It fails if the error exceeds its bound. Negative
- * numbers and NaN give NaN, and -0 counts as 0: tests/unit tests that. */
+ * test_accuracy --stride N tests one in N/FAST_SHARE floats. It fails if the error exceeds its bound. Negative numbers
+ * and NaN give NaN, and -0 counts as 0: tests/unit tests these cases. */
 #include "cor/law.h"
 #include "cor/sphere.h"
 

@@ -51,8 +51,8 @@ static long double ratio(enum cor_end end, bool loss, long double zeta)
     return loss ? -expm1l(-l) : l < far_exponent ? expl(-l) : eps_far(end, (double)zeta, RATIO("1"));
 }
 
-/* Half of the elastic duration, and Tsuji's largest overlap at zeta = 0. The limit of his duration with limited damping
- * is (5/8)^(2/5) times the integral of (1 - X^(5/2))^(-1/2) from 0 to 1, by Gamma functions. */
+/* Half of the elastic duration, and Tsuji's largest overlap at zeta = 0. The limit of Tsuji's duration with limited
+ * damping is (5/8)^(2/5) times the integral of (1 - X^(5/2))^(-1/2) from 0 to 1, by Gamma functions. */
 #define PI acosl(-1)
 #define TSUJI_MOST expl(0.4L * logl(1.25L))
 #define HALF (TSUJI_MOST * sqrtl(PI) * tgammal(1.4L) / tgammal(0.9L))
@@ -71,7 +71,7 @@ static long double linear_exact(enum cor_end end, enum cor_quantity quantity, do
     return end == COR_END_ZERO_FORCE ? 2 * phase : PI / 2 + phase;
 }
 
-/* Returns the same for Tsuji's damping, where the largest overlap is (5/4 eps)^(2/5). */
+/* Returns the largest overlap or a time of Tsuji's damping, where the largest overlap is (5/4 eps)^(2/5). */
 static long double tsuji_exact(enum cor_end end, enum cor_quantity quantity, double zeta)
 {
     const long double l = reference_ratio_exponent(COR_END_APPROACH_ONLY, zeta);

@@ -131,8 +131,8 @@ static bool holds(const struct polynomial *f)
 
 /* ---- exp in pairs ---- */
 
-/* True if the largest error is small enough, and the mean error near the ends of the domain, where the series' last
- * coefficient counts most: 2^-101.85 and 2^-104.3. A wrong sign in it gives 2^-101.5 and 2^-102.4 (measured). */
+/* True if the largest error (2^-101.85) and the mean error near the ends of the domain (2^-104.3) are small enough. A
+ * wrong sign of the series' last coefficient, which counts most there, gives 2^-101.5 and 2^-102.4 (measured). */
 static bool pair_exp_is_good(void)
 {
     enum { POINTS = 4001 };
