@@ -220,11 +220,11 @@ COR_API double cor_dissipation_time_s(double eta1_pa_s, double eta2_pa_s, double
 COR_API double cor_tangential_kappa(double young_modulus_1_pa, double poisson_ratio_1, double young_modulus_2_pa,
                                     double poisson_ratio_2);
 
-/* Returns the largest angle, rad, between the velocity of the contact point and the normal at which spheres stick when
- * they touch: atan((7/2) friction/kappa). Above this angle they slide from the first instant. Up to it they stick
- * during the approach, and slip during the rebound once the normal force is too small. docs/theory.md, 20, states how
- * much this changes u'/u. With Hertz's force, kappa = 9/2 is the only value without any slip. If the contact remembers
- * its tangential force, not its displacement, use kappa/a in place of kappa.
+/* Returns the largest angle of impact, rad, at which spheres stick when they touch: atan((7/2) friction/kappa). The
+ * angle is between the velocity of the contact point and the normal. Above this angle they slide from the first
+ * instant. Up to it they stick during the approach, and slip during the rebound once the normal force is too small.
+ * docs/theory.md, 20, states how much this changes u'/u. With Hertz's force, kappa = 9/2 is the only value without any
+ * slip. If the contact remembers its tangential force, not its displacement, use kappa/a in place of kappa.
  * Domain: kappa > 0 and friction >= 0, either may be infinite. Accuracy: COR_CONTACT_MAX_ULP if the error of atan is
  * below 2 ulp and friction/kappa is a normal double.
  * Special values: friction 0 -> 0, +inf -> pi/2; outside the domain, NaN, or both infinite -> NaN. */
@@ -268,7 +268,7 @@ COR_API double cor_plate_lambda(const struct cor_sphere_contact *contact, double
  *                         half-space (cor_contact_wave_loss).
  * _sphere_crossings       the duration times sqrt(Y/density) of the sphere over its diameter. It must be well above 1.
  *                         The sphere is assumed to be homogeneous.
- * _least_half_width_m     the distance, m, to the nearest edge below which echoes return during contact:
+ * _least_half_width_m the least distance, m, to an edge whose echo does not return during contact:
  *                         2 sqrt(pi duration) (B/(d_p h))^(1/4), from the group velocity of bending waves of
  *                         frequency 4 pi/duration. On a simply supported square plate of that half width, eps is off
  *                         by 0.5 % at lambda = 1 and by 0.01 % at 0.2 (tests/unit/test_plate.c). */

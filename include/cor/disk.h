@@ -92,10 +92,10 @@ struct cor_disk_modes {
 COR_API extern const struct cor_disk_modes cor_disk_modes_nu033;
 COR_API extern const struct cor_disk_modes cor_disk_modes_nu090;
 
-/* Reads a mode file that corgen wrote (docs/disks.md) into mode[0..capacity-1], and sets *modes, whose mode is then
- * that array. On failure *modes is unchanged, except that COR_ERROR_CAPACITY sets modes->count to the number of modes
- * in the file. To query that number, pass capacity 0; mode may then be NULL. *line, if line is not NULL, becomes the
- * number of the wrong line of the file, or 0. Returns COR_OK or
+/* Reads a mode file that corgen wrote (docs/disks.md) into mode[0..capacity-1], and sets *modes, whose member `mode`
+ * points to that array. On failure *modes is unchanged, except that COR_ERROR_CAPACITY sets modes->count to the number
+ * of modes in the file. To query that number, pass capacity 0; mode may then be NULL. *line, if line is not NULL,
+ * becomes the number of the wrong line of the file, or 0. Returns COR_OK or
  *     COR_ERROR_NULL
  *     COR_ERROR_FILE          the file cannot be read
  *     COR_ERROR_FILE_VERSION  the file is not a mode file, or one of another version
@@ -106,7 +106,7 @@ COR_API int cor_disk_modes_read(const char *path, struct cor_disk_mode *mode, si
                                 struct cor_disk_modes *modes, size_t *line);
 
 /* Computes the `count` lowest modes of a disk in double arithmetic into mode[0..count-1], for any nu, and sets *modes,
- * whose mode is then that array. 100,000 modes take 0.03 s; time and memory grow like their number.
+ * whose member `mode` points to that array. 100,000 modes take 0.03 s; time and memory grow like their number.
  * Domain: -1 < nu < 1 and 1 <= count <= COR_DISK_MODES_MAX_COUNT.
  * Accuracy, sampled against proved tables: the relative error of omega is at most COR_DISK_MODES_OMEGA_MAX_ERROR, the
  * error of c and s at most COR_DISK_MODES_AMPLITUDE_MAX_ERROR times the length of (c, s). The function does not prove
@@ -242,10 +242,10 @@ COR_API int cor_disk_rayleigh_tolerance(const struct cor_disk_modes *modes, enum
 /* ---- full dynamics ---- */
 
 /* A head-on collision of a disk of n_modes modes with a wall of potential exp(alpha x)/alpha, (41) to (45). No mode is
- * excited before. x(phi) = x_0 + cos(phi) + sum Q (C cos(n phi) cos(phi) - S sin(n phi) sin(phi)) is the depth of the
+ * excited at first. x(phi) = x_0 + cos(phi) + sum Q (C cos(n phi) cos(phi) - S sin(n phi) sin(phi)) is the depth of the
  * rim in the wall at the angle phi, (40). x_0 is the position of the centre of mass. The wall pushes with the force
- * exp(alpha x) per unit length of the rim. The rim of a disk that kept its shape and speed would be at x = 0 at time
- * 0. */
+ * exp(alpha x) per unit length of the rim. The rim of a disk that kept its shape and speed would be at x = 0 at
+ * time 0. */
 
 /* Above this speed the disk is far outside linear elasticity. */
 #define COR_DISK_COLLISION_MAX_SPEED 0.5
@@ -263,7 +263,7 @@ struct cor_disk_collision_options {
     double alpha;      /* hardness of the wall, in 1/R, COR_DISK_COLLISION_MIN_ALPHA to _MAX_ALPHA */
     double tolerance;  /* absolute error allowed in eps, from COR_DISK_COLLISION_MIN_TOLERANCE to below 1 */
     size_t phi_points; /* angles between 0 and pi/2 for the wall's force; 0: the number that the tolerance needs */
-    /* of all runs together; 0: a fixed number of operations, which a processor of 2.6 GHz does in 5 to 10 s */
+    /* steps of all runs together; 0: a fixed number of operations, which a processor of 2.6 GHz does in 5 to 10 s */
     size_t max_steps;
 };
 
@@ -371,7 +371,7 @@ COR_API int cor_disk_collision_in(void *workspace, size_t bytes, const struct co
 
 struct cor_disk_hard_wall_options {
     double tolerance; /* allowed absolute error of 1 - eps^2, from COR_DISK_HARD_WALL_MIN_TOLERANCE to below 1 */
-    size_t max_steps; /* of all levels together; 0: a fixed number of operations, as above, those for modes included */
+    size_t max_steps; /* steps of all levels together; 0: a fixed number of operations as above, including modes */
 };
 
 struct cor_disk_hard_wall {

@@ -48,7 +48,7 @@ enum cor_law {
     COR_LAW_VISCOELASTIC,    /* a = 3/2, b = 1/2 */
     COR_LAW_LINEAR,          /* 1, 0 */
     COR_LAW_TSUJI,           /* 3/2, 1/4 */
-    COR_LAW_HUNT_CROSSLEY,   /* a, a; by name 3/2, 3/2 */
+    COR_LAW_HUNT_CROSSLEY,   /* a, a; in the table of functions 3/2, 3/2 */
     COR_LAW_HERTZ_DASHPOT,   /* 3/2, 0 */
     COR_LAW_PLATE,           /* a sphere on Zener's plate: 3/2, 1/2, and only the end zero overlap */
     COR_LAW_ELASTIC_PLASTIC, /* spheres that yield: 3/2, without damping */
@@ -58,8 +58,8 @@ enum cor_law {
     COR_LAWS
 };
 
-/* The nonnegative exponents a = elastic/denominator and b = damping/denominator, in lowest terms. The largest force of
- * a law without a closed form has powers of these three numbers. */
+/* The nonnegative exponents a = elastic/denominator and b = damping/denominator, in lowest terms. If the largest force
+ * has no closed form, its computation uses powers with these three exponents. */
 struct cor_exponents {
     int elastic, damping, denominator;
 };
@@ -172,11 +172,10 @@ COR_API const char *cor_quantity_name(enum cor_quantity quantity);
  * Source: docs/laws.md; Hunt and Crossley, J. Appl. Mech. 42, 440 (1975), for the law.
  *
  * Hertz's contact with a constant dashpot (a = 3/2, b = 0): beta = C m^(-3/5) K^(-2/5) g^(-1/5), so slow impacts are
- * damped most strongly. At zero overlap the bodies never part if beta >= COR_HERTZ_DASHPOT_BETA_C: eps is exactly 0 and
- * the duration infinite. The inverse of eps = 0 is COR_HERTZ_DASHPOT_BETA_C. These are the impacts with
- * g <= C^5/(COR_HERTZ_DASHPOT_BETA_C^5 m^3 K^2). With damping during the approach only, eps = sqrt((4/5) Y^(5/2)) and
- * the duration is the time of the largest overlap + tau_0 eps^(-1/5). Here Y is the largest overlap of the full law,
- * and tau_0 = 1.6090...
+ * damped most strongly. At zero overlap the bodies never part if beta >= COR_HERTZ_DASHPOT_BETA_C, which means g <=
+ * C^5/(COR_HERTZ_DASHPOT_BETA_C^5 m^3 K^2): eps is exactly 0 and the duration infinite. The inverse of eps = 0 is
+ * COR_HERTZ_DASHPOT_BETA_C. With damping during the approach only, eps = sqrt((4/5) Y^(5/2)) and the duration is the
+ * time of the largest overlap + tau_0 eps^(-1/5). Here Y is the largest overlap of the full law, and tau_0 = 1.6090...
  * Small beta: the loss tends to 1.78781... beta, or to 0.89390... beta for approach only. Large beta: eps tends to
  * beta^(-5/2) at zero force, or to sqrt(4/5) beta^(-5/4) for approach only. At zero overlap just below beta_c, with
  * d = beta_c - beta, eps is near s d (1 + pi sqrt(s d/beta_c^5)), s = 0.206987698804...

@@ -11,9 +11,9 @@
  * These functions form a separate library, libcor_scene (in CMake cor::scene), which needs libcor and libm. They are
  * thread-safe. The only memory they use is at most COR_SCENE_MAX_STACK bytes of stack. They assume rounding to nearest.
  * They never set errno, and raise only underflow and inexact. A solver of the caller runs in the caller's environment.
- * Functions behind the pointers of a model do not check their arguments. Every number with a unit is 0, where that is
- * meaningful, or from COR_SI_LEAST to COR_SI_MOST (contact.h). Other numbers give NaN or COR_FAULT_RANGE. Simulators
- * need numbers from 1e-48 to 1e48. Source: docs/theory.md, 9, and docs/laws.md. */
+ * The functions to which a model points do not check their arguments. Every number with a unit must be from
+ * COR_SI_LEAST to COR_SI_MOST (contact.h), or 0 where 0 is meaningful. Other numbers give NaN or COR_FAULT_RANGE.
+ * Simulators need numbers from 1e-48 to 1e48. Source: docs/theory.md, 9, and docs/laws.md. */
 #ifndef COR_SCENE_H
 #define COR_SCENE_H
 
@@ -52,8 +52,8 @@ double cor_law_force_max(const struct cor_exponents *exponents, double damping);
 
 /* ---- spheres that yield, spheres in a liquid ---- */
 
-/* Returns eps of elastic-plastic spheres (Thornton 1997) at x = v/v_y, the impact speed over the yield speed; 1 - eps;
- * and x of an eps. With r = 1/x and t = r sqrt(5/(6 - r^2)): eps^4 = 108 t/((t + 2) (t^2 + 5)^2). eps = 1 for x <= 1.
+/* Return, for elastic-plastic spheres (Thornton 1997): eps at x = v/v_y, the impact speed over the yield speed; 1 - eps
+ * at x; x of an eps. With r = 1/x and t = r sqrt(5/(6 - r^2)): eps^4 = 108 t/((t + 2) (t^2 + 5)^2). eps = 1 for x <= 1.
  * Accuracy: units in the last place. The bound for eps counts roundings (docs/theory.md, 21); the others are sampled in
  * tests/unit/test_scene_plastic.c. Special values: x = +inf -> eps 0; x negative or NaN, eps not in [0, 1] -> NaN; eps
  * = 0 -> x = +inf. An x too large for a double is +inf, too. */
@@ -69,8 +69,8 @@ double cor_elastic_plastic_speed_ratio(double eps);
 #define COR_YIELD_PRESSURE 1.6
 #define COR_YIELD_FACTOR 3.1938466086381453
 
-/* Returns eps of a contact in a liquid, which reduces the speed by s on the way in and again on the way out. eps: of
- * the dry contact at the speed v - s. The result is (eps (v - s) - s)/v, or 0 where that is negative.
+/* Returns eps of a contact in a liquid, which reduces the speed by s on the way in and again on the way out. eps: the
+ * value for the dry contact at the speed v - s. The result is (eps (v - s) - s)/v, or 0 where that is negative.
  * Accuracy: 4 units in the last place of 1. Special values: s = 0 -> eps; eps outside [0, 1], speeds neither 0 nor in
  * range -> NaN. */
 double cor_wet_eps(double eps, double speed_m_s, double liquid_speed_m_s);
@@ -103,18 +103,18 @@ struct cor_scene_contact {
     double force_n;           /* constant force that presses the bodies together, N: gravity, adhesion; 0: none */
     int plastic;              /* elastic-plastic spheres; `damping` is 0 */
     double yield_speed_m_s;   /* v_y; 0: not known */
-    double liquid_speed_m_s;  /* s, by which a liquid reduces the speed, on each way; 0: a dry contact */
-    double adhesion_j_m2;     /* work of adhesion w of JKR; 0: none. The ends are then enum cor_jkr_end. */
+    double liquid_speed_m_s;  /* s, lost to a liquid on the way in and again on the way out; 0: a dry contact */
+    double adhesion_j_m2;     /* work of adhesion w of JKR, with ends of enum cor_jkr_end; 0: none */
 };
 
 double cor_scene_speed_exponent(const struct cor_scene_contact *contact); /* q */
-/* Returns 1 if the contact can end in this way; 1 if eps depends on the end. */
+/* Return 1 if the contact can end in this way, and 1 if eps depends on the end. */
 int cor_scene_has_end(const struct cor_scene_contact *contact, int end);
 int cor_scene_ends_differ(const struct cor_scene_contact *contact);
 /* Returns the name of end 0 or 1 of a contact, as in the columns of corgen: "zero_overlap" and "zero_force". Under a
  * constant force it is "surface" instead of "zero_force"; with JKR adhesion, "tail" and "largest_pull". */
 const char *cor_scene_end_name(const struct cor_scene_contact *contact, int end);
-/* Returns 1 if an impact needs the solver. Where q = 0 its eps does not. */
+/* Returns 1 if an impact needs the solver. Where q = 0, eps does not need it. */
 int cor_scene_needs_solver(const struct cor_scene_contact *contact);
 /* Returns beta at the impact speed g > 0, m/s. Accuracy: 4 units in the last place, for an exact `damping`. */
 double cor_scene_beta(const struct cor_scene_contact *contact, double speed_m_s);
@@ -125,7 +125,7 @@ struct cor_scene_impact {
     double beta, eps[COR_SCENE_ENDS], duration_s[COR_SCENE_ENDS], max_overlap_m;
 };
 
-/* Compute the impact at a speed above 0, m/s; only its eps at one end; and the largest force between the bodies, N. The
+/* Compute, at a speed above 0, m/s: the impact; only its eps at one end; the largest force between the bodies, N. The
  * force includes damping and is integrated for some laws. Accuracy: COR_SCENE_MAX_ERROR. The first two return COR_OK,
  * COR_FAULT_RANGE, COR_FAULT_SOLVER, COR_FAULT_PRESSED, or the result of the solver. */
 int cor_scene_impact(struct cor_scene_impact *impact, const struct cor_scene_contact *contact, double speed_m_s);
@@ -174,9 +174,9 @@ int cor_scene_tangential(double *stiffness_n_m, double *damping_n_s_m, const str
  *   this speed over the impact speed. The duration includes the flight. For b >= a the two ends are the same.
  *
  * Each end has a sticking speed. Up to this speed the bodies come to rest in contact, because the energy never grows
- * (docs/theory.md, 24): eps is 0 and the duration infinite. The largest force is of spring and damper, without force_n.
- * Accuracy: COR_SCENE_PRESSED_ERROR: absolute for eps^2; relative for durations while eps > 0.01, for overlap and for
- * force. Sampled against proved enclosures in tests/gen/test_contact.c, with force_n up to 1e12 in units of m g/T. The
+ * (docs/theory.md, 24): eps is 0 and the duration infinite. The largest force excludes force_n. Accuracy:
+ * COR_SCENE_PRESSED_ERROR: absolute for eps^2; relative for durations while eps > 0.01, for overlap and for force.
+ * Sampled against proved enclosures in tests/gen/test_contact.c, with force_n up to 1e12 in units of m g/T. The
  * function returns the sticking speed in m/s. It is 0 without force or damping, and infinite where the bodies stick at
  * every speed up to 1e9 times sqrt(m) (force_n^(a+1)/K)^(1/(2 a))/m. In a liquid, eps is 0 below this speed. */
 #define COR_SCENE_PRESSED_ERROR 1e-12
@@ -184,7 +184,7 @@ double cor_scene_sticking_speed(const struct cor_scene_contact *contact, int end
 
 /* ---- time step ---- */
 
-/* The integrator of a simulator. The first three are one sequence of positions and velocities under three names:
+/* The integrator of a simulator. The first three are the same integrator under three names:
  *
  *     v += h F(x, v)/m,  x += h v
  *
@@ -204,7 +204,7 @@ enum cor_integrator {
 };
 extern const char *const cor_integrator_names[COR_INTEGRATORS + 1]; /* "verlet-half-step"; ends with NULL */
 
-/* Returns the elastic duration, without damping at the same speed, s. Time steps are counted per elastic duration. */
+/* Returns the elastic duration (without damping) at this speed, s. Time steps are counted per elastic duration. */
 double cor_scene_elastic_duration_s(const struct cor_scene_contact *contact, double speed_m_s);
 #define COR_SCENE_STEPS_MIN 2.0
 #define COR_SCENE_STEPS_MIN_IMPLICIT 1e-6 /* of COR_IMPLICIT_EULER, whose contacts may last for one step */
@@ -237,24 +237,23 @@ struct cor_step_error {
 int cor_scene_step_error(struct cor_step_error *error, const struct cor_scene_contact *contact, double speed_m_s,
                          int end, double steps, int integrator);
 
-/* Finds the least number of steps in an elastic duration above which |bias| and scatter stay within the tolerance,
- * within 0.1 % or one step. The result is sampled: a scan starts at 2 steps, in ratios of 1.2, with eight numbers of
- * steps up to one more at each. It ends at four times the last number that failed. Between the samples the scatter may
- * be larger by a tenth. Returns COR_FAULT_STEP also if the scan would need more than 1e6 steps. */
+/* Finds, to 0.1 % or one step, the least number of steps in an elastic duration above which |bias| and scatter stay
+ * within the tolerance. The result is sampled: a scan starts at 2 steps and grows by factors of 1.2. At each number it
+ * tests eight numbers, up to one step more. It ends at four times the last number that failed. Between the samples the
+ * scatter may be larger by a tenth. Returns COR_FAULT_STEP also if the scan would need more than 1e6 steps. */
 int cor_scene_step_for(double *least_steps, const struct cor_scene_contact *contact, double speed_m_s, int end,
                        double tolerance, int integrator);
 
-/* Finds the damping whose mean over the phases is the exact eps of `contact`, within 1e-9. Returns COR_FAULT_NO_DAMPING
- * if it does not exist. A contact without damping is not changed. */
+/* Finds the damping with which the mean eps over the phases is the exact eps of `contact`, within 1e-9. Returns
+ * COR_FAULT_NO_DAMPING if no damping gives it. A contact without damping is not changed. */
 int cor_scene_step_corrected(struct cor_scene_contact *corrected, const struct cor_scene_contact *contact,
                              double speed_m_s, int end, double steps, int integrator);
 
 /* ---- oblique impacts ---- */
 
-/* The memory of a tangential spring, in the order of the names. The force of the spring is k x^p s, where the
- * displacement s adds up the motion of the contact point. Or the force itself adds up k x^p times this motion. In the
- * next two, s or the force also shrinks with the contact radius x^(1/2) on the way back; there p = a - 1. Without
- * memory only a damper acts. */
+/* The memory of a tangential spring. For the first, the force is k x^p s, where the displacement s adds up the motion
+ * of the contact point. For the second, the force itself adds up k x^p times this motion. For the next two, s or the
+ * force also shrinks with the contact radius x^(1/2) on the way back; p = a - 1. For the last, only a damper acts. */
 enum cor_tangential_memory {
     COR_REMEMBERS_DISPLACEMENT,
     COR_REMEMBERS_FORCE,
@@ -310,7 +309,7 @@ int cor_scene_tangential_scaled(struct cor_tangential *tangential, const struct 
 
 /* An oblique impact. restitution: u'/u, the velocity of the contact point along the surface after over before (the
  * tangential restitution coefficient of the literature is -u'/u). rebound_tangent: tangent of the rebound angle,
- * u'/(eps g). impulse: tangential impulse over m g. regime: a sum of the next two. */
+ * u'/(eps g). impulse: tangential impulse over m g. regime: a sum of enum cor_oblique_regime. */
 enum cor_oblique_regime { COR_OBLIQUE_STICKS = 1, COR_OBLIQUE_SLIPS = 2 };
 struct cor_oblique_impact {
     double restitution, eps, rebound_tangent, impulse;
@@ -352,7 +351,7 @@ enum cor_scene_number {
     COR_SCENE_DISSIPATION_TIME_2,
     COR_SCENE_VISCOSITY_2,
     COR_SCENE_BULK_VISCOSITY_2,
-    COR_SCENE_BETA, /* at the speed COR_SCENE_AT; where q = 0 at every speed, as is the restitution */
+    COR_SCENE_BETA, /* at the speed COR_SCENE_AT; where q = 0, at every speed, like the restitution */
     COR_SCENE_AT,   /* m/s */
     COR_SCENE_STIFFNESS,
     COR_SCENE_DAMPING_COEFFICIENT, /* C, N s/m^(b+1) */
@@ -384,14 +383,14 @@ int cor_option_allows(const struct cor_scene_option *option, double value); /* T
 /* The force between spheres that adhere. DMT: 2 pi w R, constant during the contact. JKR: depends on the overlap. */
 enum cor_adhesion { COR_ADHESION_NONE, COR_ADHESION_DMT, COR_ADHESION_JKR };
 
-/* Spheres with JKR adhesion attract each other beyond zero overlap. They part where the tail ends. In LAMMPS they part
- * at the largest pull, with half of the loss. In arrays the tail has the index of zero overlap, and the largest pull
- * the index of zero force. The damping force is C (c^2/R)^b x' with the radius c of the contact; for w -> 0 it becomes
- * the damping force of the law.
- * Accuracy: eps^2 within COR_JKR_EPS2_MAX_ERROR, absolute. Durations have that relative error while eps > 0.01, and
- * 0.01/eps times it down to eps = 1e-3, where the rounding error of eps^2 moves the end. Sampled in
- * tests/unit/test_scene_jkr.c. Without damping eps is a closed form. The sticking speed is infinite if bodies always
- * stick. */
+/* Spheres with JKR adhesion attract each other beyond zero overlap, in the tail of the force, and part at its end. In
+ * LAMMPS they part at the largest pull, with half of the loss. In arrays the tail has the index of zero overlap, and
+ * the largest pull the index of zero force. The damping force is C (c^2/R)^b x' with the radius c of the contact; for w
+ * -> 0 it becomes the damping force of the law.
+ * Accuracy: eps^2 within COR_JKR_EPS2_MAX_ERROR, absolute. While eps > 0.01, this number also bounds the relative error
+ * of durations. Down to eps = 1e-3 the bound is 0.01/eps times this number, because the rounding error of eps^2 moves
+ * the end. Sampled in tests/unit/test_scene_jkr.c. Without damping eps is a closed form. The sticking speed is infinite
+ * if bodies always stick. */
 enum cor_jkr_end { COR_JKR_TAIL = COR_END_ZERO_OVERLAP, COR_JKR_LARGEST_PULL = COR_END_ZERO_FORCE };
 #define COR_JKR_EPS2_MAX_ERROR 1e-12
 
@@ -439,7 +438,7 @@ enum cor_fault {
     COR_FAULT_NO_SECOND_BODY, /* number belongs to a second viscoelastic body, which is absent */
     COR_FAULT_RANGE,          /* number, a number of the contact, or the speed is out of range */
     COR_FAULT_STEP,           /* of the functions of the time step, which have no yield, liquid or JKR adhesion */
-    COR_FAULT_NO_STIFFNESS,   /* no stiffness gives a contact of this damping its duration, or its C or A */
+    COR_FAULT_NO_STIFFNESS,   /* no stiffness fits this damping and the duration, C or A */
     COR_FAULT_PRESSED,        /* a constant force, and a damping too strong to be integrated */
     COR_FAULT_GRAVITY,        /* gravity needs a wall or a plate: it does not press free bodies together */
     COR_FAULT_ADHESION,       /* adhesion and an adhesion model go together */
@@ -449,7 +448,7 @@ enum cor_fault {
     COR_FAULT_YIELD_DAMPING,  /* elastic-plastic spheres do not accept number */
     COR_FAULT_LIQUID,         /* number is missing: viscosity and both gaps go together */
     COR_FAULT_GAPS,           /* the outer gap is not larger than the inner one */
-    COR_FAULT_NO_DURATION,    /* no damping gives a contact of this stiffness, C or A the duration */
+    COR_FAULT_NO_DURATION,    /* no damping fits the duration and the stiffness, C or A */
     COR_FAULT_TWO_DURATIONS,  /* a dissipation time and a duration at zero overlap: two contacts can have both */
     COR_FAULT_EQUIVALENT /* cor_scene_equivalent needs bodies, a speed, the law linear, and for some numbers an end */
 };
@@ -466,8 +465,8 @@ long cor_scene_fault_text(char *text, size_t size, const struct cor_scene_fault 
                           const char *rule);
 
 int cor_scene_given(const struct cor_scene *scene, int number);
-/* Returns the number of body 2 if it is given, otherwise the number of body 1. If the mass of body 2 is given, the
- * density of body 1 does not count. If the density of body 2 is given, the mass of body 1 does not count. */
+/* Returns a number of a body. Body 2 has the number of body 1 unless its own is given. If the mass of body 2 is given,
+ * the density of body 1 does not count. If the density of body 2 is given, the mass of body 1 does not count. */
 double cor_scene_of_body(const struct cor_scene *scene, int number, int body);
 int cor_scene_mass_is_given(const struct cor_scene *scene, int body); /* otherwise the density counts */
 
@@ -495,8 +494,8 @@ int cor_scene_equivalent(struct cor_scene *spring, struct cor_scene_contact *her
 double cor_scene_rayleigh_step_s(const struct cor_scene *scene);
 
 /* Fills *contacts, and sets *count to 1. Sets it to 2 if a restitution or a duration is given without its end, and the
- * end matters: one contact for each possible end. Returns COR_OK, the fault, or the result of the solver; then *fault
- * has the details, and *count is 0.
+ * end matters: one contact for each possible end. Returns COR_OK, the fault, or the result of the solver. After a
+ * failure *fault has the details, and *count is 0.
  * Accuracy of `damping`: 1e-14 relative; of a stiffness from a duration: 1e-11. Sampled in tests/gen/test_contact.c. */
 int cor_scene_contacts(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *count, struct cor_scene_fault *fault,
                        const struct cor_scene *scene);
@@ -508,10 +507,10 @@ int cor_scene_contacts(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *c
 int cor_scene_set_damping(struct cor_scene_contact *contact, int number, double value, double speed_m_s, int end);
 double cor_scene_damping(const struct cor_scene_contact *contact, int number);
 
-/* The quantities that corgen contact prints for a contact: name, number and unit. number: one of the next five, or enum
- * cor_scene_number, where COR_SCENE_NUMBERS means q, COR_SCENE_YIELD_STRESS v_y and COR_SCENE_LIQUID_VISCOSITY s. The
- * function returns the value, or NaN if it is not known. A pressing force of 0 is NaN. Sticking speeds are NaN without
- * pressing force, liquid or JKR; eps is NaN if it depends on the speed. Under a constant force corgen prints
+/* The quantities that corgen contact prints for a contact: name, number and unit. number: a constant of the next enum,
+ * or enum cor_scene_number, where COR_SCENE_NUMBERS means q, COR_SCENE_YIELD_STRESS v_y and COR_SCENE_LIQUID_VISCOSITY
+ * s. The function returns the value, or NaN if it is not known. A pressing force of 0 is NaN. Sticking speeds are NaN
+ * without pressing force, liquid or JKR; eps is NaN if it depends on the speed. Under a constant force corgen prints
  * sticking_speed_surface instead of sticking_speed_zero_force. */
 enum {
     COR_SCENE_PRESSING_FORCE = COR_SCENE_NUMBERS + 1,
@@ -578,11 +577,11 @@ struct cor_simulator_model {
     double (*damping_of_e)(double e);
     double least, most;
 
-    /* The number that the user sets from the damping at a speed, and back; NULL if the user sets e. They need only
-     * mass, stiffness or radius of the contact. */
+    /* Convert the damping at a speed to the number that the user sets, and back; NULL if the user sets e. Both need
+     * only mass, stiffness or radius of the contact. */
     double (*number_of_damping)(double damping, const struct cor_scene_contact *contact, double speed_m_s);
     double (*damping_of_number)(double number, const struct cor_scene_contact *contact, double speed_m_s);
-    const char *scale; /* the number over the damping, in mass M, stiffness K, radius R and speed G */
+    const char *scale; /* formula: the number over the damping, in mass M, stiffness K, radius R, speed G */
 
     const char *file;    /* its source file in the simulator */
     const char *known;   /* "run", "source" or "documentation" */
@@ -609,16 +608,16 @@ struct cor_simulator {
     const struct cor_simulator_model *models;
     int model_count;
 
-    /* A comment is one line, between these; NULL: no model has lines, and all members below are absent. */
+    /* A comment is one line between these two texts. NULL: no model has lines, and all members below are absent. */
     const char *comment, *comment_end;
-    const char *setup;     /* required elsewhere in its input */
+    const char *setup;     /* a sentence about the rest of the input */
     const char *time_step; /* template of lines that set the time step; NULL: none */
     const char *version;   /* the version of Debian 12, whose models come first; NULL: none */
     long packaged;         /* this version by cor_simulator_version; 0: none */
 
     /* At a wall the simulator divides the stiffness of two bodies with Hertz's force by this number; 0: it does not. */
     double wall_divides;
-    const char *wall;    /* a sentence about that */
+    const char *wall;    /* a sentence about this division */
     const char *density; /* a sentence, if the density of the bodies is not known; NULL: none */
     int one_wall;        /* all walls are of one material */
 
@@ -629,11 +628,12 @@ struct cor_simulator {
 extern const struct cor_simulator cor_simulators[];
 extern const size_t cor_simulator_count;
 
-/* Returns the model of an id; its simulator. */
+/* Return the model of an id, and its simulator. */
 const struct cor_simulator_model *cor_simulator_model(enum cor_simulator_model_id id);
 const struct cor_simulator *cor_simulator_of(enum cor_simulator_model_id id);
 
-/* Returns the simulator with lines and this name, or this name before a hyphen, ignoring case; NULL: absent. */
+/* Returns the simulator with lines that has this name, with or without the part after a hyphen, in any case; or
+ * NULL. */
 const struct cor_simulator *cor_simulator_named(const char *name);
 
 /* Returns the realised e of the model for the e that a user sets; NaN if the model has no e or refuses this one. */
@@ -656,10 +656,10 @@ void cor_simulator_reach(const struct cor_simulator_model *model, double *least,
 /* Returns eps of MuJoCo's contact where its impedance d depends on the overlap x. d changes from solimp[0] at x = 0 to
  * solimp[1] at x = solimp[2], with the midpoint solimp[3] and the power solimp[4]. With c = d/solimp[1], frequency w in
  * 1/s and the damping ratio zeta, x'' = -c (2 zeta w x' + c w^2 x) + (1 - d) gravity until the force of the contact
- * vanishes. Only gravity acts on the way back to x = 0. 0: the ball does not leave. Uses the Runge-Kutta method.
- * Accuracy: 1e-6; sampled in tests/unit/test_simulators.c. Returns NaN if it needs over 200000 steps, or outside these
- * ranges. gravity and zeta: [0, 1e48]; frequency, speed and width: [1e-48, 1e48]; d: [0, 1]; midpoint: (0, 1); power:
- * [1, 100]. */
+ * vanishes. Only gravity acts on the way back to x = 0. The result is 0 if the ball does not leave. Uses the
+ * Runge-Kutta method. Accuracy: 1e-6; sampled in tests/unit/test_simulators.c. Returns NaN if it needs over 200000
+ * steps, or outside these ranges. gravity and zeta: [0, 1e48]; frequency, speed and width: [1e-48, 1e48]; d: [0, 1];
+ * midpoint: (0, 1); power: [1, 100]. */
 double cor_mujoco_eps(const double solimp[5], double frequency, double zeta, double speed_m_s, double gravity_m_s2);
 
 /* Returns a version as an increasing number: "29 Sep 2021" is 20210929, "3.8.1" is 30801. 0: neither form. */
@@ -726,8 +726,8 @@ struct cor_simulator_request {
     int in_degrees;
 };
 
-/* Writes the input lines for a contact in a simulator, as a text that can be included whole. One block is active: among
- * the models with the law of the contact, the first with the requested end that the version has. Other models follow as
+/* Writes the input lines for a contact in a simulator, as a text that can be included whole. One block is active: the
+ * first model that has the law of the contact and the requested end, and that the version has. Other models follow as
  * comments. If the simulator does not have the law, the lines hold at one speed: the speed of the restitution, or the
  * only one of the request. Under gravity the numbers describe the contact, and eps includes gravity. Adhering contacts
  * have no lines.

@@ -185,10 +185,10 @@ COR_API void cor_sphere_duration_approach_only_array(const double *beta, double 
  * last place. */
 #define COR_SPHERE_EPS_SIMPLE_MAX_ULP 12.0
 
-/* Returns the root in [0, 1] of eps + 2 delta d eps^(3/5) = 1, (27), of the simple theory. Only its C_1 and C_2 agree
- * with eps at zero overlap. Relative to that eps the root is 1.6 % too large at beta = 0.5, 11 % at 1 and 88 % at 2. It
- * decreases like beta^(-5/3) instead of beta^(-5). Relative to eps at zero force it is 2 %, 7 % and 16 % too small at
- * the same beta.
+/* Returns the root in [0, 1] of eps + 2 delta d eps^(3/5) = 1, (27), of the simple theory. Of its series in beta, only
+ * C_1 and C_2 agree with eps at zero overlap. Relative to that eps the root is 1.6 % too large at beta = 0.5, 11 % at 1
+ * and 88 % at 2. It decreases like beta^(-5/3) instead of beta^(-5). Relative to eps at zero force it is 2 %, 7 % and
+ * 16 % too small at the same beta.
  * Domain: 0 <= beta <= inf.
  * Accuracy as the solution of (27): COR_SPHERE_EPS_SIMPLE_MAX_ULP, sampled.
  * Special values: +-0 -> 1, +inf -> 0, negative or NaN -> NaN. */
