@@ -162,9 +162,9 @@ static struct complex_ball stored_of_law(const struct cover *work, struct comple
     return log_eps;
 }
 
-/* Returns the constant force of a layout that has one, in units of the middle of a strip of ln(beta), and the speed in
- * these units. Sets *log_beta to this middle. The squares of a strip have one path, and so define one function that
- * includes its real arguments. The functions of neighbouring strips agree at real arguments, hence on the border. */
+/* Returns the speed and the layout's constant force, if any, in units of the middle of a strip of ln(beta). Sets
+ * *log_beta to this middle. All squares of a strip use one path, so they define one function, also at the strip's real
+ * arguments. The functions of neighbouring strips agree at real arguments, hence on the border. */
 static struct complex_law_pressing pressing_of(struct complex_ball *log_beta, const struct cover *work)
 {
     struct complex_law_pressing pressing = {{0, 0, 0}, {0, 0, 0}};
@@ -220,7 +220,7 @@ bool ellipse_bound_of_law(struct ellipse_bound *bound, const struct interpolant 
     const bool log = interval->variable == INTERVAL_LOG, force = eps == EPS_ZERO_FORCE;
     if (force && !log)
         return false;
-    /* zero overlap: in ln(beta), n > 0 */
+    /* paths to zero overlap creep only for ln(beta) and n > 0 */
     const bool pressed = f->layout->press != NULL;
     const bool may_be_strong = force || (log && !pressed && law_fall_power(law).num > 0);
     const double lo = interval->lo, hi = interval->hi, log_sticking = f->layout->press_log;

@@ -22,12 +22,12 @@ extern const struct ellipse_bound ellipse_stated[ELLIPSES];
  * because the ellipse is too large. */
 int ellipse_bound_make(struct ellipse_bound *bound, const struct interval *interval, double rho);
 
-/* Bounds eps at one end of another law in this way; other moduli are 0. Returns false without a message if the cover
- * fails. Zero force has no bounds near beta = 0. */
+/* Bounds eps at one end of contact for another law in the same way. The other moduli are 0. Returns false without a
+ * message if the cover fails. Zero force has no bounds near beta = 0. */
 bool ellipse_bound_of_law(struct ellipse_bound *bound, const struct interpolant *f, const struct interval *interval,
                           enum quantity eps, double rho);
 
-/* Returns the quantities of the interval without the duration at zero overlap as a function of ln(beta). */
+/* Returns the quantities of the interval. For ln(beta), excludes the duration at zero overlap. */
 unsigned ellipse_bound_set(const struct interval *interval);
 
 #endif

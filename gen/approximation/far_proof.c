@@ -20,7 +20,7 @@ enum {
 /* The code does not improve a bound below this. */
 #define SMALL_ENOUGH 0x1p-73
 
-/* x_max, t_max, eps and duration at zero force without their powers of beta, at these u */
+/* Intervals of u for x_max, t_max, eps and duration at zero force, each without its power of beta */
 static const struct interval far_intervals[FAR_PROOF_INTERVALS] = {
     {INTERVAL_LOG, 9.4, 20.6, 40, 84, FORM_POWER, SET_LENGTHS | SET_ZERO_FORCE},
     {INTERVAL_LOG, 20, WIDE_FROM + 0.6, 36, 84, FORM_POWER, SET_LENGTHS | SET_ZERO_FORCE},
@@ -78,7 +78,7 @@ static void far_cell_clear(struct far_cell *cell)
 /* Computes the limit for mu -> 0, from which a quantity differs by at most 210 mu u^2 (docs/theory.md, 8). */
 static void limit_on(arb_poly_t y, enum quantity quantity, const struct far_cell *cell)
 {
-    const slong events = quantity == DURATION_ZERO_FORCE ? 2 : 1; /* each event takes ln(1/mu) */
+    const slong events = quantity == DURATION_ZERO_FORCE ? 2 : 1; /* each takes a time of order ln(1/mu) */
     const double lo = cell->lo;
     LOCAL(arb, x, c);
     arb_poly_zero(y);

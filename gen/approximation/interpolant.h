@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Every quantity of a law's collision as a function that takes microseconds: polynomials of high degree through
- * enclosed collisions (collision.h). The tables are cut from these functions, sampled against them, and inverted with
- * them.
+/* Computes every quantity of a law's collision in microseconds, by polynomials of high degree through enclosed
+ * collisions (collision.h). The tables are cut from these functions, compared with them, and inverted with them.
  *
  * The samples are enclosed and rounded to the bits of their interval (proved). Rounded samples count as exact, so that
  * all later steps are arithmetic with the same result for every library. interpolant_check samples the error between
@@ -101,10 +100,10 @@ struct samples {
     arb_poly_struct polynomial[QUANTITIES];
 };
 
-/* Far coefficients: for u beyond the last interval. The scaled quantity is a sum of 1, u; mu, mu u, mu u^2; mu^2, ...,
- * mu^2 u^3 up to terms in mu^3, mu = beta^(-(a+1)/(b+1)). For other laws the duration at zero overlap is this sum times
- * beta^(a/(b+1)) plus `fall` times beta^((a-1)/n). `fall` is 0 if a - b = 1 or n = 1 - a, because the sum then contains
- * that term (docs/theory.md, 9). */
+/* Coefficients for u beyond the last interval. Up to terms in mu^3, mu = beta^(-(a+1)/(b+1)), the scaled quantity is a
+ * linear combination of 1, u; mu, mu u, mu u^2; mu^2, ..., mu^2 u^3. For other laws the duration at zero overlap is this
+ * sum times beta^(a/(b+1)) plus `fall` times beta^((a-1)/n). `fall` is 0 if a - b = 1 or n = 1 - a, because the sum
+ * then contains that term (docs/theory.md, 9). */
 enum { INTERPOLANT_FAR = 9 };
 
 struct interpolant {
@@ -155,8 +154,8 @@ double interpolant_beta_near(const struct interpolant *f, const struct interval 
 /* Returns the power of beta in the force of a layout with a force. */
 struct ratio interpolant_press_power(const struct cor_exponents *law);
 
-/* Computes the quantity at a place of a variable that has an interval for it. (1 - eps)/beta does not cancel where eps
- * is near 1. For spheres z reaches beta = 8.25 for quantities of zero overlap, and 17 for the others. */
+/* Computes the quantity at a place of a variable that has an interval for it. (1 - eps)/beta loses no bits where eps is
+ * near 1. For spheres z reaches beta = 8.25 for quantities of zero overlap, and 17 for the others. */
 void interpolant_at(arb_t y, const struct interpolant *f, enum quantity quantity, enum interval_variable variable,
                     const arb_t x, slong prec);
 
@@ -165,7 +164,8 @@ void interpolant_at_beta(arb_t y, const struct interpolant *f, enum quantity qua
 
 /* Computes the number that an interval of FORM_POWER stores, otherwise the quantity. In u it is the quantity divided by
  * its power of beta. For spheres 2 <= u <= 10, and eps at zero overlap is h*^5 beta^-5 there. In v for q = 0 it is the
- * duration times eps^((a-1)/(a+1)), both at zero overlap, which is regular at beta_c. The second returns the power. */
+ * duration times eps^((a-1)/(a+1)), both at zero overlap, which is regular at beta_c.
+ * interpolant_tail_power returns the power. */
 void interpolant_tail(arb_t y, const struct interpolant *f, enum quantity quantity, enum interval_variable variable,
                       const arb_t x, slong prec);
 struct ratio interpolant_tail_power(const struct cor_exponents *law, enum quantity quantity);
@@ -181,7 +181,7 @@ arb_srcptr interpolant_far(const struct interpolant *f, enum quantity quantity);
  *
  *     beta = (a/eps)^(3/5) (1 + e (b_0 + ... + b_2 v^2) + e^2 (c_0 + ... + c_4 v^4)),   e = eps/a,   v = -(3/5) ln(e)
  *
- * up to terms in e^3. They follow by formal inversion of the sum above, whose coefficient of u is 0. */
+ * up to terms in e^3. The coefficients follow by formal inversion of the sum above, whose coefficient of u is 0. */
 enum { INTERPOLANT_FAR_INVERSE = 9 };
 void interpolant_far_inverse(arb_ptr coefficient, const struct interpolant *f);
 

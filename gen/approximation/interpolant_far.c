@@ -24,7 +24,7 @@ static void far_basis(arb_mat_t a, slong row, const arb_t u, const struct cor_ex
 }
 
 /* True if the duration at zero overlap has a term beta^((a-1)/n) that is not among beta^(a/(b+1)) mu^i. Then
- * kappa = (b-a+1)/n is neither 0 nor 1. For the sphere it is 0. */
+ * kappa = (b-a+1)/n is neither 0 nor 1. For the sphere kappa is 0. */
 static bool falls_apart(const struct cor_exponents *law)
 {
     const slong n = 2 * law->damping - law->elastic + law->denominator,

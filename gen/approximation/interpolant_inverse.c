@@ -18,8 +18,8 @@ struct search {
 /* Far from the inverse few bits suffice: the bits that the polynomials' coefficients lose, and 64 more. */
 enum { SEARCH_BITS = 128 };
 
-/* Computes a function of w minus its value at the inverse. The function is a root of the loss, which has a slope also
- * at beta = 0, or ln(eps), because eps may fall by many powers of ten in an interval. */
+/* Computes a function of w minus its value at the inverse. For the loss it is a root, whose slope is not 0 at beta = 0.
+ * For eps it is ln(eps), because eps may fall by many powers of ten in an interval. */
 static void set_excess(arb_t y, const struct search *s, const arb_t w, const arb_t wanted)
 {
     const slong prec = s->prec, root = s->f->layout->root;
@@ -36,7 +36,7 @@ static void set_excess(arb_t y, const struct search *s, const arb_t w, const arb
     arb_get_mid_arb(y, y);
 }
 
-/* True if w is beyond the zero. The loss rises with beta, eps falls, and v falls with beta. */
+/* True if w is beyond the zero. The loss rises with beta. eps and v fall with beta. */
 static bool is_beyond_root(const struct search *s, double w, const arb_t wanted)
 {
     LOCAL(arb, x, y);

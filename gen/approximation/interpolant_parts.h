@@ -34,7 +34,7 @@ void interpolant_power(arb_t y, const arb_t u, struct ratio power, slong prec);
 /* Computes beta at a place of a variable. */
 void interpolant_beta(arb_t beta, const struct interpolant *f, enum interval_variable variable, const arb_t x,
                       slong prec);
-/* Returns the quantity at zero overlap if a <= b, where the two ends of contact coincide. */
+/* Returns the quantity, or its counterpart at zero overlap if a <= b, because the two ends then coincide. */
 enum quantity interpolant_end(const struct interpolant *f, enum quantity quantity);
 
 /* Returns the last place of a variable at which the quantity is sampled, or a number below all places. */

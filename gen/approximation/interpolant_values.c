@@ -106,8 +106,8 @@ enum quantity interpolant_end(const struct interpolant *f, enum quantity quantit
 }
 
 /* Computes a quantity with damping during the approach only. The rebound is elastic: eps^2/2 = X^(a+1)/(a+1) with the
- * largest overlap X. It takes half as long as an elastic collision at the impact speed eps. To first order in beta the
- * loss is half of the full loss, because approach and rebound lose equal parts. */
+ * largest overlap X. The rebound takes half as long as an elastic collision at the impact speed eps. To first order in
+ * beta the loss is half of the full loss, because approach and rebound lose equal parts. */
 static void approach_only(arb_t y, const struct interpolant *f, enum quantity quantity, enum interval_variable variable,
                           const arb_t x, slong prec)
 {

@@ -150,7 +150,7 @@ static int find_threshold(struct law_layout *layout)
     return status;
 }
 
-/* Finds whether beta^(1/q) eps equals v_f to double precision. */
+/* Sets *fallen to true if beta^(1/q) eps equals v_f to double precision. */
 static int is_fallen(bool *fallen, const struct cor_exponents *law, const arb_t v_f, double beta)
 {
     const struct ratio power = interpolant_tail_power(law, EPS_ZERO_OVERLAP);
@@ -198,7 +198,7 @@ static double octave_of(double x)
     return floor(log2(x));
 }
 
-/* The parts. holds: the quantity that replaces eps in a table of eps, as its value at zero overlap, or -1. Then the
+/* The parts. holds: the quantity that a table of eps contains instead of eps, as its value at zero overlap, or -1. Then
  * stem and title of a table of eps, with `%s` for the end of contact, the stem of other tables, and the variable. */
 static const struct part {
     int holds;
@@ -214,7 +214,7 @@ static const struct part {
     {BETA_ZERO_OVERLAP, "beta_%s", "beta at %s", NULL, VARIABLE_EPS_OCTAVES, 0},
 };
 
-/* Sets rows of a root of beta, or of the loss, of a derived layout. */
+/* Sets the rows of a derived layout in a root of beta or of the loss. */
 static void set_root(struct pieces *p, const struct law_layout *layout, enum quantity quantity)
 {
     const slong root = quantity == DURATION_ZERO_FORCE ? layout->root_of_time : layout->root;

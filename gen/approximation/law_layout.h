@@ -26,7 +26,7 @@ struct law_table {
     enum law_part part; /* in a derived layout also the function that uses the rows */
     enum quantity serves;
     char stem[40], title[64]; /* end of the name; first line of the comment */
-    struct pieces rows;       /* input of pieces_make, or without rows of pieces_fit. first = NAN: the rows of an
+    struct pieces rows;       /* input of pieces_make, or of pieces_fit if rows = 0. first = NAN: the rows of an
                                * inverse begin at law_layout_inverse_octave() */
 };
 

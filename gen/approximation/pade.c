@@ -71,7 +71,7 @@ static bool find_denominator(struct pade *f, const arb_poly_t c, slong first, sl
     return regular;
 }
 
-/* Solves the equations of find_denominator for i = m+1..m+n. Then P = Q c up to z^m. */
+/* Solves the equations of find_denominator for i = m+1..m+n. P is then Q c up to z^m. */
 bool pade_of_series(struct pade *f, const arb_poly_t c, slong m, slong n, slong prec)
 {
     const bool regular = find_denominator(f, c, m + 1, m, n, NULL, prec);
@@ -80,7 +80,7 @@ bool pade_of_series(struct pade *f, const arb_poly_t c, slong m, slong n, slong 
     return regular;
 }
 
-/* Solves them for i = 0..m+4. The conditions at infinity, p_i = limit q_{i+5} for every i, eliminate the p_i. */
+/* Solves the equations of find_denominator for i = 0..m+4. At infinity p_i = limit q_{i+5}, which eliminates p_i. */
 bool pade_two_point_of_series(struct pade *f, const arb_poly_t c, const arb_t limit, slong m, slong prec)
 {
     const bool regular = find_denominator(f, c, 0, m, m + TAIL_POWER, limit, prec);
@@ -360,7 +360,7 @@ const char *pade_refusal(const struct pade_request *r)
     return NULL;
 }
 
-/* Makes one attempt. Returns 0 with *regular set, or 1 after a message. */
+/* Computes the approximant with prec bits. Returns 0 with *regular set, or 1 after a message. */
 static int try_precision(struct pade *f, arb_poly_t c, bool *regular, const struct pade_request *r, slong prec)
 {
     int status = 0;
@@ -435,7 +435,7 @@ static int fail_degenerate(const arb_poly_t c, const struct pade_request *r, slo
     return fail_in_block(r, &b, known);
 }
 
-/* Returns the name of a part that `bits` bits do not decide, or NULL. Sets *power for an inaccurate coefficient. */
+/* Returns the name of a part without `bits` accurate bits, or NULL. Sets *power for an inaccurate coefficient. */
 static const char *pade_open(const struct pade *f, struct pade_analysis *a, slong bits, slong *power, slong prec)
 {
     if (!is_accurate(f->p, bits, power))

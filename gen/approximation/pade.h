@@ -57,9 +57,9 @@ struct pade_block {
 /* True if the intervals of c show that the entry [m/n] is degenerate. Then sets its block. */
 bool pade_block_of(struct pade_block *b, const arb_poly_t c, slong m, slong n, slong prec);
 
-/* A pole and a zero closer to each other than |pole|/PADE_PAIR_DISTANCE are a pair. It is spurious, a defect, if the
- * pole is near the positive axis: Re z > 0, |Im z| < Re z/PADE_PAIR_SLOPE. Other pairs are reported and harmless. They
- * imitate a branch cut of eps. A pair with relative distance d changes the value on the axis by at most about d
+/* A pole and a zero closer to each other than |pole|/PADE_PAIR_DISTANCE are a pair. A pair is spurious, a defect, if
+ * its pole is near the positive axis: Re z > 0, |Im z| < Re z/PADE_PAIR_SLOPE. Other pairs are reported and harmless.
+ * They imitate a branch cut of eps. A pair with relative distance d changes the value on the axis by at most about d
  * PADE_PAIR_SLOPE. An undecided comparison counts as true. */
 enum { PADE_PAIR_DISTANCE = 100, PADE_PAIR_SLOPE = 4 };
 

@@ -230,8 +230,8 @@ static double nearest_float(double x)
 }
 
 /* Converts a_0 + a_1 t + ... + a_3 t^3 to a row. c_3 is off by d = a_3 - c_3. In the cell of half width h around m, d
- * t^3 is a polynomial of degree 2 plus d h^3 T_3((t - m)/h)/4. The other coefficients absorb that polynomial, c_0' its
- * constant term. */
+ * t^3 is a polynomial of degree 2 plus d h^3 T_3((t - m)/h)/4. The other coefficients absorb that polynomial, and c_0'
+ * absorbs its constant term. */
 static void columns_of_cubic(double c[PIECES_FLOATS], const double a[PIECES_FLOATS], const struct cell *cell)
 {
     const double m = (cell->lo + cell->hi) / 2 - cell->node, h2 = pow((cell->hi - cell->lo) / 2, 2);

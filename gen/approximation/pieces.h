@@ -2,15 +2,15 @@
 /* The cutter of tables: piecewise polynomials on a uniform grid or by octaves, of the collision's interpolant or of any
  * function of one variable.
  *
- * Row i belongs to the cell of half a step to either side of its node y_i = first + i step, in the variable y. It has
+ * The cell of row i extends half a step to either side of its node y_i = first + i step, in the variable y. The row has
  * the columns c_0, c_0', c_1, ..., c_degree:
  *
  *     f = c_0 + (c_0' + s (c_1 + c_2 t + ... + c_degree t^(degree-1))),     t = y - y_i
  *
  * In the first `plain` rows s = t. In the other rows of y = sqrt(beta), s = beta - y_i^2, which is exact in floating
- * point, while t is not. This s has a zero at -y_i, which is too near to the first rows. Column c_0 is the number of
- * `head_bits` bits, or the double, nearest to f(y_i), and c_0' is its remainder. The other coefficients interpolate
- * (f - f(y_i))/s at the Chebyshev points of the cell and are rounded once.
+ * point, while t is not. The first rows do not use this s, because its zero at -y_i is too near. Column c_0 is the
+ * number of `head_bits` bits, or the double, nearest to f(y_i), and c_0' is its remainder. The other coefficients
+ * interpolate (f - f(y_i))/s at the Chebyshev points of the cell and are rounded once.
  *
  * Rows of floats are cubics in beta. Row 0 belongs to 0 <= beta < 2^first, and its node is 0. Each octave from there to
  * `end` has 2^octave_bits equal cells, whose nodes are their middles. A row consists of four floats,
@@ -109,7 +109,7 @@ int pieces_fit(struct pieces *p, struct pieces_function f);
  * Floats have no _FIRST_OCTAVE, and FIRST is the end of row 0. */
 int pieces_emit(struct emit *e, const struct pieces *p);
 
-/* Computes a table, by pieces_make or, without rows, by pieces_fit, and writes it. Returns their status. */
+/* Computes a table by pieces_make, or by pieces_fit if rows = 0, and writes it. Returns their status. */
 int pieces_write(struct emit *e, struct pieces *p, struct pieces_function f);
 
 /* ---- sampled_function.c: rows of a function of one variable that can be enclosed ----

@@ -69,7 +69,7 @@ static void polynomial_error(arb_t error, const struct ellipse_bound *bound, enu
 }
 
 /* True if the last Chebyshev coefficients a_k of the interpolant agree with the proof: |a_k| <= 2 M rho^-k + 2 error. A
- * wrong sample or node would enter all coefficients alike. */
+ * wrong sample or node would change all coefficients by about the same amount. */
 static bool coefficients_agree(const arb_poly_t p, const struct ellipse_bound *bound, enum quantity quantity,
                                const arb_t error, slong n)
 {
@@ -437,7 +437,7 @@ struct range {
     double lo, hi;
 };
 
-/* Computes sqrt(beta), nearly, where an inverse function has the argument x. */
+/* Computes an approximate sqrt(beta) at which an inverse function has the argument x. */
 static bool inverse_place(double *z, const struct interpolant_proof *proof, enum quantity quantity, double x)
 {
     LOCAL(arb, place, value);
@@ -511,9 +511,9 @@ struct part {
 enum { MOST_PARTS = 16 };
 
 /* Computes the part of interval i that begins at `reached`, a place of the range's variable, and moves `reached` to the
- * end of the part. A range in sqrt(beta) that goes beyond the last such interval ends with ln(beta). For the duration
- * at zero overlap a range in ln(beta) begins with sqrt(beta), up to CREEP_FROM at least. Returns 1, 0 if the interval
- * has no part, or -1 if it begins too late. */
+ * end of the part. A range in sqrt(beta) that goes beyond the last such interval ends in intervals of ln(beta). For the
+ * duration at zero overlap, a range in ln(beta) begins in intervals of sqrt(beta), up to CREEP_FROM at least. Returns
+ * 1, 0 if the interval has no part, or -1 if it begins too late. */
 static int part_of(struct part *part, double *reached, const struct range *range, const struct interval *interval,
                    enum quantity stored)
 {

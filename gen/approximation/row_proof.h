@@ -2,8 +2,8 @@
 /* Proofs that rows of the sphere's tables are close to the functions, everywhere in their cells (docs/theory.md, 8).
  *
  * The interpolant of an interval is within `error` of the function. ellipse_bound.h bounds the function in an ellipse
- * around the interval, which bounds its distance to the best polynomial. The interpolant is nearly as close. On a cell,
- * row and interpolant become polynomials of one variable, and intervals enclose their difference. */
+ * around the interval. This bounds its distance to the best polynomial, and the interpolant is nearly as close. On a
+ * cell, row and interpolant become polynomials of one variable, and intervals enclose their difference. */
 #ifndef COR_GEN_APPROXIMATION_ROW_PROOF_H
 #define COR_GEN_APPROXIMATION_ROW_PROOF_H
 
@@ -31,7 +31,7 @@ struct interpolant_proof {
 enum ellipse_source { ELLIPSES_PROVED, ELLIPSES_STATED };
 
 /* Proves the error of the polynomials of an interpolant with the layout interpolant_sphere_proof, for a set of
- * quantities without those that ellipse_bound_set leaves out. Returns NULL after reporting on stderr the part that
+ * quantities, except the ones that ellipse_bound_set excludes. Returns NULL after reporting on stderr the part that
  * could not be proved. */
 struct interpolant_proof *interpolant_proof_new(const struct interpolant *f, unsigned quantities,
                                                 enum ellipse_source source);
@@ -43,8 +43,8 @@ void interpolant_proof_eps(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const 
                            enum quantity quantity, double lo, double hi);
 
 /* Computes duration/beta at zero overlap as a function of t from eps beta^(5/3) and duration beta^(2/3) at zero force,
- * u = ln(beta) and mu = beta^(-5/3). It is the time of zero force plus the creep 2 ln(Y) + C + a_1/Y + ..., where
- * Y = sqrt(eps beta^(5/3))/mu. Returns false if a function is not proved to be positive. */
+ * u = ln(beta) and mu = beta^(-5/3). duration/beta is the time of zero force plus the creep 2 ln(Y) + C + a_1/Y + ...,
+ * where Y = sqrt(eps beta^(5/3))/mu. Returns false if a function is not proved to be positive. */
 bool interpolant_proof_creep(arb_poly_t duration, const struct interpolant_proof *proof, const arb_poly_t eps,
                              const arb_poly_t time, const arb_poly_t u, const arb_poly_t mu);
 
@@ -107,7 +107,7 @@ struct law_proof *law_proof_new(const struct interpolant *f, enum quantity eps, 
                                 double wanted);
 void law_proof_free(struct law_proof *proof);
 
-/* Returns the proved interval that contains u = ln(beta), to 1e-12, and reaches farthest, up to *end, or -1. */
+/* Returns the proved interval that contains u = ln(beta), to 1e-12, and ends last, at *end. Returns -1 if none does. */
 int law_proof_interval(double *end, const struct law_proof *proof, double u);
 
 /* Computes eps for lo <= ln(beta) <= hi in interval i, and ln(beta), as functions of t (enclosed_function.h). Returns

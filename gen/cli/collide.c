@@ -58,8 +58,8 @@ static bool is_printed(int i, const struct collide_arguments *o)
            (end == OPTIONS_NOT_GIVEN || o->end == OPTIONS_NOT_GIVEN || o->end == end);
 }
 
-/* Returns beta as a number that every format accepts. A decimal is as given, with a digit before and after its point. A
- * ratio is rounded to the digits of the table, or to one more if it is the middle of two such numbers. */
+/* Returns beta as a number that every format accepts. A decimal is as given, with at least one digit before and after
+ * its point. A ratio is rounded to the digits of the table, or to one more if it is the middle of two such numbers. */
 static char *beta_text(const struct collide_arguments *o, const arb_t beta)
 {
     const char *given = o->beta.text;

@@ -97,7 +97,7 @@ extern const struct option_numbers option_positive, option_not_negative, option_
     option_own_eps;
 extern const struct values_rule option_speeds; /* m/s */
 
-/* The texts of the two exponents of a law, NULL: the sphere's, and the law that options_parse makes of them */
+/* The texts of a law's two exponents (NULL: the sphere's), and the law that options_parse makes from them */
 struct option_law {
     const char *elastic, *damping;
     struct cor_exponents exponents;

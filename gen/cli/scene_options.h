@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The options of one contact, as rows of a table of options of contact, sample, embed and plan. ARGUMENTS has a member
- * `scene`. APART: options that contradict all of them, or NULL. POISSON and POISSON_APART: the range of --poisson
+/* The options of one contact, shared by the option tables of contact, sample, embed and plan. ARGUMENTS has a member
+ * `scene`. APART: options that contradict all of these, or NULL. POISSON and POISSON_APART: the range of --poisson
  * (NULL: for spheres) and the options that contradict it. */
 #ifndef COR_GEN_CLI_SCENE_OPTIONS_H
 #define COR_GEN_CLI_SCENE_OPTIONS_H

@@ -16,12 +16,12 @@ struct contacts {
     int count;
     struct cor_scene_contact contact[COR_SCENE_ENDS];
     struct cor_scene_contact hertz; /* replaced by an equivalent linear spring; stiffness 0: no such spring */
-    double at_m_s;                  /* the speed at which both are equivalent */
+    double at_m_s;                  /* the speed at which spring and hertz are equivalent */
 };
 
 /* Returns STATUS_OK, STATUS_USAGE after a message about a missing or contradictory number, or STATUS_FAILED. */
 int contacts_of_request(struct contacts *contacts, const struct embed_request *request);
-/* For other commands, which refuse JKR adhesion: its ends of contact are different. */
+/* Like contacts_of_request, for commands that refuse JKR adhesion because its ends of contact are different. */
 int contacts_without_jkr(struct contacts *contacts, const struct embed_request *request);
 
 /* Returns the law of a contact, its yield speed and its liquid as text: "x'' + beta x^(1/2) x' + x^(3/2) = 0" */
@@ -46,11 +46,11 @@ char *contact_own_lines(const struct own_law *law, const struct embed_request *r
 /* Digits of a number in csv and json, and in text. The error is below COR_SCENE_MAX_ERROR. */
 enum { CONTACT_DIGITS = 12, CONTACT_DIGITS_TEXT = 6 };
 
-/* Fills a table with the columns quantity,value,unit. A contact for each end at which eps may have been measured has
- * two values, value_zero_overlap and value_zero_force. Unknown quantities have no row. Spheres have Rayleigh's time
- * step and, if they adhere, Tabor's number. friction, if not NaN: adds kappa, u'/u without slip, and the largest angle
- * in degrees at which spheres, or a sphere and a wall, stick when they touch. tangential, if not NaN: adds the spring
- * and the dashpot of a linear contact with this tangential restitution */
+/* Fills a table with the columns quantity,value,unit. Two contacts, one for each end at which eps may have been
+ * measured, have the columns value_zero_overlap and value_zero_force. Unknown quantities have no row. Spheres have
+ * Rayleigh's time step and, if they adhere, Tabor's number. friction, if not NaN: adds kappa, u'/u without slip, and
+ * the largest angle in degrees at which spheres, or a sphere and a wall, stick when they touch. tangential, if not NaN:
+ * adds the spring and the dashpot of a linear contact with this tangential restitution */
 void contact_summary(struct table *table, const struct contacts *contacts, double friction, double tangential,
                      int digits);
 
@@ -60,8 +60,8 @@ void contact_print_ranges(FILE *file, const struct contacts *contacts, bool rows
 
 /* Adds a row for each contact and speed of the request, with its time step, in the columns of corgen contact. The last
  * column, measured_end, exists only for two contacts. Errors of the step have two columns, or two for each end if the
- * end is not given and matters. An equivalent spring has three columns of Hertz's contact with the same eps at the
- * speed --at and at the end of the row (not given: zero overlap). A correction needs one end. Returns STATUS_OK or
+ * end is not given and matters. An equivalent spring adds three columns for the Hertz contact that has the same eps at
+ * the speed --at and at the row's end (not given: zero overlap). A correction needs one end. Returns STATUS_OK or
  * STATUS_FAILED. */
 int contact_rows(struct table *table, const struct contacts *contacts, const struct cor_simulator_request *request,
                  int digits);

@@ -141,7 +141,7 @@ static bool is_end(const struct row *row, int end)
     return row->end == COR_BOTH_ENDS || row->end == end;
 }
 
-/* Sets the largest step for a tolerance, rounded down to the three digits that cor_scene_step_for has. */
+/* Sets the largest step for a tolerance, rounded down to the three digits of cor_scene_step_for. */
 static int step_for(double *time_step, const struct row *row, size_t rows, const struct cor_simulator_request *request)
 {
     double least = INFINITY, n;

@@ -176,7 +176,7 @@ int contact_oblique(struct table *table, const struct contacts *contacts, struct
                 double slip = 3.5 * request->friction * (1 + impact.eps), beta_0;
                 const double factor = 3.5 * (1 + impact.eps),
                              error = fit_walton(&slip, &beta_0, tangent, ratio, request->count);
-                bool bounded = false; /* beta_0 matters at an angle */
+                bool bounded = false; /* true if beta_0 matters at some angle */
                 for (size_t j = 0; j < request->count; j++)
                     bounded = bounded || 1 - slip / tangent[j] < -beta_0;
                 if (!bounded) {

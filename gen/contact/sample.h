@@ -2,7 +2,7 @@
 /* eps of a contact over a range of impact speeds, as the fewest points whose interpolation meets a relative tolerance.
  * The points are on the curve, and both ends of the range are points. Each next point is placed as far away as the
  * tolerance allows (docs/contact.md). All points are then moved until the segments have the same error. A segment over
- * an inflection point may have a smaller one. Evenly spaced points are used if their largest error is smaller. */
+ * an inflection point may have a smaller error. Evenly spaced points are used if their largest error is smaller. */
 #ifndef COR_GEN_CONTACT_SAMPLE_H
 #define COR_GEN_CONTACT_SAMPLE_H
 
@@ -40,7 +40,7 @@ struct sample_points {
 struct sample {
     struct sample_points best;
     struct sample_points even; /* the same number of points, evenly spaced in speed or, with `log`, in its logarithm */
-    double error_of_fewer; /* for one point less, equal in all segments; infinite for two points and above a thousand */
+    double error_of_fewer;     /* with one point less, equal in all segments; infinite for 2 points and for over 1000 */
 };
 
 /* Returns STATUS_OK, STATUS_USAGE after a message if the tolerance needs too many points or eps vanishes in the range,

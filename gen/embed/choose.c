@@ -95,8 +95,8 @@ static bool try_quotient(struct embed_form *best, const struct embed_scene *s, c
     return try_form(best, form_blank(s, best->family, variable, m, n), s, f);
 }
 
-/* The radius of convergence of eps in powers of beta: h*, rounded (docs/theory.md, 3). A failed search states it as the
- * reason if beta exceeds a chosen fraction of it. */
+/* The radius of convergence of eps in powers of beta: h*, rounded (docs/theory.md, 3). A failed search reports this
+ * radius as the reason if beta exceeds a chosen fraction of it. */
 #define CONVERGENCE 1.388
 #define NEAR_CONVERGENCE 0.97
 

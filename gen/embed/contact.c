@@ -98,8 +98,8 @@ int embed_contact_eps(arb_t eps, const arb_t beta, const arb_t pressing, const s
     return status ? STATUS_FAILED : STATUS_OK;
 }
 
-/* Encloses the beta at which eps is the given restitution. Secant steps move a narrow ball until eps, which falls with
- * beta, is above the restitution at its lower end and below it at its upper end. */
+/* Encloses the beta at which eps is the given restitution. eps falls with beta. Secant steps move a narrow ball until
+ * eps is above the restitution at the lower end of the ball and below it at the upper end. */
 static int beta_of_restitution(arb_t beta, const arb_t force, const struct embed_request *request,
                                const struct cor_scene_contact *contact, const struct cor_exponents *law)
 {
@@ -115,7 +115,7 @@ static int beta_of_restitution(arb_t beta, const arb_t force, const struct embed
     LET(pressing, 2 * SOLVE_BITS, "force*at^power", force, at, power);
     const slong half_width = arb_is_zero(pressing) ? SOLVE_HALF_WIDTH : SOLVE_HALF_WIDTH_PRESSED;
     for (int step = 0; step < SOLVE_STEPS && arb_is_positive(beta); step++) {
-        arb_get_mid_arb(beta, beta); /* an exact beta, for which eps has all of its bits */
+        arb_get_mid_arb(beta, beta); /* an exact beta, so that eps keeps all of its bits */
         arb_around(low, high, beta, half_width, SOLVE_BITS);
         if (embed_contact_eps(above, low, pressing, law, request->end, SOLVE_BITS) != STATUS_OK ||
             embed_contact_eps(below, high, pressing, law, request->end, SOLVE_BITS) != STATUS_OK)
@@ -140,8 +140,8 @@ void embed_elastic_plastic_eps(arb_t eps, const arb_t speed, const arb_t yield_s
     LET(eps, prec, "(108*t/((t^2 + 5)^2*(t + 2)))^(1/4)", t);
 }
 
-/* Encloses v_y by bisection, starting close to `guess`, at both sides of the speed that gives the restitution at
- * --at. */
+/* Encloses by bisection the yield speed v_y that gives the restitution at the speed of --at. The bracket is first close
+ * to `guess`. */
 static int yield_speed_of_restitution(arb_t speed, const struct embed_request *request, double guess, slong prec)
 {
     LOCAL(arb, at, wanted, low, high, eps);
@@ -209,7 +209,7 @@ int embed_contact_numbers(arb_t beta_per_root, arb_t force, arb_t yield_speed, a
     else if (embed_given(request, COR_SCENE_DURATION))
         return usage_error("--duration does not give the damping exactly enough for a header; instead of it give "
                            "--beta B --at G, --zeta Z or --restitution E --at G, which corgen contact prints");
-    else { /* of the force K x^a + C x^b x': beta g^-q = (C/m) (m/K)^((b+1)/(a+1)), C given, or (3/2) A K */
+    else { /* force K x^a + C x^b x': beta g^-q = (C/m) (m/K)^((b+1)/(a+1)); C is given or (3/2) A K */
         LET(A, prec, embed_given(request, COR_SCENE_DAMPING_COEFFICIENT) ? "C" : "A*K*3/2", C, A, K);
         LET(beta_per_root, prec, "(m/K)^((b + 1)/(a + 1))*A/m", m, K, a, b, A);
     }

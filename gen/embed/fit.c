@@ -79,7 +79,7 @@ static bool round_numbers(struct embed_form *f, arb_srcptr exact, slong count)
     return true;
 }
 
-/* True if q > 0 is shown on [lo, hi]. On each of CHECK_CELLS cells, the positive terms at its lower end and the
+/* True if q > 0 is proved on [lo, hi]. On each of CHECK_CELLS cells, the positive terms at its lower end and the
  * negative terms at its upper end bound q from below. */
 static bool quotient_is_positive(const double *q, slong degree, double lo, double hi)
 {

@@ -162,8 +162,8 @@ struct arithmetic {
     int count[OPERATIONS];
 };
 
-/* Counts an operation and rounds its result. A float's + - * / or sqrt may be rounded to a double first: no bit
- * changes. */
+/* Counts an operation and rounds its result. For floats, + - * / and sqrt may be rounded to double first. The float
+ * result is the same. */
 static double round_result(struct arithmetic *a, enum embed_operation operation, double x)
 {
     a->count[operation]++;

@@ -51,13 +51,13 @@ extern const struct embed_root {
     int square_roots;
 } embed_roots[];
 
-/* Levels of refinement of the fifth root from bits, and the relative error of the result at a level, counted from 0 */
+/* Levels of refinement of the fifth root from bits, counted from 0, and the relative error of the root at a level */
 enum { EMBED_REFINEMENTS = 4 };
 double embed_root_error(int refinement, bool single);
 
 /* EMBED_ROOT_CONSTANT - EMBED_ROOT_FIFTH n are the bits of a start value r of g^(-1/5), where n are the bits of g. With
- * e = 1 - g r^5, the factor (1 - e)^(-1/5) improves r. Step 0 has terms up to e^3, interpolated at Chebyshev points,
- * for the start value with |e| < 0.155. Step 1 has terms up to e^refinement. */
+ * e = 1 - g r^5, the factor (1 - e)^(-1/5) improves r. Step 0 starts with |e| < 0.155 and uses terms up to e^3,
+ * interpolated at Chebyshev points. Step 1 uses terms up to e^refinement. */
 #define EMBED_ROOT_FIFTH 0.2
 #define EMBED_ROOT_CONSTANT 5404320840011480.0 /* 1.2 2^52 + 1287166885, for the upper half of a double's bits */
 #define EMBED_ROOT_SINGLE 1277903765u
@@ -67,8 +67,8 @@ double embed_root_error(int refinement, bool single);
  * and are not split. */
 enum { EMBED_SPLIT = 4 };
 
-/* Largest size of a table in bytes, so that it fits into the processor's cache; tables in speed may be larger if none
- * of this size suffices */
+/* Largest size of a table in bytes, for the processor's cache. Tables in speed may have the second size if the first
+ * does not suffice. */
 enum { EMBED_TABLE_BYTES = 4096, EMBED_TABLE_BYTES_MOST = 16384 };
 
 struct embed_form {
@@ -77,7 +77,7 @@ struct embed_form {
     double speed_min, speed_max;
     double onset; /* up to this speed eps is `before`; 0: no such speed */
     double before;
-    double origin; /* the onset is a speed v; every other speed of this struct is v - origin */
+    double origin; /* subtracted from every speed of this struct except the onset */
     slong numerator, denominator;
     slong rows;     /* rows of a table of polynomials of degree `numerator`; 0: no table */
     double *number; /* p_0, ..., p_m, q_0, ..., q_n, or the rows; malloc'ed */
@@ -85,7 +85,7 @@ struct embed_form {
     double slope, shift;
     /* pieces in speed: the row is the bits of the speed, shifted down by low_bits, minus `first` */
     uint64_t first;
-    /* or the index of the last of these rows + 1 numbers that is not above the speed; NULL: by bits */
+    /* or the last of these rows + 1 numbers that is not above the speed; NULL: the row is found by bits */
     const double *knot;
     double error, error_at; /* worst relative error of the samples, and its speed */
     double cost[USES];      /* ns */
@@ -194,10 +194,10 @@ enum embed_family embed_choose(const struct embed_form *form, enum embed_purpose
 #define EMBED_FAR_ERROR 2.7e-17
 
 struct embed_proof {
-    double error;    /* relative, of eps from the header; infinite without a proof */
-    double formula;  /* the part of the formula without rounding */
-    double rounding; /* the part of the rounding */
-    bool proved;     /* the error is proved at every speed of the range not below `from`, m/s */
+    double error;    /* relative error of the header's eps; infinite without a proof */
+    double formula;  /* the error of the formula without rounding */
+    double rounding; /* the error of the rounding */
+    bool proved;     /* the error is proved at every speed of the range >= from, m/s */
     double from;
 };
 

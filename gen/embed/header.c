@@ -278,8 +278,8 @@ static void emit_step(struct emit *e, const struct embed_form *f, const struct e
     }
 }
 
-/* Writes the return of the result, or of NaN unless the speed is 0 or more. Up to the onset eps is 1, if spheres begin
- * to yield there, or 0, if bodies stay together up to it. */
+/* Writes the return of the result, or of NaN if the speed is negative or NaN. Up to the onset eps is 1 (spheres that
+ * yield above it) or 0 (bodies that stay together). */
 static void emit_return(struct emit *e, const struct embed_form *f, const char *result, bool vector)
 {
     if (f->onset > 0) {

@@ -4,7 +4,7 @@
  *     power-law:   min(1, A v^-B), A > 0; eps falls where B > 0
  *     exponential: E + (1 - E) exp(-v/V)
  *     table:       cubics through the rows of a csv file, monotone between them (Fritsch and Carlson 1980), with the
- *                  slopes of Fritsch and Butland (1984), as SciPy's PchipInterpolator has them */
+ *                  slopes of Fritsch and Butland (1984), as in SciPy's PchipInterpolator */
 #ifndef COR_GEN_EMBED_OWN_LAW_H
 #define COR_GEN_EMBED_OWN_LAW_H
 
@@ -27,8 +27,8 @@ struct own_law {
     char text[OWN_TEXT];
 };
 
-/* Returns STATUS_OK, or STATUS_USAGE after a message about missing or contradictory options, or about the table; then
- * own_law_clear frees the memory. */
+/* Returns STATUS_OK, or STATUS_USAGE after a message about missing or contradictory options, or about the table. Call
+ * own_law_clear in either case. */
 int own_law_init(struct own_law *law, const struct embed_request *request);
 void own_law_clear(struct own_law *law);
 #define OWN_LAW(x) __attribute__((cleanup(own_law_clear))) struct own_law x = {0} /* cleared where its block ends */

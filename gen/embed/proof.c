@@ -20,18 +20,19 @@ enum {
 
 /* Longest part in ln(beta) */
 #define LOG_PART 0.5
-/* A bound suffices within NEAR_KNOWN times an error that occurs, or NEAR_SAMPLED times the largest sampled error. */
+/* A bound suffices if it is at most NEAR_KNOWN times an error that occurs, or NEAR_SAMPLED times the largest sampled
+ * error. */
 #define NEAR_KNOWN 1.01
 #define NEAR_SAMPLED 1.005
 /* The error of the interpolant of another law may be this fraction of the form's error. */
 #define LAW_PART_OF_ERROR 1e-3
 /* Proofs begin at this multiple of the sticking speed v_s, because their cost grows like 1/(v - v_s). */
 #define STICKING_PROVED 1.01
-/* More than the rounding errors of a few functions of libm */
+/* Exceeds the rounding errors of a few functions of libm */
 #define SLACK 1e-13
 
-/* Speeds with lo <= x <= hi, x being ln(beta) or the variable of an interval of the sphere's interpolant, the row of
- * the table there, and the bound of the error */
+/* The speeds with lo <= x <= hi, the table's row there, and the bound of the error. x is ln(beta), or the variable of
+ * an interval of the sphere's interpolant. */
 struct part {
     int interval;
     bool by_log;
@@ -205,9 +206,8 @@ static double place_of_speed(const struct prover *w, double speed, bool above)
     return ball_end(x, above);
 }
 
-/* Makes a part that starts at u = ln(beta) in an interval that is proved up to *end, without the part's end. Returns
- * false if no such interval exists. Parts of spheres begin a little earlier within it, because u may be off by
- * SLACK. */
+/* Makes a part that starts at u = ln(beta) in an interval that is proved up to *end. Does not set the part's end.
+ * Returns false if no such interval exists. Parts of spheres begin a little before u, because u may be off by SLACK. */
 static bool part_from(struct part *part, double *end, const struct prover *w, double u)
 {
     const struct interpolant_layout *const layout = &interpolant_sphere_proof;
@@ -312,7 +312,7 @@ int embed_prove(struct embed_proof *proof, const struct embed_form *f, const str
     int status = STATUS_OK;
     if (!s->by_speed && (!law_is_sphere(&s->law) || s->pressed)) {
         double beta[2] = {s->beta_min, s->beta_max};
-        if (s->pressed) { /* begins where the proof's cost is bounded */
+        if (s->pressed) { /* the proof begins where its cost is bounded */
             const double speed = arf_get_d(arb_midref(s->sticking_speed), ARF_RND_UP) * STICKING_PROVED - s->origin;
             LOCAL(arb, x);
             w.from = fmax(s->speed_min, speed);

@@ -54,7 +54,7 @@ double embed_number(const struct embed_request *request, int number); /* the nea
 /* Reads "ETA1,ETA2", two numbers without a sign. */
 bool embed_viscosity(struct decimal eta[2], const char *text);
 
-/* Returns the options of a request as written, from " --speed-min 0.1" to " --law tsuji", malloc'ed. Omits options that
+/* Returns the options of a request as written, such as " --speed-min 0.1 --law tsuji", malloc'ed. Omits options that
  * only a header has. Breaks lines of numbers that would be longer than `width`, as in a banner. */
 char *embed_options(const struct embed_request *request, int width);
 const char *embed_end_option(const struct embed_request *request); /* " --end zero-force"; empty for an own law */

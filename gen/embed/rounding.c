@@ -136,9 +136,9 @@ static double root_step(const struct embed_program *p, int first, double e, cons
     return add_relative(exact, v.error[first + 5] / least) * RAISE;
 }
 
-/* Returns a bound of |1 - g r^5| for the start value r. Its upper bits fall as those bits of g rise, so the ends of an
- * interval of speeds bound r. In half of an interval r falls by 400 units of 2^-20 or more, and a fused operation moves
- * r by one unit. The bound of the whole interval therefore covers the fused operation in either half. */
+/* Returns a bound of |1 - g r^5| for the start value r. The upper bits of r fall as the upper bits of g rise, so the
+ * ends of a speed interval bound r. In half of an interval r falls by 400 units of 2^-20 or more. A fused operation
+ * moves r by one unit. The bound of the interval therefore covers the fused operation in either half. */
 static double start_bound(const struct embed_form *f)
 {
     const uint64_t step = UINT64_C(1) << ((f->single ? 23 : 52) - 8), last = emit_bits_of(f->single, f->speed_max);
@@ -255,7 +255,7 @@ static void bound_cell(void *context, slong i)
         const double start = embed_row_start(f, row);
         lo = fmax(f->speed_min - start, 0);
         hi = fmin(embed_row_start(f, row + 1), f->speed_max) - start;
-        place = f->knot ? arithmetic[f->single].unit * hi * RAISE : 0; /* of the difference, if start < speed/2 */
+        place = f->knot ? arithmetic[f->single].unit * hi * RAISE : 0; /* the difference rounds if start < speed/2 */
     }
     const double width = (hi - lo) / (double)ROW_CELLS, first = lo + width * (double)(i % ROW_CELLS);
     w->bound[i] = cell_bound(f, &w->program, f->number + row * (f->numerator + 1), first, first + width, place);

@@ -57,7 +57,7 @@ static void eps_of_beta(arb_t eps, const struct embed_scene *s, const arb_t beta
     }
 }
 
-/* Reports a range of speeds that begins or ends too low. fact: holds up to `limit`. */
+/* Reports a range of speeds that begins or ends too low. fact: a statement that is true up to `limit`. */
 static int refuse_speed(const char *option, const char *fact, double limit)
 {
     return usage_error("--%s: %s up to %.6g m/s; give a speed above it", option, fact, limit);
@@ -153,7 +153,7 @@ static int scene_collide(struct embed_scene *s)
 /* ---- a constant force ---- */
 
 /* The interpolant begins where the speed exceeds the sticking speed by this fraction. There, ln(beta) differs from its
- * value at the sticking speed by this fraction of q. */
+ * value at the sticking speed by q times this fraction. */
 #define STICKING_MARGIN 1e-10
 /* An interval in ln(beta) is as long as its distance from the sticking speed, where eps has a branch point, but at most
  * this long. */
@@ -203,7 +203,7 @@ static int set_pressing(struct embed_scene *s, const arb_t force)
     return STATUS_OK;
 }
 
-/* Sets the intervals in u = ln(beta), in ascending order, from or up to a place next to u_s, the sticking speed's u. */
+/* Sets the intervals in u = ln(beta), in ascending order. They begin or end next to u_s, the sticking speed's u. */
 static void pressed_layout(struct embed_scene *s)
 {
     const bool force = s->end == COR_END_ZERO_FORCE && law_force_ends(&s->law),

@@ -58,7 +58,7 @@ void embed_scene_clear(struct embed_scene *s);
 /* Computes beta at a speed. enclosed: with the uncertainty of a beta that follows from a restitution */
 void embed_scene_beta(arb_t beta, const struct embed_scene *s, const arb_t speed, bool enclosed);
 
-/* Computes eps at a speed in [speed_min, speed_max], which all have the origin subtracted. Accuracy: interpolant.h */
+/* Computes eps at a speed in [speed_min, speed_max]; all three have the origin subtracted. Accuracy: interpolant.h */
 void embed_scene_eps(arb_t eps, const struct embed_scene *s, const arb_t speed);
 
 /* Returns x rounded to the scene's type */
@@ -66,7 +66,7 @@ double embed_rounded(const struct embed_scene *s, double x);
 
 /* ---- the contact of a request, from the exact decimal numbers ----
  *
- * cor_scene_contacts has accepted the numbers, and computes the same in doubles. */
+ * cor_scene_contacts has accepted these numbers, and computes the same quantities in doubles. */
 
 /* Fills numbers that are 0 before, enclosed to `prec` bits:
  *

@@ -41,8 +41,8 @@ enum {
     ATTEMPTS = 12
 };
 
-/* Intervals grow where the motion contracts: a little more than was measured in 20 laws, relative to the contraction.
- * If a motion loses more bits, the code tries again. */
+/* Growth of intervals relative to the contraction of the motion, a little above the growth measured in 20 laws. If a
+ * motion loses more bits, the code tries again. */
 #define GROWTH_LOADING 2.0
 #define GROWTH_UNLOADING 1.13
 /* Growth for each bit by which beta is near the threshold, in Hertz's law with a dashpot */
@@ -77,7 +77,7 @@ static struct route route_of(const arb_t beta, double below, const struct cor_ex
     return r;
 }
 
-/* Makes one attempt. Closed forms replace results that the motion encloses less well, or not at all near zeta = 1. */
+/* Solves by the route. Closed forms replace results that the motion encloses less well, or not at all near zeta = 1. */
 static enum motion_outcome try_precision(struct collision *c, const arb_t beta, const struct cor_exponents *law,
                                          const struct route *r)
 {
@@ -155,8 +155,8 @@ int collision_solve_force(struct collision *c, const arb_t beta, const struct co
     return ends_solve(c, beta, 1, law, ENDS_ZERO_FORCE, bits);
 }
 
-/* Sets the result for x'' + beta x^b x' = force - 1 >= 0. The overlap grows without bound, or under the force 1 until
- * the damping has consumed the speed. */
+/* Sets the result for x'' + beta x^b x' = force - 1 >= 0. The overlap grows without bound if force > 1. If force = 1 it
+ * grows until the damping has consumed the speed. */
 static void never_parts(struct collision *c, const arb_t beta, const arb_t force, const struct cor_exponents *law,
                         slong prec)
 {

@@ -29,7 +29,7 @@ int collision_solve_pressed(struct collision *c, const arb_t beta, const arb_t f
                             int end, slong bits);
 
 /* Encloses the smallest force with which the bodies stay together, for beta > 0. For q >= 0 they also stay together
- * with any larger force, and it decreases with beta. Fails where the bodies do not part without a force either. */
+ * with any larger force, and it decreases with beta. Fails if the bodies stay together even without a force. */
 int collision_sticking_force(arb_t force, const arb_t beta, const struct cor_exponents *law, int end, slong bits);
 
 /* Encloses the largest impact speed at which the bodies stay together in x'' + damping x^b x' + x^a = 1. Fails if they

@@ -74,7 +74,7 @@ static struct slopes falling_force_slopes(const struct path *p, struct complex_b
                            ball_mul(ball_sub(r, ball_sqr(a)), square), ball_times(ball_mul(a, b), 2)};
 }
 
-/* Returns the rest of the path, its end minus the place. */
+/* Returns the rest of the path, its end minus the current place. */
 static struct complex_ball rest_of(const struct path *p)
 {
     return ball_neg(ball_mul(p->length, add_number(p->s, -1)));
@@ -179,7 +179,7 @@ static bool unload_near(struct complex_collision *c, struct path *p, struct path
 }
 
 /* Follows the motion from the turning point far from beta = 0 to zero force at k = 1, where eps = y^2/beta, and from
- * there to zero overlap. If the modulus is between CREEP_FROM and CREEP_TO, it uses both paths to zero overlap. */
+ * there to zero overlap. If the modulus is between CREEP_FROM and CREEP_TO, follows both paths to zero overlap. */
 static bool unload_far(struct complex_collision *c, struct path *p, struct path_state y, const double modulus[2],
                        bool overlap)
 {

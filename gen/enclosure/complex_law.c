@@ -44,7 +44,7 @@ static bool set_log(struct complex_ball *log_x, struct complex_ball x)
     return true;
 }
 
-/* ---- the equation along a path; each function returns the slopes above it, from the c1, c2 and c3 given there ---- */
+/* ---- the equation along a path; the comment above each function defines its slopes and its c1, c2 and c3 ---- */
 
 /* dv/ds, c1 = beta, c3 = f */
 static struct slopes approach_slopes(const struct path *p, struct complex_ball s, struct complex_ball v)
@@ -76,7 +76,7 @@ static struct slopes turning_slopes(const struct path *p, struct complex_ball ka
     return (struct slopes){part, ball_mul(ball_mul(part, inverse), derivative), zero};
 }
 
-/* dl/ds, whose difference is often small; c1 = beta X^(b+1)/W, c2 = X^(a+1)/W^2 and c3 = f X/W^2 */
+/* dl/ds, which is often a small difference; c1 = beta X^(b+1)/W, c2 = X^(a+1)/W^2 and c3 = f X/W^2 */
 static struct slopes departure_slopes(const struct path *p, struct complex_ball s, struct complex_ball l)
 {
     const double common = fmin(p->a, p->b);

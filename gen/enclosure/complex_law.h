@@ -12,13 +12,13 @@
  *     creep, for n > 0:          n dk/dln(F) = -N/k, from k = 1/2 to F = 2
  *
  * A constant force f on the right side (docs/theory.md, 24) adds 4 f s^3/v to dv/ds and -f/x to the denominator of
- * dL/dkappa. It adds 4 f X/W^2 s^3 exp(-2 l) to dl/ds and -f beta^2 x^(n-a) to N. With it no path creeps. In the units
- * of one impact speed, other impacts of a contact have the same beta and f but another first speed v. Then eps is the
- * last speed over v. The net work of f is 0, so its uncertainty does not add to eps through the work.
+ * dL/dkappa. It adds 4 f X/W^2 s^3 exp(-2 l) to dl/ds and -f beta^2 x^(n-a) to N. Under a force no path creeps. In the
+ * units of one impact speed, other impacts of a contact have the same beta and f but another first speed v. Then eps is
+ * the last speed over v. The net work of f is 0, so the uncertainty of f does not widen eps through this work.
  *
  * At zero overlap eps is W exp(l), and at zero force x^(a-b)/beta. Under a force zero_force means the surface. The
- * flight to the surface gives eps the factor sqrt(1 - 2 f beta^2 x^(1-2(a-b))). The departure begins at kappa = 1 or
- * after the creep. The function is analytic in beta where the denominators have no zero along the path. */
+ * flight to the surface multiplies eps by sqrt(1 - 2 f beta^2 x^(1-2(a-b))). The departure begins at kappa = 1 or after
+ * the creep. The function is analytic in beta where the denominators have no zero along the path. */
 #ifndef COR_GEN_ENCLOSURE_COMPLEX_LAW_H
 #define COR_GEN_ENCLOSURE_COMPLEX_LAW_H
 

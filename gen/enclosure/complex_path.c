@@ -46,7 +46,7 @@ enum step_outcome { STEP_DONE, STEP_TOO_LONG, STEP_IMPOSSIBLE };
 
 /* Makes one step from s to end. The line has the slope `mean`, the slope at the ball's centre in the middle of the
  * step. The distance e of a solution from the line obeys |e|' <= rate |e| + residual, where `rate` bounds the real part
- * of the slope's derivative between them. */
+ * of the slope's derivative between the line and the solution. */
 static enum step_outcome try_step(struct path *p, struct path_state *y, double s, double end)
 {
     const double h = end - s, longest = raise_bound(h), radius = y->value.radius; /* h is exact, or correct to 2^-53 */

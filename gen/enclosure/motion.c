@@ -43,7 +43,7 @@ struct motion {
 };
 
 /* Weak scales have length = 1, c1 = beta and c2 = 1. Strong scales have length = beta^(-1/(b+1)), c1 = 1 and c2 = mu.
- * They are regular for any large beta. */
+ * Strong scales are regular for any large beta. */
 static void motion_init(struct motion *m, struct collision *c, const arb_t beta, const struct cor_exponents *law,
                         bool strong, slong prec)
 {

@@ -3,9 +3,9 @@
  *
  *   X'' + B X^b X' + X^a = 1,   B = beta f^(n/(2a)),   impact speed V = f^(-(a+1)/(2a)).
  *
- * At the threshold of zero overlap the motion just reaches X = 0 with no speed. At the threshold of the surface with 2
- * (a - b) > 1 a flight does so. It begins where the contact force vanishes, at X_s^(2(a-b)-1) = 2 B^2. Backward in time
- * from there the motion arrives at X = 0 with the speed V(B). Then f = V^(-2a/(a+1)) and beta = B V^q. */
+ * At the threshold of zero overlap the motion reaches X = 0 with speed 0. At the threshold of the surface a flight does
+ * so, if 2 (a - b) > 1. The flight begins where the contact force vanishes, at X_s^(2(a-b)-1) = 2 B^2. Backward in
+ * time from there the motion arrives at X = 0 with the speed V(B). Hence f = V^(-2a/(a+1)) and beta = B V^q. */
 #include <math.h>
 
 #include "enclosure/collision.h"

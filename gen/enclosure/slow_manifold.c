@@ -55,7 +55,7 @@ static void formal_sum(arb_poly_t p, const struct cor_exponents *law, slong degr
     _arb_poly_normalise(p);
 }
 
-/* Bounds N(P) = 1 - P + (a-b) y P^2 - (n/2) y^2 (P^2)'. It starts at y^(degree+1), because P has no higher terms. */
+/* Bounds N(P) = 1 - P + (a-b) y P^2 - (n/2) y^2 (P^2)'. N(P) starts at y^(degree+1), because P has no higher terms. */
 static void bound_defect(struct slow_manifold *m, slong degree)
 {
     const struct ratio a = law_elastic(&m->law), b = law_damping(&m->law);
@@ -133,8 +133,8 @@ static bool follow_manifold(arb_t speed, arb_t time, const struct slow_manifold 
     return true;
 }
 
-/* Encloses the motion of the tube. -z' as a function of z obeys a scalar equation, so trajectories keep their order.
- * The two edges enclose all others and converge. A faster trajectory needs less time. */
+/* Encloses end speed and time of all motions in the tube. -z' as a function of z obeys a scalar equation, so they keep
+ * their order. The two edges enclose all others and converge. A faster trajectory needs less time. */
 static bool enclose_fall(struct slow_manifold *m, const arb_t eta)
 {
     LOCAL(arb, middle, edge, speed, time);

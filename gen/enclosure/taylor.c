@@ -148,8 +148,8 @@ static void expand_block(struct taylor *y, slong first, slong end)
 /* ---- online multiplication ---- */
 
 /* Adds the terms that the block of known coefficients first to middle - 1 contributes to coefficients middle to end - 1
- * of the product. If first = 0, both factors are in the block. Otherwise one is, and the other is among coefficients 0
- * to end - first - 1, which are known. */
+ * of the product. If first = 0, both factors are in the block. Otherwise one factor is in the block, and the other is
+ * among the known coefficients 0 to end - first - 1. */
 static void add_known_terms(const struct taylor_product *product_of, slong first, slong middle, slong end,
                             const struct taylor *y)
 {
@@ -224,8 +224,8 @@ static void residuals_at(arb_t residual_v, arb_t residual_t, const struct taylor
 }
 
 /* Bounds the residuals. Polynomials of degree N solve the equations of motion up to the products' terms of degree N and
- * above. Any radius gives a valid bound. The best is a little inside the radius of convergence, 2^STEP_BITS h. The
- * logarithms of the bounds are convex functions of log R, so each has one minimum. */
+ * above. Any radius gives a valid bound. The best radius is a little inside the radius of convergence, 2^STEP_BITS h.
+ * The logarithms of the bounds are convex functions of log R, so each has one minimum. */
 static void bound_residuals(arb_t least_v, arb_t least_t, const struct taylor *y, const mag_t h)
 {
     enum { PER_OCTAVE = 2 };
@@ -284,7 +284,7 @@ static bool prove_step(struct taylor *y, const arb_t step)
     /* The tube has 2^-TUBE_BITS/(1 + 2^-TUBE_BITS) of w on each side, which is more than half of 2^-TUBE_BITS. w must
      * have no pair of zeros inside the step, which its signs at both ends would not show. One of two conditions
      * suffices: (kappa w, v) turns by an angle of at most 2 L h < 3 < pi, or w cannot fall to 0 at the speed v/d. Under
-     * a constant force only the first one excludes such a pair of v as well (24). */
+     * a constant force only the first condition also excludes such a pair of zeros of v (24). */
     return HOLDS(NORM_BITS, "error_w < w/2^(TUBE_BITS + 1)", error_w, w, TUBE_BITS) &&
            HOLDS(NORM_BITS, "error_v < v/2^(TUBE_BITS + 1)", error_v, v, TUBE_BITS) &&
            (HOLDS(NORM_BITS, "2*lipschitz*h < 3", lipschitz, h) ||
@@ -454,8 +454,8 @@ static bool surround_zero(struct bracket *b, const struct taylor *y, enum taylor
     return signs;
 }
 
-/* Encloses the zero of a component in [begin, end], where it falls from positive to negative and is known to have only
- * one. The Illinois method finds the zero, with few bits at first. Signs on both sides prove it with all bits. */
+/* Encloses the zero of a component that falls from positive to negative in [begin, end] and has no other zero there.
+ * The Illinois method finds the zero, with few bits at first. Signs on both sides prove it with all bits. */
 static bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component component, const arb_t begin,
                         const arb_t end)
 {

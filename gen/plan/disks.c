@@ -39,7 +39,7 @@ enum {
 #define TRUTH_SHARE 0.02
 #define FINEST_TRUTH 1e-6
 #define COARSEST_TRUTH 1e-4
-#define COARSEST_TRUTH_OF_OTHERS 1e-5 /* for contact time and compression: more levels than with COARSE_TOLERANCE */
+#define COARSEST_TRUTH_OF_OTHERS 1e-5 /* for contact time and compression, finer than COARSE_TOLERANCE */
 /* The uncertainty of the contact time and of the largest compression is twice their change from a rigid wall with this
  * tolerance, because the contact time converges like 1/Omega. */
 #define COARSE_TOLERANCE 1e-3

@@ -76,15 +76,15 @@ struct plan_model *plan_add(struct plan *plan, const char *format, ...) __attrib
 void plan_model_is(const struct plan *plan, struct plan_model *model, double cost, const char *leaves_out, char *use);
 
 /* Sets worst and verdict of all models, and `chosen`: of the models that meet the tolerance at every point, with the
- * uncertainty of the reference added, the cheapest one. Of equally cheap ones it is the one with the smallest error. */
+ * uncertainty of the reference added, the cheapest one. Among equally cheap models it is the most accurate one. */
 void plan_choose(struct plan *plan);
 
 /* Prints a plan in any format. */
 void plan_print(const struct plan *plan, enum output_format format, FILE *file);
 
 /* Fill a plan. Return STATUS_OK, or another status after a message; the caller clears the plan in either case. request,
- * contact: the scene without its constant force. with_force, pressed: the scene with it, or the same two. points: 0 for
- * the default number. The request of disks has both speeds, in sqrt(E/rho), tolerance and Poisson's ratio. */
+ * contact: the scene without its constant force. with_force, pressed: the scene with it, or request and contact.
+ * points: 0 for the default. For disks the request has the speeds in sqrt(E/rho), tolerance and Poisson's ratio. */
 int plan_spheres(struct plan *plan, const struct embed_request *request, const struct cor_scene_contact *contact,
                  const struct embed_request *with_force, const struct cor_scene_contact *pressed, slong points);
 int plan_disks(struct plan *plan, const struct embed_request *request, enum plan_quantity quantity, slong points);

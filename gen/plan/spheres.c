@@ -426,7 +426,7 @@ static void add_function_of_beta(const struct spheres *s)
     flint_free(beta);
 }
 
-/* Adds the library under the constant force, where it integrates collisions. It bounds the absolute error of eps^2. */
+/* Adds the library under the constant force. It integrates collisions, and bounds the absolute error of eps^2. */
 static void add_pressed(const struct spheres *s)
 {
     const struct cor_scene_contact *const c = s->pressed;

@@ -13,7 +13,7 @@ static void series_pow(arb_poly_t z, const arb_poly_t x, struct ratio e, slong n
     arb_poly_pow_arb_series(z, x, exponent, n, prec);
 }
 
-/* -h is an involution of beta, and residues before and after it give (docs/theory.md, 4)
+/* beta -> -h is an involution. Residues before and after it give (docs/theory.md, 4)
  *
  *     [beta^k] (h/beta)^p = (-1)^k p/(k+p) [beta^k] (h/beta)^(-k-p),      eps^power = (h/beta)^p, p = power/q,
  *
@@ -74,8 +74,8 @@ void restitution_zero_overlap(arb_poly_t c, const arb_poly_t y, slong order, con
 }
 
 /* Computes sum_(k,j) c[k][j] A^k B^j with A = -w T^(b+1), B = w T^(a+1), up to w^(n-1). The sum is X in backward time.
- * With velocity, the weights e + 1, e = k (b+1) + j (a+1), turn it into V = X + D X. Horner's rule in B sums each row,
- * and in A all rows. A and B are O(w), so a factor that is multiplied more often needs fewer terms. */
+ * With velocity, the weights e + 1, e = k (b+1) + j (a+1), turn it into V = X + D X. Horner's rule sums each row in B,
+ * and all rows in A. A and B are O(w), so factors that are multiplied more often need fewer terms. */
 static void backward_sum(fmpq_poly_t f, const fmpq_poly_struct *row, bool velocity, const fmpq_poly_t T, slong n,
                          const struct cor_exponents *law)
 {

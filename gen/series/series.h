@@ -11,7 +11,7 @@
 enum { END_SURFACE = COR_END_ZERO_FORCE + 1 };
 extern const char *const contact_end_options[];         /* "zero-overlap", "zero-force", NULL */
 extern const char *const contact_end_options_pressed[]; /* also "surface" */
-extern const char *const contact_end_options_all[];     /* the same and "approach-only", COR_END_APPROACH_ONLY */
+extern const char *const contact_end_options_all[];     /* also "approach-only", COR_END_APPROACH_ONLY */
 extern const char *const contact_end_names[];           /* "zero_overlap", "zero_force", "surface" */
 
 /* The first function converts END_SURFACE of an option to COR_END_ZERO_FORCE, and the second converts back. pressed: a

@@ -23,7 +23,7 @@ int fail_accuracy(const char *quantity, long bits);
 
 /* Progress: one line on a terminal. A thread rewrites it five times per second, even while a computation calls none of
  * these functions. progress_start starts it for a subcommand. It does nothing if stderr is not a terminal. The line
- * shows the name of the subcommand, or of the last profile_step. progress("step", done, total) shows a step of it
+ * shows the name of the subcommand, or of the last profile_step. progress("step", done, total) shows a step inside it
  * instead, until progress_end(); total = 0: unknown. Only the thread that called console_start changes the line. */
 void progress_start(const char *command);
 void progress(const char *step, long done, long total);

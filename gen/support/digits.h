@@ -28,7 +28,7 @@ struct precision {
 };
 
 /* Starts for decimal digits, with steps of 32, 64, 128, ... bits up to three times the bits of the digits plus 512. A
- * number that is undecided there must be zero or a tie, which interval (ball) arithmetic cannot exclude. */
+ * number that is undecided at that limit must be zero or a tie, which interval (ball) arithmetic cannot exclude. */
 struct precision precision_start(slong digits);
 
 /* Starts from `bits` bits, which double while they do not exceed `limit`. */

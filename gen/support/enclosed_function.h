@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Enclosures of functions of t, -1 <= t <= 1. A polynomial with intervals as coefficients represents a function if, at
- * every t, the value of the function is the value of the polynomial for some numbers of the intervals. These may depend
- * on t. Sums and products of such polynomials represent sums and products. Terms of high degree, which are at most the
- * sums of their coefficients, become part of the constant term's radius. */
+ * every t, the value of the function is the value of the polynomial for some numbers of the intervals. The numbers may
+ * depend on t. Sums and products of such polynomials represent sums and products. Terms of high degree, which the sum
+ * of their coefficients bounds, become part of the constant term's radius. */
 #ifndef COR_GEN_SUPPORT_ENCLOSED_FUNCTION_H
 #define COR_GEN_SUPPORT_ENCLOSED_FUNCTION_H
 

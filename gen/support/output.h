@@ -82,9 +82,9 @@ struct table {
 /* Sets the names of the columns, separated by commas, and their kinds. A table begins as {0} or cleared. */
 void table_init(struct table *t, const char *header, const char *kinds);
 /* Reads a csv file ("-": standard input) for an option: the named columns, in any order in the file, and the number of
- * the line as the last column. The first `required` columns must exist; without `others` the file has no more. Lines
- * that are empty or begin with # are skipped. Returns STATUS_OK, or STATUS_USAGE after a message with the option, the
- * file and the line. The caller clears the table in both cases. */
+ * the line as the last column. The first `required` columns must exist. Without `others` the file may have no other
+ * columns. Lines that are empty or begin with # are skipped. Returns STATUS_OK, or STATUS_USAGE after a message with
+ * the option, the file and the line. The caller clears the table in both cases. */
 int table_read(struct table *t, const char *option, const char *path, const char *columns, int required, bool others);
 void table_add(struct table *t, char *cell);            /* takes ownership, row-major order */
 void table_add_text(struct table *t, const char *text); /* escaped as by xprintable */

@@ -8,7 +8,7 @@
 
 #include "cor/disk.h"
 
-/* Number of tables of one material, each with the modes of more levels of the sequence than the one before. Every
+/* Number of tables of one material, each with the modes of more levels of the sequence than the table before. Every
  * collision tries the tables in this order, so that its results do not depend on other collisions. */
 enum { HARD_WALL_TABLES = 4 };
 struct hard_wall_tables { /* begins as {0} */

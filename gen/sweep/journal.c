@@ -18,7 +18,7 @@ static int journal_failure(const char *verb, const struct journal *journal)
     return fail("cannot %s %s: %s", verb, journal->path, errno ? strerror(errno) : "write error");
 }
 
-/* Continues the check of all lines before this one. */
+/* Adds a line to the check of all lines before it. */
 static void check_line(uint32_t *check, const char *line)
 {
     *check = cor_mode_file_check(*check, line, strlen(line) + 1);

@@ -33,8 +33,8 @@ struct collide {
     uint64_t again_row;
 
     double modes_seconds, rows_seconds, rows_started; /* times of this run; modes_seconds: for one material */
-    uint64_t rows, finished, done;                    /* of the part; existing ones; new ones of this run */
-    uint64_t first;                                   /* of a loop in the part, with ROWS_AT_A_TIME results */
+    uint64_t rows, finished, done;                    /* rows of the part; existing rows; new rows of this run */
+    uint64_t first;                                   /* first row of a loop over ROWS_AT_A_TIME rows */
     struct sweep_result *result;
     size_t materials_left;
 };
@@ -330,7 +330,7 @@ static int draw_rows(const struct sweep *sweep, const char *path)
 int sweep_run(const struct sweep_request *request)
 {
     struct collide run = {.sweep = request->sweep};
-    /* one plausible mode instead of the modes, which are not computed yet: no refusal depends on them */
+    /* a plausible mode replaces the modes, which are not computed yet; no refusal depends on the modes */
     static const struct cor_disk_mode mode = {2, 0, 1.4, 1, 0};
     const struct cor_disk_modes modes = {run.sweep.poisson.nearest[0], 1, &mode};
     parallel_use((int)request->threads);

@@ -108,7 +108,7 @@ int journal_open(struct journal *journal, const char *file, const char *title, u
 int journal_open_part(struct journal *journal, const char *file, const char *title, uint64_t rows);
 bool journal_next(struct journal *journal, char **line); /* *line: NULL or the last row; malloc'ed */
 
-/* Adds a row, given without its line end. The file then has it even if this process is killed. */
+/* Adds a row, given without its line end. The file then contains the row even if this process is killed. */
 int journal_add(struct journal *journal, const char *line);
 
 /* Calls visit() for every row. */

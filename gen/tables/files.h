@@ -119,7 +119,7 @@ struct tables_request {
     bool check;             /* compare without writing */
     bool digits;            /* write the digits of the coefficients to standard output instead, as csv */
     bool all;               /* compute the collisions at all points of disk_limits.h */
-    slong seed;             /* chooses the points at which a check recomputes collisions; below 0: the time does */
+    slong seed;             /* chooses the points at which a check recomputes collisions; below 0: by the clock */
 };
 
 /* Returns STATUS_OK, or another status after a message. */

@@ -373,7 +373,7 @@ static const struct time_rows disk_rows[] = {
 /* ---- beyond the rows ---- */
 
 /* A formula for strong damping: `known` constants, then `terms` coefficients of a sum that agrees with an equal number
- * of enclosed values. Its row has the nearest doubles, and after each of the first `split` its remainder. */
+ * of enclosed values. Its row contains the nearest doubles. A remainder follows each of the first `split` doubles. */
 struct far_form {
     const char *name;
     const char *comment; /* above this form and the following ones */

@@ -24,8 +24,8 @@
 #define NU_STEP 0.1375
 enum { X_ROOTS = 20, NU_ROOTS = 5, ROOTS = X_ROOTS * NU_ROOTS };
 #define LAST_NU (FIRST_NU + (double)NU_ROOTS * NU_STEP)
-/* Largest number of divisions of a cell. A fifth helps little (docs/disks.md). The unit of coordinates is a sixth of
- * the side of a cell that is divided FINEST times, so coordinates do not depend on this number. */
+/* Largest number of divisions of a cell. A fifth division helps little (docs/disks.md). The unit of coordinates is a
+ * sixth of the side of a cell that is divided FINEST times, so coordinates do not depend on this number. */
 enum { MOST_CUTS = 4, FINEST = 8, SIXTHS = 6, ROOT_SIDE = SIXTHS << FINEST };
 /* The smallest cells and pieces. PER_ROOT of them make the side of a root. */
 enum {
@@ -115,7 +115,7 @@ static bool is_calm(int32_t x)
     return speed_at(column * ROOT_SIDE) < CALM_SPEED;
 }
 
-/* Returns the speed at which the last of these roots ends. */
+/* Returns the speed at which the last root that begins below CALM_SPEED ends. */
 static double calm_end(void)
 {
     int32_t x = ROOT_SIDE;
@@ -633,7 +633,7 @@ bool disk_limits_known(const struct cor_disk_limit_piece *piece)
 
 struct check {
     long places[2], wrong; /* on the grid; between its points */
-    double worst[2];       /* largest difference on the grid; between, relative to the uncertainty */
+    double worst[2];       /* largest difference on the grid; between its points, divided by the uncertainty */
 };
 
 static void check_scene(struct check *check, const struct scene *scene, const struct cell *cell)
