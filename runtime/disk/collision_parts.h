@@ -197,7 +197,7 @@ double cor_collision_step_error(const struct cor_motion *m, const struct cor_col
                                 double round_off);
 /* Returns the error of the quadrature relative to the peak load; 1 if it is unknown. */
 double cor_collision_quadrature_error(const struct cor_motion *m, const struct cor_collision_run *run);
-/* Sets all parts except the step for the last run. left: fraction of the energy that it leaves in the modes. */
+/* Sets all parts except `step`, for the last run. left: fraction of the energy that this run leaves in the modes. */
 void cor_collision_other_errors(const struct cor_motion *m, const struct cor_collision_run *run, double left,
                                 const struct cor_collision_evidence *evidence, struct cor_collision_error *error);
 /* Returns the sum of the parts that smaller steps do not reduce. */

@@ -7,9 +7,9 @@
 
 /* ---- extrapolation ----
  *
- * The step is of order 2, but a change of variables makes it conjugate to a step of order 4. It is the identity where
- * the wall exerts no force. Quantities measured long before and long after the contact, such as eps, therefore have an
- * error c_4 h^4 + c_6 h^6 + .... The powers are even because the step is symmetric. */
+ * The step is of order 2, but a change of variables makes it conjugate to a step of order 4. This change is the
+ * identity where the wall exerts no force. Quantities measured long before and long after the contact, such as eps,
+ * therefore have an error c_4 h^4 + c_6 h^6 + .... The powers are even because the step is symmetric. */
 
 enum { LEVELS = COR_COLLISION_LEVELS };
 
@@ -452,7 +452,7 @@ static int runs_advance(struct cor_motion *m, struct runs *runs, int averages)
 }
 
 /* Starts again with more angles if a measurement shows that they are too few. Their error should then use half of the
- * angles' share of the tolerance, if it decreases like the quadrature's. The last three steps are repeated. */
+ * angles' share of the tolerance, if it decreases like the quadrature error. The last three steps are repeated. */
 static int runs_improve_angles(struct cor_motion *m, struct runs *runs)
 {
     const struct cor_collision_run *const last = &runs->run[runs->levels - 1];

@@ -230,7 +230,7 @@ static void solve_part(struct cor_hard_wall_contact *contact, const double *reac
         y[contact->wanted[i]] = z[i];
 }
 
-/* Marks the angles whose force pulls, and those that reach into the wall. Returns their number, and sets *last. */
+/* Marks the angles whose force pulls or that reach into the wall. Returns their number, and the last in *last. */
 static size_t find_faults(struct cor_hard_wall_contact *contact, const double *reach, double negligible,
                           const double *y, size_t *last)
 {

@@ -9,7 +9,7 @@ enum { COLUMNS = 4 };
 
 /* Makes one pass over the modes; `steps` is a constant. It starts from q at a kick and at the previous kick. With the
  * forces of this kick and of the next steps - 1 kicks, it computes q at the kick after them. It then predicts the sums
- * at this kick and at the next steps - 1 kicks. */
+ * at that kick and at the steps - 1 kicks after it. */
 COR_KERNEL void kernel_advance(const struct cor_hard_wall_modes *modes, size_t steps, const double *force_c,
                                const double *force_s, double *sum_c, double *sum_s)
 {

@@ -201,9 +201,9 @@ COR_INLINE double cor_ratio_zeta_beyond_zero_overlap(double eps)
 
 /* ---- the limited damper: the damping force is at most the elastic one ----
  *
- * Until beta v = u, u = x^((a+1)/2), the force is twice the elastic force. After that the law holds unchanged, and its
- * force vanishes later by the phase psi, where cos(psi) = (4 zeta^2 - 1)/R and R = sqrt(1 + 8 zeta^2). Then L = zeta
- * psi/sqrt(1 - zeta^2), and with half the angle
+ * While beta v > u, with u = x^((a+1)/2), the force is twice the elastic force. After that the law holds unchanged, and
+ * its force vanishes later by the phase psi, where cos(psi) = (4 zeta^2 - 1)/R and R = sqrt(1 + 8 zeta^2). Then L =
+ * zeta psi/sqrt(1 - zeta^2), and with half the angle
  *
  *     L = (R + 1)/(R + 3) 2 C A(C),     C = cos(psi/2) = zeta sqrt(2 (R + 3)/(R (R + 1)))
  */

@@ -20,7 +20,7 @@ COR_INLINE const double *first_row(struct cor_inline_law_table table)
 }
 
 /* Returns the table for the loops. A product with beta needs a smallest beta > 0. The scalar function evaluates rows
- * near 0 that are in a cube root of beta. */
+ * near 0 in a cube root of beta. */
 COR_INLINE struct cor_row_table table_of_quantity(struct cor_inline_law_quantity q, enum cor_row_value value)
 {
     const int has_near = q.near.root == 1, has_below = has_near && q.below.kind != 0;

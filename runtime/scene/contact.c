@@ -192,8 +192,8 @@ double cor_scene_quantity(const struct cor_scene_contact *contact, int number)
 
 /* ---- collisions ---- */
 
-/* law: in libcor's table, gives eps as a function of zeta where q = 0, otherwise of beta (COR_LAWS: none). times:
- * source of durations and overlap: the table, functions of the elastic exponent, or the solver. */
+/* law: the law in libcor's table that gives eps of zeta where q = 0, otherwise of beta (COR_LAWS: none). times: source
+ * of durations and overlap: the table, functions of the elastic exponent, or the solver. */
 struct functions {
     enum cor_law law;
     enum { OF_TABLE, OF_EXPONENT, OF_SOLVER } times;
@@ -305,7 +305,7 @@ static int does_yield(const struct cor_scene_contact *contact, double speed_m_s)
     return contact->plastic && speed_m_s > contact->yield_speed_m_s;
 }
 
-/* True if an impact involves yield, adhesion or a constant force besides its law */
+/* True if an impact involves yield, adhesion or a constant force in addition to its law */
 static int is_full(const struct cor_scene_contact *contact, double speed_m_s)
 {
     return does_yield(contact, speed_m_s) || contact->adhesion_j_m2 > 0 || contact->force_n > 0;
@@ -338,7 +338,7 @@ static int dry_impact(struct cor_full_impact *impact, const struct cor_scene_con
         *impact = none;
     if (status != COR_FAULT_NONE || contact->adhesion_j_m2 > 0)
         return status;
-    if (contact->plate) /* the plate absorbs K x^a; the other term of the equation of motion is its own motion */
+    if (contact->plate) /* the force on the plate is K x^a; the other term of the equation is its own motion */
         impact->force_max = cor_quiet_power(impact->max_overlap, cor_elastic(&contact->law));
     impact->force_max = cor_quiet_product(impact->force_max, unit.force_n);
     impact->max_overlap = cor_quiet_product(impact->max_overlap, unit.length_m);
@@ -478,7 +478,7 @@ static int eps_at(double *eps, const struct cor_scene_contact *contact, double b
     return status;
 }
 
-/* Solves eps(beta) = eps where eps falls with beta, by the Illinois method on ln(beta) and ln(eps). */
+/* Solves eps(beta) = eps, a decreasing function, by the Illinois method on ln(beta) and ln(eps). */
 static int solved_beta(double *beta, const struct cor_scene_contact *contact, double eps, double speed_m_s, int end)
 {
     enum { MOST_STEPS = 400 };
@@ -495,7 +495,7 @@ static int solved_beta(double *beta, const struct cor_scene_contact *contact, do
             return status;
         const double rest = eps == 0            ? isgreater(got, 0)
                             : isgreater(got, 0) ? log(got) - wanted
-                                                : -1; /* eps 0: the first */
+                                                : -1; /* for eps = 0, the first beta found with this eps */
         if (fabs(rest) < 1e-15 * fmax(1, fabs(wanted)) ||
             (cor_is_bracketed(&bracket) && bracket.high - bracket.low < 1e-15 * fmax(1, fabs(x))))
             return COR_FAULT_NONE;

@@ -20,7 +20,7 @@ static double force_linear(const struct cor_exponents *law, double zeta)
 {
     const double a = cor_elastic(law), p = (a - 1) / (a + 1), root = sqrt((a + 1) / 2);
     if (p == 0 && zeta >= 0.5)
-        return cor_quiet_product(2, zeta); /* at the first moment */
+        return cor_quiet_product(2, zeta); /* the force is largest at the first moment */
     if (zeta > 1e100)
         return NAN;
     const double sine = sqrt(fabs((1 - zeta) * (1 + zeta)));
@@ -73,7 +73,7 @@ static double force_hunt_crossley(const struct cor_exponents *law, double beta)
 
 /* ---- other exponents ---- */
 
-#define FORCE_SPRING_LEAST 0x1p-48 /* mu below this neglects the spring */
+#define FORCE_SPRING_LEAST 0x1p-48 /* below this mu the spring is neglected */
 
 /* Returns the largest force. For beta >= 1 the damping sets the scales: x = beta^(-1/(b+1)) X, X'' + X^b X' + mu X^a =
  * 0. For mu = 0 the largest force is X^b (1 - X^(b+1)/(b+1)) at X^(b+1) = b (b+1)/(2 b + 1). The spring changes it by

@@ -26,8 +26,8 @@ static double overlap_of(double u)
     return u * (u * u * u - 1);
 }
 
-/* True if the motion creeps to its place of rest and never passes it. This holds once x'/(x_e - x) is between 0 and
- * half of the least damping coefficient on the way, if this coefficient exceeds 2 sqrt(dF/dx). */
+/* True if the motion creeps to its place of rest and never passes it. This holds once x'/(x_e - x), x_e at rest, is
+ * between 0 and half of the least damping coefficient on the way, if this coefficient exceeds 2 sqrt(dF/dx). */
 static int is_slow(const struct motion *m)
 {
     const double u = cor_motion_start(m), low = fmin(u, REST), high = fmax(u, REST), cube = 4 * high * high * high;
@@ -36,8 +36,8 @@ static int is_slow(const struct motion *m)
     return c * c * (cube - 1) > 4 * stiffness && towards >= 0 && towards < c / 2 * (overlap_of(high) - overlap_of(low));
 }
 
-/* True if twice the energy (0 at the touch) is below its value at the next end: it never grows, so the bodies stay
- * together. */
+/* True if the bodies stay together: twice the energy (0 at the touch), which never grows, is below its value at the
+ * next end. */
 static int does_stay(const struct motion *m)
 {
     const double u = cor_motion_start(m), cube = u * u * u;
@@ -64,7 +64,7 @@ static int solve_jkr(struct cor_full_impact *impact, double kappa, int power, do
     for (int k = 0; cor_motion_start(&m) > broken_at[COR_END_ZERO_OVERLAP] && !does_stay(&m) && !is_slow(&m); k++) {
         if (k == MOTION_MOST_STEPS || !cor_motion_expand(&m))
             return COR_FAULT_PRESSED;
-        if (cor_motion_v(&m, m.step, 0) > 0) /* they turn again: end the step there */
+        if (cor_motion_v(&m, m.step, 0) > 0) /* the bodies turn again: end the step there */
             m.step = cor_motion_root(&m, inward_speed, k == 0 ? m.step * 0x1p-20 : 0, m.step, 0);
         for (int end = 0; end < COR_SCENE_ENDS; end++)
             if (cor_motion_start(&m) > broken_at[end] && cor_motion_u(&m, m.step, broken_at[end]) <= 0) {

@@ -162,11 +162,11 @@ struct task {
     int has_law;  /* some model has the law of the contact */
     int pressed;  /* pressed by gravity; eps then depends on it */
     int slides;   /* some contact has friction */
-    int same_eps; /* for a given damping, too, the next block has the eps at the requested end */
+    int same_eps; /* the next block has the requested eps even if a damping was given */
     /* For each end at which the restitution may have been measured, or the contact of the request */
     struct cor_scene_contact contact[CONTACTS][COR_SCENE_ENDS];
     struct cor_simulator_target target[CONTACTS];
-    struct cor_simulator_request own; /* by soften_wall, or for one contact of several materials */
+    struct cor_simulator_request own; /* set by soften_wall, or for one contact of several materials */
     size_t i, j;                      /* types of this contact, from 0 */
     struct cor_scene_contact soft[COR_SCENE_ENDS];
     double k1, hardening, depth;        /* of put_luding: k_1, k_p/k_1, plasticity depth */
@@ -209,8 +209,8 @@ static const struct cor_material *material_of(const struct cor_simulator_request
     return m;
 }
 
-/* Returns the contact of two types in any order. For two walls, which never touch: of the first ball and the second
- * wall. */
+/* Returns the contact of two types in any order. For two walls, which never touch, returns the contact of the first
+ * ball and the second wall. */
 static struct cor_material_contact *contact_of(const struct cor_simulator_request *request, size_t i, size_t j)
 {
     const size_t first = i < j ? i : j, last = i < j ? j : i;
@@ -405,8 +405,8 @@ static int has_contact(const struct block *block, const struct task *task, int p
 }
 
 /* Returns the time step of one contact at a speed: its duration over the number of steps, or the largest step for the
- * tolerance. Infinite if the bodies never part, NaN if not known. *steps: of the request, then of the pair. The damping
- * of other contacts may be replaced: their step is the step of either end, damped or not. */
+ * tolerance. Infinite if the bodies never part, NaN if not known. *steps: of the request, then of the pair. For other
+ * contacts, whose damping may be replaced, returns the smallest step over both ends and without damping. */
 static double step_of(const struct cor_scene_contact *c, const struct task *task, int pair, int end, double speed,
                       double *steps)
 {
@@ -610,7 +610,7 @@ static void put_embed(struct text *t, const struct task *task)
 }
 
 /* Returns the number for a word; NaN if unknown. zeta and the natural frequency determine MuJoCo's time constant; the
- * contact time and e' the numbers of YADE. For Simbody's stiffness s of each body, K = (4/3) sqrt(R) s/2^(3/2). */
+ * contact time and e' determine YADE's numbers. For Simbody's stiffness s of each body, K = (4/3) sqrt(R) s/2^(3/2). */
 static double word_number(const char *word, const struct block *block, const struct task *task, int pair)
 {
     const struct cor_simulator_target *const target = &task->target[pair];
@@ -733,8 +733,8 @@ static void put_types(struct text *t, const char *word, const struct task *task)
     put_text(t, plane ? "}" : "");
 }
 
-/* Writes the tangential force of LAMMPS or LIGGGHTS. LAMMPS has the damper relative to the normal one, and with Hertz's
- * force the stiffness per contact radius. */
+/* Writes the tangential force of LAMMPS or LIGGGHTS. LAMMPS uses the ratio of the damper to the normal damper and, with
+ * Hertz's force, the stiffness per contact radius. */
 static void put_tangential(struct text *t, const struct block *block, const struct task *task, int pair)
 {
     const struct cor_simulator_request *const r = task->request;
@@ -844,7 +844,7 @@ static int put_template(struct text *t, const char *template, const struct block
 
 /* ---- comments of a block ---- */
 
-/* Returns the factor of the number at `masses` times the mass: for equal eps where q = 0, or for the same material. */
+/* Returns the factor of the number at `masses` times the mass, with equal eps (q = 0) or the same material. */
 static double mass_factor(const struct block *block, const struct task *task, double masses)
 {
     const struct cor_simulator_model *const model = block->model;
@@ -890,7 +890,7 @@ static void put_mass(struct text *t, const struct block *block, const struct tas
                        : "Where masses differ, each pair of types needs its own.");
 }
 
-/* States the pairs of different bodies for which the lines hold, and the replacements for others. */
+/* States the pairs of different bodies for which the lines hold, and the replacements for other pairs. */
 static void put_pairs(struct text *t, const struct block *block, const struct task *task)
 {
     const enum cor_simulator_pairs pairs = block->model->pairs;
@@ -923,7 +923,7 @@ static void put_pairs(struct text *t, const struct block *block, const struct ta
                     TEXT(cor_scene_body_density(scene, 1)), TEXT(cor_scene_body_density(scene, 2)));
 }
 
-/* Writes eps with the time step. */
+/* Writes the realised eps with the time step. */
 static void put_stepped(struct text *t, const struct block *block, const struct task *task, double speed_m_s,
                         double eps)
 {
@@ -1099,8 +1099,8 @@ static int rank_model(const struct cor_simulator_model *model, const struct task
            cor_model_has_version(model, task->simulator->packaged);
 }
 
-/* States which eps the active lines have, if another end was requested. If a damping was given, prints the lines with
- * the requested eps, too. */
+/* States which eps the active lines have, if another end was requested. If a damping was given, also prints the lines
+ * with the requested eps. */
 static void put_other_end(struct text *t, const struct block *active, struct task *task)
 {
     const struct cor_simulator_request *const request = task->request;
@@ -1137,7 +1137,7 @@ static void put_own_maps(struct text *t, const struct task *task)
     }
 }
 
-/* Prints all models with the contact. False if none has it: the refusal has the first one's reason, or is empty */
+/* Prints all models with the contact. False if no model has it: the refusal is the reason of the first, or empty */
 static int put_all(struct text *t, struct task *task)
 {
     struct block block, active = {.model = NULL};
@@ -1396,7 +1396,7 @@ static struct cor_scene scene_of_types(const struct cor_simulator_request *reque
 }
 
 /* Returns the dissipation time of a type, or of the measured contact of two of its balls; NaN: neither is known. *ends:
- * 2 if it depends on the end at which that contact was measured */
+ * 2 if this time depends on the end of contact of that measurement */
 static double dissipation_time(const struct cor_simulator_request *request, size_t type, int end, int *ends)
 {
     const double own = material_of(request, type)->body.dissipation_time_s;
@@ -1520,7 +1520,7 @@ static int check_materials(struct task *task)
             if ((p->a == other->a && p->b == other->b) || (p->a == other->b && p->b == other->a))
                 return refuse_task(task, "%s and %s: two pairs of these materials; leave out one", a->name, b->name);
     }
-    /* first two balls of each material, then of types made of it, which may need its damping, then all others */
+    /* in three turns: pairs of one material, pairs of types made of it, which may need its damping, and all others */
     for (int turn = 0; turn < 3; turn++)
         for (size_t i = 0; i < balls; i++)
             for (size_t j = i; j < types; j++)

@@ -82,7 +82,7 @@ void cor_motion_advance(struct motion *m);
  * is true. *force_max: the largest F on the way. Returns 0 if this needs too many steps. */
 int cor_motion_compress(struct motion *m, double *force_max, int (*rests)(const struct motion *m));
 
-/* Functions of the place s in a step. cor_motion_root finds where one falls to `level` between two places. */
+/* Functions of the place s in a step. cor_motion_root finds where a function falls to `level` between two places. */
 typedef double motion_function(const struct motion *m, double s, double level);
 motion_function cor_motion_u, cor_motion_v; /* minus the level */
 double cor_motion_t(const struct motion *m, double s);
@@ -120,8 +120,8 @@ double cor_pressed_sticking_speed(const struct cor_exponents *law, double dampin
  *     contact radius  c = c_0 u^2, c_0^3 = 2 pi w R^2/E*     overlap  (c_0^2/R) (u^4 - u)     force  pi w R
  *     time  T = (m c_0^2/(pi w R^2))^(1/2)                   speed  V = c_0^2/(R T)
  *
- * With x = u^4 - u the force is f = (8/3) u^6 - 4 u^3 and the motion x'' + kappa u^power x' + f = 0. The bodies touch
- * at x = 0 with the speed 1/V, where the contact jumps to u = 1. */
+ * With x = u^4 - u the force is f = (8/3) u^6 - 4 u^3, and x'' + kappa u^power x' + f = 0. The bodies touch at x = 0
+ * with the speed 1/V, where the contact jumps to u = 1. */
 
 /* Computes the collision of a contact with adhesion_j_m2 > 0 and the damping coefficient C, in SI units, at a speed >
  * 0. Returns COR_OK, or COR_FAULT_PRESSED if the motion needs too many steps. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The exponents of the laws, and the numbers of a scene, with their names, units and ranges. Checks the bodies, and has
- * the messages of the faults, with the names of corgen's options. Calls no function of libcor except
+/* The exponents of the laws; the numbers of a scene, with their names, units and ranges; the checks of bodies; the
+ * messages of faults, with the names of corgen's options. This file calls no function of libcor except
  * cor_status_text. */
 #include <math.h>
 #include <stdio.h>
@@ -84,7 +84,7 @@ int cor_scene_check_bodies(struct cor_scene_fault *fault, const struct cor_scene
         f = (struct cor_scene_fault){COR_FAULT_EXCLUDED, COR_SCENE_DENSITY_2, COR_SCENE_MASS_2, 0};
     else if (scene->wall && (cor_scene_given(scene, COR_SCENE_RADIUS_2) || massive || (dense && !may_be_dense)))
         f = (struct cor_scene_fault){COR_FAULT_WALL, may_be_dense ? COR_SCENE_RADIUS_2 : COR_SCENE_DENSITY_2, 0, 0};
-    for (int i = count - 1; i >= 0; i--) /* the first missing one takes precedence over all else */
+    for (int i = count - 1; i >= 0; i--) /* the first missing number takes precedence over all other faults */
         if (!cor_scene_given(scene, needed[i]))
             f = (struct cor_scene_fault){COR_FAULT_MISSING, needed[i], needed[i], 0};
     *fault = f;

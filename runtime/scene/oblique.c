@@ -20,7 +20,7 @@ enum { ORDER = MOTION_ORDER, MOST_STEPS = 20000, MOST_IDLE = 6, MOST_PARTS = 200
 #define RATIO 0.26      /* of a step to the radius of convergence: RATIO^ORDER = 1e-14 */
 #define STRETCH 1.6     /* limit of a step over the step of motion.c, whose last terms are 1e-17 */
 #define MOMENT 1e-11    /* a part of a step that does not matter */
-#define NEAR 0.01       /* a part of a step in which an event is found with the accuracy of its place */
+#define NEAR 0.01       /* an event within this part of a step is found with the accuracy of its place */
 #define JUMP 1e-12      /* largest jump of w at which creep may begin */
 #define POWER_MOST 1e280
 #define PRESS_MOST 1e12

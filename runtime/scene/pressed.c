@@ -81,7 +81,7 @@ static double overlap_of_rest(const struct motion *m)
                            (double)order_of(m) / m->spring[0].exponent);
 }
 
-/* True if the overlap never exceeds its value at rest: once x'/(x_e - x) is below half of the damping coefficient. */
+/* True if the overlap stays below its value x_e at rest: once x'/(x_e - x) is below half the damping coefficient. */
 static int creeps_up(const struct motion *m)
 {
     const double a = (double)m->spring[0].exponent / order_of(m), rest = overlap_of_rest(m), x = overlap_of(m);
@@ -202,9 +202,9 @@ static void solve_slow(struct cor_full_impact *impact, const struct cor_exponent
 /* ---- a collision ---- */
 
 #define MOST_SPEED 1e140 /* higher speeds overflow */
-#define SLOWEST 1e-12    /* below it, unless the damping is WEAK, the bodies stick as they do at this speed */
+#define SLOWEST 1e-12    /* at lower speeds the bodies stick as they do here, unless the damping is WEAK */
 
-/* Returns the units of a motion. The speed sets them, or a larger constant force and strong damping. */
+/* Returns the units of a motion. The speed sets them; if it is small, the constant force and a strong damping do. */
 static struct scales motion_scales(const struct cor_exponents *law, double damping, double speed, int *is_forced)
 {
     const double a = cor_elastic(law), b = cor_damping(law), length = cor_quiet_power(speed, 2 / (a + 1));
@@ -252,7 +252,7 @@ int cor_pressed_solve(struct cor_full_impact *impact, const struct cor_exponents
 /* ---- the sticking speed ---- */
 
 #define LARGEST_OVERLAP 1e15
-#define START 1e-8 /* relative size of the first terms that the start leaves squared */
+#define START 1e-8 /* relative size of the first terms of the start, whose squares are neglected */
 
 double cor_pressed_sticking_speed(const struct cor_exponents *law, double damping, int end)
 {
@@ -278,7 +278,7 @@ double cor_pressed_sticking_speed(const struct cor_exponents *law, double dampin
     m.power[1].c[0] = cor_quiet_power(x, 1.0 / order_of(&m));
     int turned = 0;
     for (int k = 0; k < MOTION_MOST_STEPS && cor_motion_start(&m) < LARGEST_OVERLAP; k++) {
-        if (!cor_motion_expand(&m)) /* far beyond */
+        if (!cor_motion_expand(&m)) /* far beyond the range */
             break;
         const double begin =
             turned || cor_motion_v(&m, m.step, 0) > 0 ? 0 : cor_motion_root(&m, cor_motion_v, 0, m.step, 0);

@@ -205,7 +205,7 @@ static int is_material(int way)
     return way == COR_SCENE_DISSIPATION_TIME || way == COR_SCENE_VISCOSITY;
 }
 
-/* Sets *found to a number of ways[] that does not give the stiffness, or to -1 if none is given. */
+/* Sets *found to the given number of ways[] that does not give the stiffness, or to -1. */
 static int find_way(int *found, struct cor_scene_fault *fault, const struct cor_scene *scene)
 {
     *found = -1;

@@ -64,7 +64,7 @@ COR_INLINE int cor_model_has_version(const struct cor_simulator_model *model, lo
     return version == 0 || (version >= model->since && (model->until == 0 || version <= model->until));
 }
 
-/* True if the model has the law of the contact; true if it can realise one eps of the contact, at one speed */
+/* The first is true if the model has the law of the contact, the second if it can realise its eps at one speed */
 int cor_simulator_has_law(const struct cor_simulator_model *model, const struct cor_scene_contact *contact);
 int cor_simulator_has_one_eps(const struct cor_simulator_model *model, const struct cor_scene_contact *contact);
 
@@ -77,8 +77,8 @@ struct cor_simulator_target {
     int count;
     double speed_m_s, eps, steps;
 };
-/* Returns the damping of the model for the target, by its law (`same_law`) or by eps only; the number that a user sets
- * for it. NaN, with the reason, if they do not exist. */
+/* Return the damping of the model for the target, by its law (`same_law`) or by eps only, and the number that a user
+ * sets. NaN, with the reason, if they do not exist. */
 double cor_simulator_damping(const struct cor_simulator_model *model, const struct cor_simulator_target *target,
                              int same_law);
 double cor_simulator_number(const struct cor_simulator_model *model, const struct cor_simulator_target *target,

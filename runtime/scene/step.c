@@ -49,8 +49,8 @@ struct stepped {
     double a, b, beta, step;
     double press; /* constant force */
     double exact; /* eps */
-    double still; /* slower bodies without energy stay in contact */
-    double deep;  /* energy below which bodies creep to rest: half of the least */
+    double still; /* speed below which bodies with little energy stay in contact */
+    double deep;  /* energy below which bodies creep to rest: half of the least energy */
     double most;  /* bound of place and velocity, so that no force overflows */
     double ahead; /* the damping force uses the velocity this number of steps after the last half step */
     int roots;    /* this number of square roots gives x^(1/denominator); negative: pow */

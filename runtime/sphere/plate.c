@@ -69,7 +69,7 @@ int cor_plate_contact_init(struct cor_sphere_contact *contact, const struct cor_
         cor_sphere_contact_init(contact, &none, &none); /* fails and sets all fields to NaN */
         return status;
     }
-    /* fills the contact with the wall again, for this time: only A and the fields that depend on A change */
+    /* fills the contact again, with this dissipation time: only A and the fields that depend on A change */
     struct cor_sphere_contact plain;
     body.dissipation_time_s = time;
     wall.dissipation_time_s = time;
