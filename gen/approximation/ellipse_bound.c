@@ -162,9 +162,9 @@ static struct complex_ball stored_of_law(const struct cover *work, struct comple
     return log_eps;
 }
 
-/* Returns the speed and the layout's constant force, if any, in units of the middle of a strip of ln(beta). Sets
- * *log_beta to this middle. All squares of a strip use one path, so they define one function, also at the strip's real
- * arguments. The functions of neighbouring strips agree at real arguments, hence on the border. */
+/* Returns the speed and the layout's constant force, if any, in units of the impact speed at the middle of a strip of
+ * ln(beta). Sets *log_beta to this middle. All squares of a strip use one path, so they define one function, also at
+ * the strip's real arguments. Functions of neighbouring strips agree at real arguments, hence on the border. */
 static struct complex_law_pressing pressing_of(struct complex_ball *log_beta, const struct cover *work)
 {
     struct complex_law_pressing pressing = {{0, 0, 0}, {0, 0, 0}};

@@ -101,9 +101,9 @@ struct samples {
 };
 
 /* Coefficients for u beyond the last interval. Up to terms in mu^3, mu = beta^(-(a+1)/(b+1)), the scaled quantity is a
- * linear combination of 1, u; mu, mu u, mu u^2; mu^2, ..., mu^2 u^3. For other laws the duration at zero overlap is this
- * sum times beta^(a/(b+1)) plus `fall` times beta^((a-1)/n). `fall` is 0 if a - b = 1 or n = 1 - a, because the sum
- * then contains that term (docs/theory.md, 9). */
+ * linear combination of 1, u; mu, mu u, mu u^2; mu^2, ..., mu^2 u^3. For other laws the duration at zero overlap is
+ * this sum times beta^(a/(b+1)) plus `fall` times beta^((a-1)/n). `fall` is 0 if a - b = 1 or n = 1 - a, because the
+ * sum then contains that term (docs/theory.md, 9). */
 enum { INTERPOLANT_FAR = 9 };
 
 struct interpolant {

@@ -16,7 +16,7 @@ _Static_assert(OPTIONS_NOT_GIVEN == COR_NO_INTEGRATOR, "--integrator that is not
 
 #define DEFAULT_STEPS "50"
 
-/* Returns the request for a simulator; without one, only its speeds and time step count. contacts NULL: for a list */
+/* Returns the request for a simulator. Without a simulator only speeds and time step matter. contacts NULL: a list */
 static struct cor_simulator_request request_of(const struct contact_arguments *o, const struct contacts *contacts)
 {
     const bool default_integrator = o->integrator == OPTIONS_NOT_GIVEN && !o->simulator;

@@ -184,9 +184,9 @@ void embed_search(struct embed_form *form, const struct embed_scene *s);
 /* Returns the cheapest family for a purpose, or FAMILIES if no form was found. */
 enum embed_family embed_choose(const struct embed_form *form, enum embed_purpose purpose);
 
-/* ---- the proof (proof.c, docs/embed.md, "Tolerance") ---- The proof bounds a form's error at every speed of its
- * scene. It compares the formula with eps, both as functions. eps is a closed form, the proved interpolant of the
- * collision, or the proved limit at large beta (row_proof.h). The rounding errors are added. */
+/* ---- the proof (proof.c, docs/embed.md, "Tolerance"): it bounds a form's error at every speed of its scene ----
+ * The proof compares two functions, the formula and eps. eps is a closed form, the proved interpolant of the collision,
+ * or the proved limit at large beta (row_proof.h). The rounding errors are added. */
 
 /* eps at zero overlap is h*^5 beta^-5 (1 - d) with 0 < d < EMBED_FAR_ERROR for beta >= EMBED_FAR.
  * tests/gen/test_embed.c encloses d at EMBED_FAR; d falls as beta grows (docs/theory.md, 4). */

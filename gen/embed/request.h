@@ -72,8 +72,8 @@ int embed_request_check(const struct embed_request *request);
 /* True if a constant force acts, from gravity or DMT adhesion */
 bool embed_is_pressed(const struct embed_request *request);
 
-/* Makes the scene of a request, without a solver. Its end is COR_END_ZERO_FORCE for the surface, too. A viscosity that
- * cannot be read becomes -1. Returns STATUS_OK, or STATUS_USAGE after a message. */
+/* Makes the scene of a request, without a solver. Its end for `surface` is COR_END_ZERO_FORCE. A viscosity
+ * that cannot be read becomes -1. Returns STATUS_OK, or STATUS_USAGE after a message. */
 int embed_request_scene(struct cor_scene *scene, const struct embed_request *request);
 
 /* Like cor_scene_of_body and cor_scene_mass_is_given, for the numbers as written */

@@ -397,7 +397,7 @@ enum motion_outcome motion_solve_slow(struct collision *c, const arb_t beta, con
 
 /* docs/theory.md, 9. The force has one maximum within the contact, where its slope falls through zero while the bodies
  * approach. Where b = 0 the force may be larger at the first moment. A zero of the slope is then a minimum while the
- * damping force exceeds the elastic force a/(a - 1) times. */
+ * damping force exceeds a/(a - 1) times the elastic force. */
 enum motion_outcome motion_force_max(arb_t force, const arb_t beta, const struct cor_exponents *law, slong prec)
 {
     LOCAL_INIT(motion, m, (&m, NULL, beta, law, arf_cmp_si(arb_midref(beta), 1) > 0, prec));

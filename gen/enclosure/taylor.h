@@ -35,7 +35,7 @@ bool taylor_choose_step(struct taylor *y);
 
 /* TAYLOR_FORCE is the force divided by w^min(ad, bd). TAYLOR_FORCE_SLOPE is its derivative by sigma, divided by the
  * power of w that all terms share. Where b = 0 and a > 1, TAYLOR_DAMPING_EXCESS is positive while the damping force
- * exceeds the elastic force a/(a - 1) times. */
+ * exceeds a/(a - 1) times the elastic force. */
 enum taylor_component { TAYLOR_W, TAYLOR_V, TAYLOR_T, TAYLOR_FORCE, TAYLOR_FORCE_SLOPE, TAYLOR_DAMPING_EXCESS };
 
 /* Computes a component at sigma = s in [0, step], remainder included. */

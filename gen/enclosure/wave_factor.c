@@ -16,8 +16,8 @@
  *         - pi x_R a(x_R)/R'(x_R)
  *
  * x = gamma (1 - u^2) and x = 1 - (1 - gamma) u^2 remove the square roots at the ends of the integrals. For
- * gamma^2 = 1/2 both integrands are 0/0 at x = gamma. Near it J is the imaginary part of int x a/R dx along a path from 0 to 2
- * above gamma, 1 and x_R. Nothing is singular on this path. */
+ * gamma^2 = 1/2 both integrands are 0/0 at x = gamma. Near gamma^2 = 1/2, J is the imaginary part of int x a/R dx along
+ * a path from 0 to 2 above gamma, 1 and x_R. Nothing is singular on this path. */
 
 struct wave_parameters {
     acb_srcptr gamma, gamma2;

@@ -47,7 +47,7 @@ void emit_comment(struct emit *e, const char *format, ...) __attribute__((format
 int emit_doubles(struct emit *e, const char *name, arb_srcptr value, slong length);
 
 /* Writes a function const TYPE *name(int i) that returns row i, TYPE double or float. The table is local to it if it
- * has one row or if `decimal` and not `shared`, so that the same text works on a GPU. Otherwise runtime/table/rows.h
+ * has one row, or if `decimal` and not `shared` (the text then also works on a GPU). Otherwise runtime/table/rows.h
  * decides. Call open, emit_row or emit_float_row for each row, and close. Numbers fill the lines. emit_row returns 0,
  * or 1 after reporting the interval that is too wide. emit_one_row writes a table of one row. */
 void emit_rows_open(struct emit *e, const char *type, const char *name, slong rows, slong columns);

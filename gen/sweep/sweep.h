@@ -106,7 +106,7 @@ int journal_open(struct journal *journal, const char *file, const char *title, u
 /* Opens the rows of a finished part for journal_next. The file must have this title and `rows` correct rows. It is not
  * changed. Returns STATUS_OK, or STATUS_FAILED after a message. */
 int journal_open_part(struct journal *journal, const char *file, const char *title, uint64_t rows);
-bool journal_next(struct journal *journal, char **line); /* *line: NULL or the last row; malloc'ed */
+bool journal_next(struct journal *journal, char **line); /* *line: NULL or the row before, which is freed */
 
 /* Adds a row, given without its line end. The file then contains the row even if this process is killed. */
 int journal_add(struct journal *journal, const char *line);

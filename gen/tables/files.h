@@ -15,8 +15,8 @@
 #include "support/decimal.h"
 #include "support/emit_c.h"
 
-/* sphere_rows.h, the tables of spheres; cor_sphere.h, which includes them, the evaluator as a header to embed;
- * sphere_float_tables.h, the tables of float arithmetic. The tables share data that are computed once and freed by
+/* Write cor_sphere.h (the evaluator as a header to embed, which includes the tables), sphere_rows.h (these tables) and
+ * sphere_float_tables.h (tables of float arithmetic). The tables share data that are computed once and freed by
  * sphere_tables_clear. */
 int sphere_header_write(FILE *file);
 int sphere_rows_write(FILE *file);

@@ -38,8 +38,8 @@ enum {
 };
 _Static_assert((int)PER_ROOT == COR_DISK_LIMIT_PER_ROOT, "the smallest pieces are the smallest cells");
 
-/* Tolerances of the collisions up to CALM_SPEED and beyond it, and the factor on the error of a cell's polynomial at
- * the 9 points between its 16 */
+/* Tolerances of the collisions up to CALM_SPEED and beyond it, and the safety factor on the error of a cell's
+ * polynomial at the 9 points between its 16 points */
 #define CALM_SPEED COR_DISK_EPS_CALM_SPEED
 #define CALM_TOLERANCE 1.5e-5
 #define FAST_TOLERANCE 5e-5
