@@ -132,7 +132,7 @@ COR_API size_t cor_disk_modes_below(double nu, double omega);
 enum cor_disk_datum {
     COR_DISK_DATUM_CENTRE_OF_MASS, /* centre of mass to wall: b = -2 ln 2 - (1 + nu)/4, which (62) to (67) require */
     COR_DISK_DATUM_DIAMETER,       /* far rim to wall: b = -1, which (54) and (55) give */
-    COR_DISK_DATUM_PRINTED         /* b = -1 - nu, as (56) and (57) are printed; follows from neither */
+    COR_DISK_DATUM_PRINTED         /* b = -1 - nu, as (56) and (57) are printed; no choice of points gives it */
 };
 
 /* Return the limits of the law. At the load P = 4 pi exp(b - 1) delta stops growing, with delta = 4 exp(b - 1) and V =
@@ -149,7 +149,7 @@ COR_API double cor_disk_speed_limit(double nu, enum cor_disk_datum datum);
  * Domain: 0 up to the limit above. Accuracy: COR_DISK_LAW_MAX_ULP (proved), with the arguments treated as exact.
  * Results below the smallest normal double are rounded to subnormal numbers. 0 -> 0; negative, beyond the limit or
  * NaN -> NaN.
- * Array functions, here and below, give the same numbers as the function of one number. load may be compression. */
+ * Array functions, here and below, give the same numbers as the function of one number. load may equal compression. */
 COR_API double cor_disk_load(double compression, double nu, enum cor_disk_datum datum);
 COR_API void cor_disk_load_array(const double *compression, double nu, enum cor_disk_datum datum, double *load,
                                  size_t n);
@@ -188,7 +188,7 @@ COR_API double cor_disk_contact_time_leading_log(double speed);
 /* ---- Rayleigh's energy ---- */
 
 /* Energy that a collision at impact speed v leaves in the modes, as a fraction of (pi/2) v^2, to first order
- * (Rayleigh). The quasistatic load drives each mode at the point of contact, (65) to (68). Each mode takes one
+ * (Rayleigh). The quasistatic load drives each mode at the point of contact, (65) to (68). Each mode needs one
  * integral,
  *
  *     fraction of a mode = C^2 (2 I(omega))^2,     I(omega) = int_0^(pi/2) sin(theta) cos(omega s(theta)) dtheta,
@@ -384,7 +384,7 @@ struct cor_disk_hard_wall {
 };
 
 /* Computes levels until error_estimate is below the tolerance, or the lowest n_modes modes or the budget do not suffice
- * for another. A level needs all modes below its Omega, whose number cor_disk_modes_below returns. Two levels are the
+ * for one more. A level needs all modes below its Omega, whose number cor_disk_modes_below returns. Two levels are the
  * minimum. 1800 modes suffice for five levels (Omega = 60), with an error of about 1e-4.
  * Domain: 0 < v <= COR_DISK_HARD_WALL_MAX_SPEED, without a lower limit. Equal arguments give equal bits on every
  * instruction set.
@@ -449,7 +449,7 @@ COR_API int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct co
  *     one_minus_eps2               energy left in the modes, as a fraction of (pi/2) v^2
  *     one_minus_eps2_uncertainty   1.5 times the largest error of the polynomial seen between the points of its cell,
  *                                  combined with the error estimates of the collisions: an estimate, not a bound.
- *                                  Near smaller cells it blends into theirs. The error did not exceed it at 600
+ *                                  Near smaller cells it blends into their value. The error did not exceed it at 600
  *                                  random points off the grid and 400 on and near borders of cells
  *                                  (tests/unit/test_disk_eps.c). It is at most COR_DISK_EPS_MAX_UNCERTAINTY for
  *                                  v <= COR_DISK_EPS_CALM_SPEED, and at most COR_DISK_EPS_MAX_UNCERTAINTY_FAST beyond

@@ -565,7 +565,7 @@ enum cor_simulator_model_id {
 /* clang-format on */
 
 /* A contact model of a simulator. Its damping is the parameter of its law: zeta where q = 0, otherwise beta at the
- * speed. No number depends on the words of the texts. */
+ * speed. The texts affect no number. */
 struct cor_simulator_model {
     enum cor_simulator_model_id id;
     const char *model;     /* its name in the simulator's input or documentation */
@@ -729,8 +729,8 @@ struct cor_simulator_request {
 /* Writes the input lines for a contact in a simulator, as a text that can be included whole. One block is active: the
  * first model that has the law of the contact and the requested end, and that the version has. Other models follow as
  * comments. If the simulator does not have the law, the lines hold at one speed: the speed of the restitution, or the
- * only one of the request. Under gravity the numbers describe the contact, and eps includes gravity. Adhering contacts
- * have no lines.
+ * only speed of the request. Under gravity the numbers describe the contact, and eps includes gravity. Adhering
+ * contacts have no lines.
  * With materials the block has the lines of all their contacts, and one time step. A contact that was not measured has
  * the dissipation times of both materials. If one is unknown, the measured contact of two balls of this material gives
  * it.
@@ -740,7 +740,7 @@ struct cor_simulator_request {
 enum { COR_SIMULATOR_REASON = 1200 };
 long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_request *request);
 
-/* Writes a list likewise: a line for each simulator, or, if one is named, for each of its models. */
+/* Writes a list in the same way: a line for each simulator, or for each model of `named` if it is not NULL. */
 long cor_simulator_list(char *text, size_t size, const struct cor_simulator *named);
 
 #ifdef __cplusplus

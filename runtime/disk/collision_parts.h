@@ -69,7 +69,7 @@ struct cor_motion {
     const struct cor_collision_loops *loops;
     const struct cor_disk_mode *mode;
     double alpha, tolerance, speed;
-    double work_left, work_per_step; /* the budget; work_per_step 0: counts the work of each step */
+    double work_left, work_per_step; /* the budget; work_per_step 0: the work of each step is counted */
     size_t phi, phi_limit;           /* angles in use, and their largest number */
     size_t *place;                   /* cell of each mode */
     struct cor_mode_block *block;

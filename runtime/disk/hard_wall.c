@@ -328,7 +328,7 @@ int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct cor_disk_m
     if (sequence.levels >= LEAST_LEVELS)
         conclude_sequence(&sequence, out);
     if (detail != NULL && (status == COR_OK || status == COR_TOLERANCE_NOT_REACHED) && sequence.levels > 0) {
-        /* the highest level again, for the optional results */
+        /* computes the highest level again, for the optional results */
         struct cor_hard_wall_result result = {.contact_time = sequence.contact_time};
         const int told = compute_level(&sequence, workspace, &lowest, sequence.levels - 1, &result, detail);
         status = told == COR_OK ? status : told;

@@ -338,7 +338,7 @@ static int is_requested(const struct cor_simulator_model *model, const struct ta
     return cor_model_has_version(model, version ? cor_simulator_version(version) : 0);
 }
 
-/* True if lines of the model can be printed, apart from unknown numbers */
+/* True if lines of the model can be printed, provided that their numbers are known */
 static int model_suits(const struct cor_simulator_model *model, const struct task *task, int has_law)
 {
     return (task->request->materials ? model->many != NULL
@@ -516,7 +516,7 @@ static int meet_eps(struct cor_scene_contact *contact, double *eps, double *spee
             cor_scene_set_damping(contact, COR_SCENE_RESTITUTION, *eps, *speed_m_s, (int)model->end) == COR_FAULT_NONE);
 }
 
-/* Finds the numbers of a model. A given restitution is realised at the end of the model. Returns 1 if they exist. */
+/* Finds the numbers of a model. Returns 1 if they exist. A given restitution is realised at the end of the model. */
 static int fill_block(struct block *block, struct task *task, const struct cor_simulator_model *model)
 {
     enum cor_simulator_status status = COR_SIMULATOR_OK;

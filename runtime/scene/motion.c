@@ -65,8 +65,8 @@ static int order_of(const struct motion *m) /* returns d, where x = u^d, of a mo
     return m->time[0].exponent + 1;
 }
 
-/* Returns a step at which the last terms of two series do not matter. In series from u = 0 the last terms may be 0
- * although later ones, with factors of the order of 1, are not. */
+/* Returns a step at which the last terms of two series do not matter. In a series from u = 0 the last terms may be 0
+ * while later terms, with factors of the order of 1, are not. */
 static double longest_step(const struct motion *m)
 {
     const double *const u = m->power[1].c, *const v = m->v;

@@ -451,7 +451,7 @@ static const struct cor_simulator_model mercurydpm[] = {
         MERCURYDPM_MANY("HertzianBSHPViscoelastic", MERCURYDPM_DISSIPATION)),
 };
 
-/* Chrono combines the numbers of two materials. Here these are the types; the strategy looks up the pair. */
+/* Chrono combines the numbers of two materials. Here the numbers are the types; the strategy looks up the pair. */
 #define CHRONO_PAIRS(what, number, numbers)                                                                            \
     "-    float Combine" what "(float i, float j) const override\n-    {\n"                                            \
     "-        static const float pair[] = {\n-            " numbers "\n-        };\n"                                  \

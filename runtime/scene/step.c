@@ -95,7 +95,7 @@ static double energy_at(const struct stepped *m, double x, double v)
 }
 
 /* True if the contact force has ended and the bodies fly freely with the velocity `full`. With b > a the force may push
- * again after zero. With a predicted velocity it may push again if it does at v. */
+ * again after zero. With a predicted velocity it may push again if it pushes at v. */
 static int has_ended(const struct stepped *m, double x, double v, double full, double f)
 {
     return !(x > 0) || (f == 0 && full < 0 && m->a >= m->b && force_at(m, x, v + m->ahead * m->step * m->press) == 0 &&
