@@ -8,7 +8,7 @@
 #
 # samples_of PAGE [NEW-PAGE]: one verdict for each example; NEW-PAGE becomes the page with the current outputs.
 
-# sample_output COMMAND: prints the output of the shell for it, in a folder as a reader of the page has it.
+# sample_output COMMAND: runs it in the shell, in a folder like the reader's, and prints the output.
 sample_output() {
     (cd "$work/samples" && PATH="$work/bin:$PATH" bash -c "$1" 2>&1 </dev/null)
 }

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: MIT
-! The Fortran module: values of each kind of function, against numbers known otherwise and against the loops of C.
+! The Fortran module: values of each kind of function, against independently known numbers and against the loops of C.
 program test_cor
   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_float, c_int, c_loc, &
     c_null_char, c_null_funptr, c_null_ptr, c_ptr, c_size_t

@@ -236,7 +236,7 @@ int LLVMFuzzerInitialize(int *argc, char ***argv)
     return 0;
 }
 
-/* Splits the input into lines. Returns false for one that might write elsewhere. */
+/* Splits the input into lines. Returns false for a line that might write elsewhere. */
 static bool split(char *text, int *argc, char **argv)
 {
     static char program[] = "corgen";

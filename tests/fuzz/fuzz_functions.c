@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Every public function, from the list of the bindings: guarantees that all of them give for any arguments. */
+/* Tests guarantees that every public function (from the list of the bindings) gives for any arguments. */
 #include <errno.h>
 #include <fenv.h>
 
@@ -76,10 +76,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     sets = &a;
     scene_sets = scenes;
     arguments_draw(&a, &bits.source, n, 1);
-    memset(a.beta + n, 0, (PUBLIC_COUNT - n) * sizeof *a.beta); /* a scene uses numbers from all of them */
+    memset(a.beta + n, 0, (PUBLIC_COUNT - n) * sizeof *a.beta); /* a scene uses all elements */
     if (chosen >= public_function_count)
         scene_sets_draw(0, &bits.source);
-    for (size_t k = 0; k < function_count(); k++) /* only one of the slow functions */
+    for (size_t k = 0; k < function_count(); k++) /* of the slow functions only the chosen one */
         if (k == chosen || (n <= FEW && function_number(k)->type != PUBLIC_several))
             check_function(function_number(k), &a);
     return 0;

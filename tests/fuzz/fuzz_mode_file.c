@@ -38,7 +38,7 @@ static void mend_checks(char *file, size_t size)
     }
 }
 
-/* Changes a digit or a word, or lets libFuzzer choose. Within a line the next mutation does not undo this. */
+/* Changes up to four characters, or lets libFuzzer mutate. Then, usually, corrects the checks. */
 size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t max_size, unsigned seed)
 {
     static const char letters[] = "0123456789abcdef.p+-x ";

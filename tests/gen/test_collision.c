@@ -245,8 +245,8 @@ TEST(test_wide_beta)
     assert_true(enclosed > 8);
 }
 
-/* A(1 + d) = 1 - d/3 + 2 d^2/15 - 2 d^3/35 + O(d^4). Elsewhere one of the two formulas, written by hand here, also on
- * both sides of 3/4 and 5/4, where the code switches to the hypergeometric function. */
+/* A(1 + d) = 1 - d/3 + 2 d^2/15 - 2 d^3/35 + O(d^4). Elsewhere A is compared with its two formulas, also on both sides
+ * of 3/4 and 5/4, where the code switches to the hypergeometric function. */
 TEST(test_angle)
 {
     static const double places[] = {0, 0.749, 0.75, 0.751, 1.249, 1.25, 1.251, 1e300};
@@ -620,8 +620,8 @@ TEST(test_one_end)
     }
 }
 
-/* Between the methods: beta is too small for the slow manifold at this precision, which the solver once retried
- * forever. The alarm ends the test then. The result must agree with the loading and with h*^5 beta^-5. */
+/* Between the methods: beta is too small for the slow manifold at this precision. A solver that retries forever is
+ * ended by the alarm. The result must agree with the loading and with h*^5 beta^-5. */
 TEST(test_between_methods)
 {
     LOCAL(collision, c, loading);

@@ -172,8 +172,8 @@ static struct contacts contacts_of(int law, int end, const struct given *bodies,
     return c;
 }
 
-/* A collision with K and C has eps and a duration. Any two numbers of it that determine it must give K and C again. The
- * duration at zero overlap hardly depends on a weak damping, which is then less accurate. */
+/* A collision with K and C has eps and a duration. Any two of its numbers that determine the collision must give K and
+ * C again. The duration at zero overlap hardly depends on a weak damping, which is then less accurate. */
 TEST(any_two_give_the_rest)
 {
     enum {
@@ -303,7 +303,7 @@ TEST(other_laws)
     const struct cor_scene_impact impact = scene_impact(&plate, 1);
     assert_true(isnan(impact.eps[COR_END_ZERO_FORCE]) && isnan(impact.duration_s[COR_END_ZERO_FORCE]));
     check_near(cor_scene_force_max_n(&plate, 1), plate.stiffness * pow(impact.max_overlap_m, 1.5), 1e-13);
-    /* the inverse for a law that only enclosed collisions can solve; then without a solver */
+    /* the inverse for a law that only enclosed collisions can solve; it is refused without a solver */
     struct cor_scene_contact power = {.law = {2, 1, 1}, .mass_kg = 1e-3, .stiffness = 1e5, .solver = contact_enclosed};
     assert_int_equal(cor_scene_set_damping(&power, COR_SCENE_RESTITUTION, 0.3, 0.5, COR_END_ZERO_FORCE), 0);
     check_near(scene_eps(&power, 0.5, COR_END_ZERO_FORCE), 0.3, 1e-14);

@@ -40,7 +40,7 @@ TEST(test_samples)
 }
 
 /* The 16 values of the cell come from a polynomial of degree 3. At most one of the 9 collisions between them is off, by
- * 200 units. Uncertainty: 1.5 times 200, combined with the largest estimate as a root of squares, plus 1. */
+ * 200 units. Uncertainty: sqrt((1.5 200)^2 + (largest estimate)^2) + 1. */
 TEST(test_uncertainty)
 {
     struct cell cell = {.x = ROOT_SIDE, .nu = 2 * ROOT_SIDE, .depth = 1};

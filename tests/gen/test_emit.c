@@ -135,7 +135,7 @@ TEST(test_doubles)
 }
 
 /* Rows inside a function, hexadecimal and decimal, give the same doubles. The digits of hexadecimal rows and of structs
- * read back to them. */
+ * read back to these doubles. */
 TEST(test_rows)
 {
     enum { ROWS = 3, COLUMNS = 5 };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Tasks on several threads: each runs once, never more at a time than threads, tasks within tasks, results in order. */
+/* Tasks on several threads: each runs once, at most one per thread at a time, tasks within tasks, results in order. */
 #include "support/console.h" /* before cmocka, which defines a macro fail */
 
 #include <stdatomic.h>

@@ -107,7 +107,7 @@ TEST(tolerances_hold)
 
 /* ---- an exhaustive search ---- */
 
-/* On a parabola the largest of this number of errors is too small by at most 4e-4, relatively. */
+/* On a parabola, the largest of GRID_PLACES sampled errors is too small by at most 4e-4, relatively. */
 enum { GRID = 60, GRID_PLACES = 48 };
 
 /* Returns the least number of segments with points on a grid over the range; a large number if the grid is too
@@ -149,7 +149,7 @@ TEST(no_smaller_table)
         if (isfinite(s.error_of_fewer))
             check(fewest_on_grid(&r, s.error_of_fewer * 0.999) + more > segments - 1,
                   "the grid needs fewer than %d segments for %g", segments - 1, s.error_of_fewer);
-        /* error_of_fewer as the tolerance allows one point fewer */
+        /* with error_of_fewer as the tolerance, one point fewer is enough */
         struct sample fewer;
         r.tolerance = s.error_of_fewer * (1 + 1e-4);
         if (isfinite(s.error_of_fewer)) {

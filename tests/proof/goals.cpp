@@ -390,7 +390,7 @@ struct gappa {
             names[f.first] = f.second;
     }
 
-    /* Names the operations that lead to one. They must fit the pattern: (x+y), -x, sqrt(x), 0.5, or a name, which
+    /* Names the operations that lead to `id`. They must fit the pattern: (x+y), -x, sqrt(x), 0.5, or a name, which
      * always means the same operation. name:pattern names the operation that fits the pattern. */
     void match(term id, const char *pattern)
     {

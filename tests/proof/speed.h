@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The functions of an impact speed (cor/contact.h): part of goals.cpp. They combine functions with their own goals. The
  * errors are added here, and no sum may exceed the public bound. docs/theory.md, 4, bounds the derivatives that
- * multiply the error of beta. A contact counts as exact, as its user filled it. */
+ * multiply the error of beta. The numbers in a contact count as exact. */
 
 /* Errors are relative, in units of 2^-53, half the distance of the doubles above 1. n ulp are at most 2 n units. */
 static const number units_per_ulp = 2;
@@ -94,8 +94,8 @@ static number products_ulp(interval product, interval root, int factors, number 
                         error + root_pair + 1 / root.low);
 }
 
-/* Returns the largest such error. Cells of the significands of scale overlap and of the root cover all numbers. `error`
- * is the error of scale overlap before rounding. */
+/* Returns the largest products_ulp(). Cells of the significands of scale overlap and of the root cover all numbers.
+ * `error` is the error of scale overlap before rounding. */
 static number overlap_ulp(number error)
 {
     enum { CELLS = 256 };

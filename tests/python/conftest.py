@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""The compiler of C, by which tests reach the headers and the library without the package.
+"""The C compiler, with which tests use the headers and the library without the package.
 
-COR_TEST_PREFIX names an installed cor, static.
+COR_TEST_PREFIX names the prefix of an installed static cor.
 """
 
 import os

@@ -68,7 +68,7 @@ def test_dtypes():
 
 
 def test_numbers_alone():
-    """They go to C without arrays; test_bits.py tests them for all functions of one and of two numbers."""
+    """Numbers go to C without arrays; test_bits.py tests them for all functions of one and of two numbers."""
     contact = cor.contact.sphere_contact_init(GLASS, GLASS)
     for function, count in (
         (lambda g: cor.contact.duration_s_zero_overlap(contact, g), 1),

@@ -166,7 +166,7 @@ def test_closed_forms(audited):
 
 
 def test_dashpots(audited):
-    """If the deck gives a dashpot: by mass, stiffness and the closed form."""
+    """eps by mass, stiffness and the closed form, if the deck gives a dashpot."""
     pi = math.pi
     wanted = {
         ("lammps-pour.lmp", "1-1"): 25 * math.sqrt(pi / 12 / 2000),
@@ -312,7 +312,7 @@ def test_hostile(tmp_path):
     "kind", ["yade", "lammps", "mfix", "mujoco"] if os.environ.get("COR_TEST_LONG") else ["lammps"]
 )
 def test_million_lines(tmp_path, kind):
-    """Within ten seconds of a processor and 500 MB, in a separate process."""
+    """A million lines take at most ten seconds of a processor and 500 MB, in a separate process."""
     line = {"yade": "x = 1\n", "lammps": "thermo 1\n", "mfix": "KN = 1\n", "mujoco": "<geom/>\n"}[kind]
     ends = {"mujoco": ("<mujoco><worldbody>\n", "</worldbody></mujoco>")}.get(kind, ("", ""))
     path = write(tmp_path, "long", ends[0] + line * 10**6 + ends[1])
@@ -419,7 +419,7 @@ PROGRAMS = {"lammps": os.environ.get("LMP", "lmp"), "liggghts": os.environ.get("
 
 @pytest.mark.parametrize("name,settings", [(n, line) for n, text in SETTINGS.items() for line in text.split("\n")])
 def test_simulators_agree(tmp_path, name, settings):
-    """The collision of the script has one phase of the time step: within four standard deviations."""
+    """The collision of the script has one phase of the time step, so eps may be off by four standard deviations."""
     if not shutil.which(PROGRAMS[name]):
         pytest.skip(f"no program {PROGRAMS[name]}; Debian calls its package {name}")
     text = (ROOT / "tests" / "audit" / f"{name}.in").read_text(encoding="utf-8")
@@ -445,7 +445,7 @@ MUJOCO = """0.0068 solref="0.01 0.25" solimp="0.99 0.99 0.001"
 
 
 def test_mujoco_agrees(tmp_path):
-    """With 2000 steps in the contact, which change eps by 2e-4 and less."""
+    """The contact has 2000 steps, which change eps by at most 2e-4."""
     source, program = ROOT / "tests" / "simulators" / "restitution" / "mujoco.c", tmp_path / "mujoco"
     built = subprocess.run(["cc", "-O1", "-o", program, source, "-lmujoco", "-lm"], capture_output=True)
     if built.returncode:

@@ -54,7 +54,7 @@ def ints(*values):
 
 @pytest.fixture(autouse=True)
 def quick(request, monkeypatch):
-    """The search for outliers costs most of a fit."""
+    """Omits the search for outliers, which takes most of the time of a fit."""
     if not LONG and "outliers" not in request.node.name:
         monkeypatch.setattr(results, "find_outliers", lambda *_: [])
 

@@ -7,7 +7,7 @@
 
 Prints the difference of u'/u of each model from the theory. Maw, Barber and Fawcett, Wear 38, 101 (1976), integrate it
 by annuli. Here springs on a line replace the half-space (Popov and Hess, Method of Dimensionality Reduction, 2015). A
-spring at z has the normal force (x - z^2) dz, and a tangential one of at most mu times that. Needs numpy.
+spring at z has the normal force (x - z^2) dz, and a tangential force of at most mu times the normal force. Needs numpy.
 """
 import csv
 import io
@@ -66,7 +66,7 @@ def main() -> int:
         texts = ", ".join("%s %.3f" % pair for pair in zip(MODELS, off))
         print("nu = %g: %s; error of the theory's numbers about %.0e" % (poisson, texts, abs(exact - half).max()))
         rows += [[poisson, angle, *values] for angle, *values in zip(ANGLES, exact, *columns)]
-        # Maw, Barber and Fawcett: gross slip from psi_1 = 4 chi - 1 on, where ANGLES = (3/2) psi_1 and kappa = 3 chi
+        # Maw, Barber and Fawcett: gross slip for psi_1 >= 4 chi - 1, where ANGLES = (3/2) psi_1 and kappa = 3 chi
         slip, gross = 1 - 2 * kappa / ANGLES, ANGLES >= 2 * kappa - 1.5
         if abs(exact - slip)[gross].max() > 2e-3 or abs(exact - slip)[ANGLES < 2 * kappa - 2.5].min() < 2e-3:
             faults.append("gross slip at nu = %g" % poisson)

@@ -85,8 +85,8 @@ static inline void ode_advance(struct ode *o, long double *y, long double length
         left -= ode_step(o, y, left, next);
 }
 
-/* Makes a step, or the part of it until the first of some positive values has fallen to 0, or just below. Returns the
- * number of this value, the least one if several fall together, or -1. */
+/* Makes a step, or only its part until the first of some positive values falls to 0 or just below. Returns the index of
+ * this value (the least index if several fall together), or -1. */
 static inline int ode_until(struct ode *o, long double *y, ode_value *const *value, int values)
 {
     const size_t size = sizeof *y * (size_t)o->n;

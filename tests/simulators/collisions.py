@@ -74,7 +74,7 @@ def lines_of(command, word):
 
 
 def eps_of(rows, power):
-    """Returns eps of three rows eps ... VALUE CHANGE, extrapolated; 0 where the velocity still changes."""
+    """Returns eps of three rows eps ... VALUE CHANGE, extrapolated; 0 if the velocity still changes."""
     values = [float(row[-2]) for row in rows if abs(float(row[-1])) < 1e-12]
     return extrapolated(power, values) if len(values) == 3 else 0
 
@@ -276,7 +276,7 @@ eps_table, before_step = eps, ["set_dashpots()"]
 
 
 def yade_constant(work):
-    """Its own law: betan constant is x^(1/4) damping with beta = sqrt(6) betan."""
+    """YADE's own law: a constant betan is damping by x^(1/4) with beta = sqrt(6) betan."""
     law, betans = ("--elastic", "3/2", "--damping", "1/4"), [0.05, 0.4, 1]
     durations = [duration_of(0.1, "zero_force", "--law", "tsuji", "--zeta", "%.17g" % (math.sqrt(1.2) * b))
                  for b in betans]
@@ -417,7 +417,7 @@ def unlike_options(host, bodies, kind, e, gravity="0"):
 
 def unlike_paste(host, texts, kind):
     """Returns a user's own lines for equal bodies, and the text of corgen. If the format allows only one such line,
-    returns that text with the user's numbers."""
+    returns corgen's text with the user's numbers."""
     if host == "lammps":
         like = [re.search("^(pair_coeff) . .( .*)", texts[k].replace("* *", "1 1"), re.M) for k in LIKE]
         own = ["pair_style granular"] + ["%s %d %d%s" % (m[1], i + 1, i + 1, m[2]) for i, m in enumerate(like)]

@@ -38,7 +38,7 @@ struct law_functions {
             ends(prefix, duration), prefix##_max_overlap, prefix##_time_of_max_overlap, __VA_ARGS__                    \
     }
 
-/* Fail the test if a function misses its bound. Two of them print the worst errors found. */
+/* Fail the test if a function misses its bound. The random checks also print the worst errors found. */
 void law_check_at(const struct law_functions *f, const double *beta, size_t n);
 void law_check_random(const struct law_functions *f, size_t points);
 void law_check_borders(const struct law_functions *f, size_t points); /* this number of borders, chosen at random */

@@ -25,7 +25,7 @@ struct arguments {
     struct cor_plate plate[PUBLIC_COUNT];
     struct cor_half_space half_space[PUBLIC_COUNT];
     struct cor_disk_modes modes[PUBLIC_COUNT];
-    struct cor_disk_mode harmed[PUBLIC_MODES]; /* of the tables that no disk has */
+    struct cor_disk_mode harmed[PUBLIC_MODES]; /* tables that no disk has */
     struct cor_disk_collision_options disk_collision_options[PUBLIC_COUNT];
     struct cor_disk_hard_wall_options disk_hard_wall_options[PUBLIC_COUNT];
     enum cor_disk_datum datum[PUBLIC_COUNT];

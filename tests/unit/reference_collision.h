@@ -11,7 +11,7 @@
 struct reference_collision {
     double eps, one_minus_eps2, contact_time, max_compression; /* as in struct cor_disk_collision */
     double energy_drift;
-    double error; /* four times the difference of the last two runs in eps, of which the first has the larger error */
+    double error; /* four times the difference in eps of the last two runs, mainly the error of the earlier one */
 };
 
 /* Solves the equations of motion, with the signs that conserve energy, in the variables x_0 and Q,

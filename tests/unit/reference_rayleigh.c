@@ -5,7 +5,7 @@
  *     y = 1 + t,     t - ln(1 + t) = 2 ln(v_limit/(v sin(theta))),
  *
  * by Gauss and Legendre's rule in long double. The panels shrink towards both ends, where the integrand has
- * singularities. It is the truth by another route than the library's, which leaves the real axis. */
+ * singularities. This reference is independent of the library, whose path of integration leaves the real axis. */
 #include <tgmath.h>
 
 #include "reference_rayleigh.h"

@@ -38,8 +38,8 @@ static inline int law_is_complete(int law)
 #ifndef COR_FUZZ_H /* fuzz targets do not use cmocka */
 #include "check.h"
 
-/* Returns the contact of a scene; if there are two, the one whose restitution was measured at the end. COR_BOTH_ENDS:
- * there is one. */
+/* Returns the contact of a scene; if there are two, the contact whose restitution was measured at the end.
+ * COR_BOTH_ENDS: the scene has only one contact. */
 static inline struct cor_scene_contact scene_contact(const struct cor_scene *scene, int end)
 {
     struct cor_scene_contact contacts[COR_SCENE_ENDS];

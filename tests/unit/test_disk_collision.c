@@ -99,7 +99,7 @@ static struct reference_collision truth_of(const struct cor_disk_modes *modes, s
     return truth;
 }
 
-/* Checks eps and 1 - eps^2 to the tolerance, the energies, and, in_full, all other numbers of a truth that has them.
+/* Checks eps and 1 - eps^2 to the tolerance, the energies, and, in_full, all other numbers of a complete reference.
  * Returns the number of steps. */
 static size_t judge(const struct cor_disk_modes *modes, size_t n, double alpha, double v, double tolerance,
                     const struct reference_collision *truth, int in_full)
@@ -657,7 +657,7 @@ TEST(refusals)
                                         {INT_MAX, 0, 9, 1, 1},
                                         {COR_DISK_MODES_MAX_N + 1, 0, 9, 1, 1},
                                         {2, 0, some[3].omega, 1, 1}};
-    for (size_t i = 0; i + 1 < 2 * COUNT_OF(bad); i++) { /* as the fifth mode and as the first, except the last */
+    for (size_t i = 0; i + 1 < 2 * COUNT_OF(bad); i++) { /* as mode 5 and mode 1; the last one as mode 5 only */
         some[i % 2 ? 0 : 4] = bad[i / 2];
         refused(&mine, i % 2 ? 1 : 5, &good, 0.1, COR_ERROR_MODES);
         some[0] = modes->mode[0];

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* The guarantees of cor_disk_collision about its error: COR_OK means within the tolerance, error_estimate is at least
- * the error, and no call exceeds its budget. The truth is reference_collision.h: Taylor series in time, in long double
- * or, for collisions that amplify errors much, in quad precision. For more modes it is a call with a hundredth of the
- * tolerance.
+ * the error, and no call exceeds its budget. The reference is reference_collision.h: Taylor series in time, in long
+ * double or, for collisions that amplify errors much, in quad precision. For more modes the reference is a call with a
+ * hundredth of the tolerance.
  *     COR_TEST_LONG=1 COR_TEST_MULTIPLIER=834 test_disk_collision_error
- * judges 10^4 random scenes of each kind, or others with another COR_SEED. This takes half an hour and two hours. */
+ * judges 10^4 random scenes of each kind, in half an hour and in two hours. Another COR_SEED gives other scenes. */
 #include "check.h"
 
 #include <cor/disk.h>
@@ -160,9 +160,9 @@ TEST(larger_scenes)
 
 /* ---- known scenes ---- */
 
-/* Scenes with eps by reference_disk_collision to `known`; COR_TEST_MULTIPLIER computes the references again. Extreme
- * speeds and walls, few modes at hard walls, where round-off of the speed grows 10^4 to 10^6 times, and scenes that
- * were once wrong. */
+/* Scenes with eps by reference_disk_collision, within `known`; COR_TEST_MULTIPLIER computes the references again.
+ * Extreme speeds and walls, few modes at hard walls, where round-off of the speed grows 10^4 to 10^6 times, and other
+ * hard cases. */
 static const struct known_scene {
     struct scene scene;
     double exact, known;

@@ -338,7 +338,7 @@ TEST(test_domain)
 
 /* ---- other known facts ---- */
 
-/* Fewer modes and a softer wall: the limit is beyond a collision with 1800 modes, and a harder wall moves it there. */
+/* Collisions of 1800 modes lose less than the limit. Walls of alpha and 2 alpha, extrapolated, approach it. */
 TEST(test_collisions)
 {
     static const double speeds[] = {0.03, 0.1, 0.3};

@@ -93,8 +93,8 @@ TEST(proved_modes)
 
 /* ---- the error ---- */
 
-/* At random scenes the estimate is at least the error. The error is judged by two more levels, or the last one, with
- * finer steps and angles. */
+/* At random scenes the estimate is at least the error. The error is judged by two more levels, or by the last level,
+ * with finer steps and angles. */
 TEST(errors)
 {
     static const double tolerances[] = {1e-3, 1e-4, 1e-5, 3e-6, 1e-6};

@@ -203,7 +203,7 @@ TEST(near_critical_damping)
 }
 
 /* Both laws with a damping ratio have the same functions of eps. For every law eps is larger, and the contact shorter,
- * at zero force than at zero overlap. Next are limited damping and damped approach. */
+ * at zero force than at zero overlap. Limited damping has a larger eps, and damped approach the largest. */
 TEST(order_of_the_ends)
 {
     for (int end = 0; end < ENDS; end++)

@@ -17,7 +17,7 @@ static size_t many; /* MANY, or fewer with COR_TEST_DIVISOR */
 
 static const char *const set_name[COR_INSTRUCTION_SETS] = {"portable", "AVX2", "AVX-512"};
 
-/* Replaces the library's function, so that its arrays use the set that a test selects. */
+/* Replaces the library's function, so that array functions use the instruction set that a test selects. */
 static int set;
 int cor_array_set(void)
 {

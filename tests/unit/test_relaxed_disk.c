@@ -167,7 +167,7 @@ TEST(neither_the_way_nor_the_number_of_points_matters)
     free(finer);
 }
 
-/* The harder the wall, the closer to the law of (57) with the centre of mass as datum. */
+/* The harder the wall, the closer is the load to the law of (57) with the centre of mass as datum. */
 TEST(a_hard_wall_gives_the_contact_law)
 {
     leave_to_turn(0, 2);

@@ -35,7 +35,7 @@ static long double first_radius(const struct cor_scene_contact *s)
     return cbrtl(2 * pi * (long double)s->adhesion_j_m2 * R * R / modulus);
 }
 
-/* Returns the contact radius of the end, where the slope of the overlap over it, or the slope of the force, is 0. */
+/* Returns the contact radius of the end, where the derivative of the overlap or of the force by the radius is 0. */
 static long double last_radius(const struct cor_scene_contact *s, int end)
 {
     return first_radius(s) * powl(end == COR_JKR_TAIL ? 0.25L : 0.75L, 2 / 3.0L);
@@ -204,7 +204,7 @@ TEST(round_trip)
         }
 }
 
-/* The damper has a contact radius where b is 0, 1/4, 1/2 or 3/2 of Hertz's force. */
+/* With Hertz's force the damper follows a contact radius only if b is 0, 1/4, 1/2 or 3/2. */
 TEST(laws)
 {
     static const struct cor_exponents has[] = {{3, 0, 2}, {6, 1, 4}, {3, 1, 2}, {3, 3, 2}},

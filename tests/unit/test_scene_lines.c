@@ -227,7 +227,7 @@ TEST(versions)
     found(text_for("lammps", "new", &scene, 1), "refused: 'new' is not a version of LAMMPS");
 }
 
-/* Each pair of types has the damping that gives the right mean eps at this step: each has its own number of steps. */
+/* Each pair of types has the damping that gives the right mean eps at this time step, in its own number of steps. */
 TEST(corrected_for_a_step)
 {
     const double step = 5e-5, speed = 0.7, kn = 4.0 / 3 * young / (2 * (1 - poisson * poisson));

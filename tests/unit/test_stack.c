@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The stack that public functions use, for simulators that call them from threads with a small stack, and the functions
- * that allocate memory. Covers every function in the list of the bindings. A thread runs on painted memory; memory
+/* Tests how much stack public functions use, because simulators call them from threads with a small stack. Tests which
+ * functions allocate memory. Covers every function in the list of the bindings. A thread runs on painted memory; memory
  * without paint afterwards was used. */
 #define _POSIX_C_SOURCE 200809L
 #include "check.h"

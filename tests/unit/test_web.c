@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The sources of the browser's module as native code: numbers and curves against cor/contact.h and cor/scene.h,
- * refusals. tests/web has the module itself. */
+ * refusals. tests/web tests the module itself. */
 #include "check.h"
 
 #include "cor/contact.h"

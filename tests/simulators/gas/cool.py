@@ -80,7 +80,7 @@ def contact_at(time, speed, *options):
 
 
 def lammps_lines(time):
-    """Returns lines; the lines that end contacts at zero overlap are active."""
+    """Returns corgen's lines; the lines that end contacts at zero overlap are active."""
     return contact("--dissipation-time", time, "--for", "lammps")
 
 
@@ -131,7 +131,7 @@ class Gas:
         return float(row["damping_correction"])
 
     def gas(self, lattice, ranks, steps, **variables):
-        """1 minus the factor is nearly a power of T."""
+        """Runs the gas. 1 minus the factor of the damping is nearly a power of T."""
         first, last = SPEED**2, SPEED**2 / 25
         correction = 1 - self.factor(first, steps)
         power = math.log(correction / (1 - self.factor(last, steps))) / math.log(first / last) if correction else 0

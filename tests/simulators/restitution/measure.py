@@ -84,8 +84,8 @@ HEADING = r"(Instead, [^:]*: |For eps = [^:]*: )?[^:,]*, (.*) \(([^()]*)\): cont
 
 
 class Block:
-    """A model in the text of corgen contact --for. The active model has the whole text for its lines, in which the
-    other models are comments. The lines of another model are the content of its comments."""
+    """A model in the text of corgen contact --for. The lines of the active model are the whole text, in which other
+    models are comments. The lines of another model are the content of its comments."""
 
     def __init__(self, rows, text):
         found = re.fullmatch(HEADING, rows[0])
@@ -310,7 +310,7 @@ def simbody_cases():
 
 def stepped_cases(host, word, walls=(False, )):
     """Returns cases of an implicit method at its printed time step, at which corgen states the mean eps. word: only
-    models whose name has it."""
+    models whose name contains it."""
     cases = []
     for e, wall, corrected in itertools.product(RESTITUTIONS, walls, ([], ["--step-corrected"])):
         text = text_for(host, "linear", e, "--end", "zero-force", "--speed", "1", *corrected, wall=wall)

@@ -3,8 +3,8 @@
 #     yade -x -n -j1 yade.py RUN [RUN]...
 # Each RUN is a dict of Python: paste, the file of the text; duration, s; n, numbers of steps. Optional, if they differ
 # from the defaults in collide: wall, speed, g, side (tangential speed over speed), radius, and material, the numbers of
-# the two materials. With g the speed belongs to a ball that returns to the wall. It prints for each n, with duration/(n
-# + 1/2) as the time step,
+# the two materials. With g the speed belongs to a ball that returns to the wall. The script prints for each n, with
+# duration/(n + 1/2) as the time step,
 #     eps PASTE N VALUE CHANGE
 # CHANGE of the velocity after the contact must be 0. SI units. The text may define before_step, commands for each step,
 # and may use `step`. Without arguments the script prints whether this YADE has vn.
