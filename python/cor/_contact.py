@@ -77,7 +77,7 @@ class Contact:
         effects     gravity; adhesion and adhesion_model ("dmt", "jkr"); yield_stress; viscosity_liquid, gap_outer,
                     gap_inner
         end         "zero_overlap" or "zero_force"; "surface" in its place under a constant force; "tail" or
-                    "largest_pull" with JKR: where restitution or duration was measured, and of eps
+                    "largest_pull" with JKR: where restitution or duration was measured and eps is computed
 
     Accuracy (cor/scene.h): COR_SCENE_MAX_ERROR; with a constant force COR_SCENE_PRESSED_ERROR, with JKR
     COR_JKR_EPS2_MAX_ERROR. Exponents that no named law has must be equal, or need a constant force. Otherwise a

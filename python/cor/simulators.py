@@ -264,7 +264,7 @@ def audit(
     tolerance: float = 0.01,
     include: Optional[Callable[[str, str], Optional[str]]] = None,
 ) -> List[Finding]:
-    """Computes the restitution that each contact in a simulator's input really gives, as the command cor audit. text:
+    """Computes the restitution that each contact in a simulator's input really gives, like the command cor audit. text:
     the input itself, or a path. include(name, of): returns the text of a file that the input includes, or None. Raises
     ValueError for an input without contacts."""
     from ._audit import physics

@@ -20,8 +20,8 @@ MOST_BYTES, MOST_FILES = 200_000_000, 20_000  # of a copied folder
 
 
 def copy_folder_of(path: str, whole: str) -> str:
-    """Copies the folder of a file, up to a size, into the folder `whole`, so deep that paths with ../ remain in it.
-    Returns the path of the copy. Only files are copied, no devices."""
+    """Copies the folder of a file, up to a size, so deep into the folder `whole` that paths with ../ remain in `whole`.
+    Returns the path of the copy. Copies only files, no devices."""
     source, target = os.path.dirname(os.path.realpath(path)), os.path.join(whole, "1", "2", "3")
     size = files = 0
     for folder, folders, names in os.walk(source):

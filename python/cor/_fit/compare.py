@@ -116,7 +116,7 @@ def _set_limits(e: Estimate) -> None:
                     near = np.abs(e.intervals[j] - end) < 1e-6
                     e.intervals[j] = np.where(near, infinity, e.intervals[j])
                     e.intervals[j, :, 0 if infinity < 0 else 1] = infinity
-    if not all(determined) and len(determined) > 1:  # a coordinate that moves with an undetermined one
+    if not all(determined) and len(determined) > 1:  # a coordinate that varies with an undetermined coordinate
         covariance = covariance_of(p, finite_theta(e))
         size = np.sqrt(np.diag(covariance))
         tied = np.abs(covariance / np.outer(size, size)) > 1 - 1e-6

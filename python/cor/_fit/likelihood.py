@@ -456,7 +456,7 @@ class Reduced(Problem):
 
 
 def _local_minimum(f: Callable[[Sequence[float]], Floats], low: float, high: float, places: int) -> Tuple[float, float]:
-    """Return place and value of a local minimum. places: evaluated at once; 1: golden sections."""
+    """Return place and value of a local minimum. places: points per evaluation; 1: golden sections."""
     golden = 0.6180339887498949
     if places == 1:
         at = low + (1 - golden) * (high - low)

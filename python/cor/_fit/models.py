@@ -279,7 +279,7 @@ WithBodies = Callable[[Bodies], Optional[Parameter]]
 
 @dataclass(frozen=True)
 class Model:
-    """A curve with the parameters of a law. If with_bodies gives a parameter, it replaces number `replaced`."""
+    """A curve with the parameters of a law. A parameter from with_bodies replaces parameter number `replaced`."""
 
     name: str
     end: str  # "zero-overlap", "zero-force" or "both"
