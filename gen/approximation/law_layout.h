@@ -53,9 +53,9 @@ void law_layout_init_given(struct law_layout *layout, const struct interpolant_l
                            const struct law_table *table, int tables);
 /* Adds points to every interval, for an interpolant that was not accurate enough. */
 void law_layout_refine(struct law_layout *layout);
-/* Reduces the layout to one eps for beta_min and above, which needs fewer collisions. The interpolant then has no other
- * quantities. At zero force it adds intervals in ln(beta) near beta = 0, where zero force follows from zero overlap.
- * law_proof.c needs them for its proof. */
+/* Reduces the layout to eps at one end, for beta_min and above, which needs fewer collisions. The interpolant then has
+ * no other quantities. At zero force it adds intervals in ln(beta) near beta = 0, where zero force follows from zero
+ * overlap. law_proof.c needs them for its proof. */
 void law_layout_restrict(struct law_layout *layout, enum quantity eps, double beta_min);
 void law_layout_clear(struct law_layout *layout);
 

@@ -76,8 +76,8 @@ struct far_proof {
     const struct interpolant_proof *rows; /* for the duration at zero overlap */
 };
 
-/* Encloses the functions up to beta_max, with interpolants through collisions and bounds on ellipses around them as
- * above. `rows` contains a proof of the duration at zero overlap and must outlive the proof. Returns 0, or 1 after
+/* Encloses the functions up to beta_max, with interpolants through collisions and bounds on ellipses around the
+ * intervals. `rows` contains a proof of the duration at zero overlap and must outlive the proof. Returns 0, or 1 after
  * reporting the failure. Call far_proof_clear in either case. */
 int far_proof_init(struct far_proof *proof, const struct interpolant_proof *rows, double beta_max);
 void far_proof_clear(struct far_proof *proof);

@@ -64,8 +64,8 @@ struct option_common {
     bool profile;
 };
 
-/* OPTION is a rule with further members of option_rule, OPTION_PLAIN one without. ARGUMENTS is the struct of arguments
- * of the subcommand, whose first member is `common`. */
+/* OPTION is a rule with further members of option_rule. OPTION_PLAIN has no further members. ARGUMENTS is the struct of
+ * arguments of the subcommand, whose first member is `common`. */
 #define OPTION(NAME, KIND, FIELD, ...)                                                                                 \
     {                                                                                                                  \
         .name = (NAME), .kind = OPTION_##KIND, .offset = offsetof(ARGUMENTS, FIELD), __VA_ARGS__                       \

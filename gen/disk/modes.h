@@ -64,7 +64,7 @@ void disk_clear(struct disk *d);
  * DISK_UNDECIDED. */
 slong disk_count(const struct disk *d, slong n, const arb_t w);
 
-/* Computes a step of Newton's method: w (1 - step) is nearer to a root. Returns 0 if the interval is too wide. */
+/* Computes a Newton step; w (1 - step) is nearer to a root than w. Returns 0 if the interval is too wide. */
 int disk_newton(arb_t step, const struct disk *d, slong n, const arb_t w);
 
 /* Computes C and S of a mode by (26), (28), C > 0, from an interval that contains the w of a root. Returns 0 if the

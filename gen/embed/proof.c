@@ -57,7 +57,7 @@ struct prover {
 
 /* ---- a part ---- */
 
-/* Encloses x and eps as functions of t, and beta if x is not its logarithm. For a closed form, beta is the speed.
+/* Encloses x and eps as functions of t, and also beta unless x is ln(beta). For a closed form, beta is the speed.
  * Returns false without a proof. */
 static bool part_functions(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const struct prover *w,
                            const struct part *part)

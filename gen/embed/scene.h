@@ -29,7 +29,7 @@ struct embed_scene {
     bool pressed;       /* by a constant force: f = press beta^(-2a/n), and eps = 0 up to sticking_speed */
     arb_t press, sticking_speed;
     double sticking_log; /* ln(beta) at that speed */
-    double origin;       /* a double below sticking_speed, subtracted from every speed of the scene except the onset */
+    double origin;       /* a double below sticking_speed; subtracted from every speed of the scene except the onset */
     double onset;        /* eps is 1, or 0 if pressed, up to this speed; the forms begin above it; 0: no such speed */
     bool constant;       /* eps is the same at every speed: no damping, or q = 0 */
     arb_t eps;           /* the value of that eps */

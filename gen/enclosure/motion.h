@@ -26,7 +26,7 @@ enum motion_goal { MOTION_TURNING_POINT, MOTION_ZERO_FORCE, MOTION_ZERO_OVERLAP 
 enum motion_outcome {
     MOTION_DONE,
     MOTION_IMPRECISE, /* more bits are needed */
-    MOTION_MISSED,    /* no number of bits brings the motion so close to the slow manifold */
+    MOTION_MISSED,    /* no number of bits brings the motion close enough to the slow manifold */
     MOTION_ENDLESS    /* no event within TAYLOR_MAX_STEPS */
 };
 

@@ -35,7 +35,7 @@ enum {
     MOST_MODES = 3600,
     QUANTITIES = 3 /* enum plan_quantity */
 };
-/* The tolerance of the reference, a rigid wall, is this fraction of the requested one, limited by these bounds. */
+/* The tolerance of the reference, a rigid wall, is this fraction of the requested tolerance, between two bounds. */
 #define TRUTH_SHARE 0.02
 #define FINEST_TRUTH 1e-6
 #define COARSEST_TRUTH 1e-4

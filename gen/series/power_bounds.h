@@ -10,7 +10,7 @@
  *   so |E| <= nu |N| / (J + 1 - p nu |th(Z)|) for any nu >= |1/Z|.
  *
  * The norms of columns f^(j), the coefficients of s^j in f, bound both 1 - Z V and N without a product of polynomials.
- * V is the inverse of a small block of Z. The rest of Z is small where the bounds are useful. */
+ * V is the inverse of a small block of Z. Outside this block Z is small where the bounds are useful. */
 #ifndef COR_GEN_SERIES_POWER_BOUNDS_H
 #define COR_GEN_SERIES_POWER_BOUNDS_H
 

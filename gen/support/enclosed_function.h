@@ -48,8 +48,8 @@ bool enclosed_inverse(arb_poly_t y, const arb_poly_t p);
 /* Returns an approximate |f/g| at t. */
 double enclosed_ratio_at(const arb_poly_t f, const arb_poly_t g, double t);
 
-/* Bounds |f/g| from above. The bound is infinite where g may vanish. Halves the range, at most `halvings` times, until
- * the bound is near `known`, a value that the ratio reaches or that is small enough. */
+/* Bounds |f/g| from above. The bound is infinite if g may vanish. Halves the range, at most `halvings` times, until the
+ * bound is near `known`: a value that the ratio reaches, or one that is small enough. */
 double enclosed_largest_ratio(const arb_poly_t f, const arb_poly_t g, double known, int halvings);
 
 #endif

@@ -11,7 +11,7 @@
 int gnuplot_check(const char *path);
 
 /* Begins a script: terminal, colours (black, grey, light, blue, red, green, violet, amber), axes. Returns NULL after a
- * message if there is no space for it. */
+ * message if the script cannot be created. */
 FILE *gnuplot_begin(int width, int height);
 
 /* Runs and closes the script, which contains its data. Copies the picture that it prints to `out`, in the format of

@@ -9,7 +9,7 @@
 
 enum { WORKING_BITS = 320, EXPONENT_BITS = 480, HEAD_BITS = 26 };
 
-/* Bits that each row must reach: 0.7 units of the last place, in addition to 0.6 of the evaluation */
+/* Bits that each row must reach, for an error of 0.7 units of the last place; the evaluation adds 0.6 */
 #define LEAST_BITS 53.5
 
 /* ---- L = -ln(eps), x > 0 ---- */
@@ -93,8 +93,8 @@ static void slope_at_0(arb_t slope, const struct closed_form *law, bool of_inver
     LET(slope, WORKING_BITS, "(p/q)^sign*pi^power", p, q, sign, power);
 }
 
-/* Computes the x at which L is `wanted` > 0. For a concave L the secant method from two values on the left stays there.
- * Compares both sides of the result. */
+/* Computes the x at which L is `wanted` > 0. For a concave L the secant steps start left of x and stay there. Proves
+ * the result by L on both sides of it. */
 static int damping_of(arb_t x, const struct closed_form *law, const arb_t wanted)
 {
     enum { STEPS = 60 };

@@ -11,9 +11,9 @@
 
 /* The sphere's layout, one instance of law_layout.h. Only this file defines its geometry; macros of the headers pass it
  * to the evaluators (approximation/pieces.h). If the bound is one unit of the last place, 57 bits limit the
- * approximation to a sixteenth of it. Rows in x = beta^5 at zero overlap need fewer bits where eps falls steeply,
- * because the rounding of x changes eps more. In a row that is multiplied, c_0 has HEAD_BITS bits, so that its products
- * with halves of a double are exact. */
+ * approximation to a sixteenth of this unit. Rows in x = beta^5 at zero overlap need fewer bits where eps falls
+ * steeply, because the rounding of x changes eps more. In a row that is multiplied, c_0 has HEAD_BITS bits, so that its
+ * products with halves of a double are exact. */
 enum { FORCE_PLAIN = 4 /* rows of eps at zero force, see pieces.h */, HEAD_BITS = 26 };
 #define TABLE(name, words, of, ...)                                                                                    \
     {                                                                                                                  \
