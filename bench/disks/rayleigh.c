@@ -20,7 +20,7 @@ struct task {
     size_t n;
     struct cor_disk_rayleigh out;
     int status;
-    double *fraction; /* n of them; NULL: not requested */
+    double *fraction; /* n elements; NULL: not requested */
 };
 
 static void to_tolerance(void *closure)

@@ -82,9 +82,9 @@ static double worst_error(const struct truth *truth, const struct scene *scene, 
 
 /* The speeds of a scene and their beta, by enum input. */
 struct inputs {
-    double *random[2]; /* SCALARS of them; arrays use the first ones */
+    double *random[2]; /* SCALARS numbers; arrays use the first IN_CACHE */
     double *even[2];   /* COLLISIONS */
-    float *single[2];  /* the random ones in float */
+    float *single[2];  /* the random numbers in float */
     double *out;
 };
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The quasistatic contact law of the disk (cor/disk.h) and Lambert's W in it (runtime/number/lambert_w.h) against
- * balls. Random arguments of every magnitude, nu up to its ends, the last doubles inside every limit and both sides of
- * it, one ulp around every branch. W comes from arb_lambertw, and its results are inserted into (57). The contact time
- * comes from the integral over theta, in long double. Prints one line for each function; the documentation quotes these
- * lines. --help lists the options. */
+ * balls. Tests random arguments of every magnitude, nu up to its ends, the doubles on both sides of every limit, and
+ * one ulp around every branch. The exact W is from arb_lambertw, inserted into (57). The exact contact time is an
+ * integral over theta, in long double. Prints one line for each function; the documentation quotes these lines. --help
+ * lists the options. */
 #include "cor/disk.h"
 
 #include "reference_rayleigh.h"

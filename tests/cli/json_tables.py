@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Every table that corgen writes as json, against the same table as csv.
+"""Compares every table that corgen writes as json with the same table as csv.
 
     tests/cli/json_tables.py CORGEN      COR_SEED repeats a run
 

@@ -220,7 +220,7 @@ static void leave(void)
     }
 }
 
-/* output.c installs its handlers once and permanently; libFuzzer needs its own again afterwards. */
+/* output.c installs its signal handlers once and permanently; afterwards libFuzzer's handlers must be restored. */
 int LLVMFuzzerInitialize(int *argc, char ***argv)
 {
     (void)argc;

@@ -9,7 +9,7 @@
 
 enum { REFUSED = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW, FEW = 4 };
 
-/* Bits of the input. When it ends, random numbers follow, whose seed depends on the whole input. */
+/* Bits of the input. After its end, random numbers follow, whose seed depends on the whole input. */
 struct input_bits {
     struct bit_source source;
     struct input in;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Enclosed collisions of any power law, against direct integrations by other programs. The series, the closed forms and
- * the slow manifold, against the motion. Thresholds, and the asymptotics of docs/theory.md, 9. */
+/* Tests enclosed collisions of any power law against direct integrations by other programs. Tests the series, the
+ * closed forms and the slow manifold against the motion, and thresholds and the asymptotics of docs/theory.md, 9. */
 #include "ball.h"
 
 #include <unistd.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* cor/scene.h and gen/contact against an integration of the force in SI units and against textbook formulas. Every way
- * to specify the dissipation, converted there and back. Every number of corgen contact --for, converted as its
+/* Tests cor/scene.h and gen/contact against an integration of the force in SI units and against textbook formulas.
+ * Converts every way to specify the dissipation there and back, and every number of corgen contact --for as its
  * simulator does. */
 #include "../reference/ode.h"
 #include "ball.h"

@@ -116,7 +116,7 @@ TEST(test_ranges)
     struct decimal_range range = {"-1", "1", true, false, false, ""};
     assert_true(inside(&range, "-1") && inside(&range, "0.99999999999999999999"));
     assert_false(inside(&range, "1") || inside(&range, "-1.00000000000000000001"));
-    range.nearest = true; /* a number that rounds to the limit */
+    range.nearest = true; /* compares the nearest double, which is the limit here */
     assert_false(inside(&range, "0.99999999999999999999"));
     range.high_allowed = true;
     assert_true(inside(&range, "1") && inside(&range, "0.99999999999999999999"));

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The proofs of eps for other laws. Enclosures at complex damping are compared with enclosed collisions on the real
  * axis, and with Cauchy's integrals off it. Polynomials are compared with collisions between their samples. Ellipses
- * that reach a singularity. */
+ * that reach a singularity are refused. */
 #include "ball.h"
 
 #include <complex.h>
@@ -110,7 +110,7 @@ TEST(test_complex_plane)
     }
 }
 
-/* Above the threshold beta_c = 1.128 of the dashpot nothing separates: no ball there, no ellipse that reaches it. */
+/* Above the dashpot's threshold beta_c = 1.128 no bodies separate: no ball exists, and no ellipse may reach there. */
 TEST(test_singular)
 {
     const struct cor_exponents law = law_of("3/2", "0");

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Every numeric option of every subcommand, at both ends of its range and just outside. The expected range comes from
- * the texts a user reads: the help for whole numbers, the refusal for others. */
+ * the texts a user reads: the help for whole numbers, the refusal for other numbers. */
 #include "support/console.h" /* before cmocka, which defines a macro fail */
 
 #include "check.h"
@@ -12,7 +12,7 @@ static const struct subcommand *const commands[] = {&command_trajectory, &comman
                                                     &command_sample,     &command_embed,      &command_disk_collide,
                                                     &command_plan,       &command_tables,     &command_law};
 
-/* True if the option accepts the text, whatever other options it needs. Whole numbers are stored exactly. */
+/* True if the option accepts the text, even if it needs other options. Whole numbers are stored exactly. */
 static bool accepts(const struct subcommand *command, const struct option_rule *rule, const char *text)
 {
     struct option_rule alone[] = {*rule, {.name = NULL}};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Padé approximants: exactly known ones, the defining conditions, the published one, the analysis. */
+/* Tests Padé approximants: exactly known ones, a published one, the defining conditions, and the analysis. */
 #include "ball.h"
 
 #include "approximation/pade.h"
@@ -206,7 +206,7 @@ TEST(test_spurious_pair)
     assert_int_equal(a->spurious, 0);
     assert_null(pade_defects(a));
 
-    for (int k = 0; k < 20; k++) { /* one pair on either side of the slope */
+    for (int k = 0; k < 20; k++) { /* a pole-zero pair on either side of the slope */
         LOCAL(pade, g);
         LOCAL(pade_analysis, b);
         const double re = random_uniform(&draw, 0.5, 4), im = re / PADE_PAIR_SLOPE * (k % 2 ? 1.02 : 0.98);
@@ -219,7 +219,7 @@ TEST(test_spurious_pair)
     }
 
     multiply_pair(f->q, 2, 0.25);
-    multiply_pair(f->p, 2.0625, 0.25); /* three hundredths apart: no pair */
+    multiply_pair(f->p, 2.0625, 0.25); /* pole and zero differ by 3 %: no pair */
     assert_true(pade_analyse(a, f, PREC));
     assert_int_equal(a->spurious, 0);
 
@@ -227,7 +227,7 @@ TEST(test_spurious_pair)
     multiply_pair(f->p, 3.0009765625, 0.5);
     assert_true(pade_analyse(a, f, PREC));
     assert_int_equal(a->pairs, 4);
-    assert_int_equal(a->spurious, 2); /* it and its conjugate */
+    assert_int_equal(a->spurious, 2); /* the pair and its conjugate */
     assert_int_equal(a->poles.positive, 0);
     char *defects = pade_defects(a);
     assert_non_null(defects);

@@ -96,7 +96,7 @@ static void assert_bounds_of(const struct trajectory *t, const struct power_boun
     }
 }
 
-/* Every bound holds, with a block that is all of Z and with one that leaves much of the proof to the rest. */
+/* Every bound holds, both if the block is all of Z and if much of the proof depends on the rest of Z. */
 TEST(test_trajectories)
 {
     enum { ORDER = 4, TERMS = 30 };

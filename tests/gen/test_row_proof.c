@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The proofs of the sphere's rows. Enclosures at complex damping are compared with enclosed collisions on the real axis
- * and, off it, with a plain integration in time. Ellipses that reach a singularity, rows with wrong coefficients,
- * interpolants with wrong samples. The creep series, against enclosed collisions. */
+ * and, off it, with a plain integration in time. Refused: ellipses that reach a singularity, rows with wrong
+ * coefficients, interpolants with wrong samples. The creep series is compared with enclosed collisions. */
 #include "ball.h"
 
 #include <complex.h>
@@ -113,8 +113,8 @@ TEST(test_complex_plane)
     }
 }
 
-/* Beyond h*, on the negative axis of beta, no motion turns: no ball there, and no ellipse that reaches it. This ellipse
- * reaches it for rho >= 7.92. With rho = 8 it is refused after 6000 balls, which take seconds. */
+/* Beyond h*, on the negative axis of beta, no motion turns. No ball exists there, and no ellipse may reach it. This
+ * ellipse does for rho >= 7.92. With rho = 8 it is refused after 6000 balls, which take seconds. */
 TEST(test_singular)
 {
     leave_to_turn(0, 3);
@@ -131,7 +131,7 @@ TEST(test_singular)
         assert_true(inner.modulus[q] <= 1.2 * bound.modulus[q]);
 }
 
-/* Up to beta = 1: two intervals. `corgen tables` proves all rows. */
+/* Up to beta = 1, which are two intervals. `corgen tables` proves all rows. */
 static struct interpolant *interpolant;
 static struct interpolant_proof *proof;
 
@@ -353,7 +353,7 @@ TEST(test_enclosed_functions)
         bool (*enclosed)(arb_poly_t y, const arb_poly_t p);
         void (*exact)(arb_t y, const arb_t x, slong prec);
         double w[3];
-        int bits[2]; /* after the point, at the first w and at the others */
+        int bits[2]; /* after the point, at the first w and at later w */
         bool refuses;
     } functions[] = {{enclosed_exp, arb_exp, {0.35, 0.5, 0.9}, {150, 110}, false},
                      {enclosed_logarithm, arb_log, {0.2, 0.45, 0.49}, {104, 48}, true},

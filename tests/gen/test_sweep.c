@@ -336,7 +336,7 @@ static size_t put_rows(char bytes[MOST], const size_t *row, size_t n, size_t cut
     return size;
 }
 
-/* Only the next row may enter FILE: a byte changed, rows swapped, omitted, repeated, or without check values */
+/* Only the next row may enter FILE: no changed byte, no swapped, omitted or repeated row, none without check values */
 TEST(test_journal_changed)
 {
     char bytes[MOST];
@@ -413,7 +413,7 @@ TEST(test_journal_shared)
 
 /* ---- rigid walls ---- */
 
-/* The most levels that the first table has, and one more; then a budget that ends before the first table */
+/* All levels of the first table, and one level more; then a budget that ends before the first table */
 TEST(test_hard_wall)
 {
     enum { FIRST_LEVELS = 8 };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* J(nu): known values, two routes to it, and the bound on an ellipse that gives the error of the table. */
+/* Tests J(nu): known values, two methods, and the bound on an ellipse that gives the error of the table. */
 #include "ball.h"
 
 #include "enclosure/closed_form.h"

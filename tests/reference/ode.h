@@ -118,7 +118,7 @@ static inline int ode_until(struct ode *o, long double *y, ode_value *const *val
             found = i;
             length = high;
             memcpy(next, last, size);
-            i = -1; /* where another one fell earlier and rose later */
+            i = -1; /* starts again: another value may fall earlier and rise later */
         }
     }
     memcpy(y, next, size);
@@ -134,7 +134,7 @@ struct motion {
     long double press;
     long double (*force)(long double w, long double v, const void *of);
     const void *of;
-    int at_zero_force; /* ends there; otherwise the motion may have no end */
+    int at_zero_force; /* the motion ends at zero force; otherwise it may have no end */
     long double error; /* per step, 0 for 1e-18; larger if the force is a double */
 };
 

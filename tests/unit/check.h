@@ -114,7 +114,7 @@ static inline int left_to_turn(size_t i, size_t n)
     return getenv("COR_TEST_TURN") && !in_turn(i, n);
 }
 
-/* Skips a whole test function in the same way. */
+/* Skips a whole test function if left_to_turn() is true. */
 #define leave_to_turn(i, n)                                                                                            \
     do {                                                                                                               \
         if (left_to_turn((i), (n)))                                                                                    \
@@ -141,7 +141,7 @@ static inline void draw_begin(void)
 
 #ifndef CHECK_WITHOUT_MAIN
 enum { CHECK_MOST = 64 };
-static struct CMUnitTest check_tests[CHECK_MOST]; /* the unused ones have no function, and do not run */
+static struct CMUnitTest check_tests[CHECK_MOST]; /* unused elements have no function and do not run */
 static int check_line[CHECK_MOST], check_count;
 static int (*check_before)(void **state), (*check_after)(void **state);
 

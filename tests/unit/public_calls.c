@@ -154,7 +154,7 @@ static void without_subnormals(void *numbers, size_t size)
     }
 }
 
-/* Returns a contact as an init sets it. With by_hand, any numbers except subnormal ones, which no init sets. */
+/* Returns a contact as an init sets it. by_hand: any numbers, except subnormal numbers, which no init sets. */
 static struct cor_sphere_contact contact(struct bit_source *source, int by_hand)
 {
     struct cor_sphere_contact drawn;

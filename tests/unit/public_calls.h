@@ -48,10 +48,10 @@ uint64_t random_bits_next(struct bit_source *source);
 size_t draw_below(struct bit_source *source, size_t n);               /* 0, 1, ... or n - 1 */
 double draw_size(struct bit_source *source, double low, double high); /* all magnitudes about equally likely */
 
-/* Draws arguments inside and outside the domains: special values, extreme ones, any magnitude, and ordinary ones. No
- * subnormal ones if `subnormal` is 0. */
+/* Draws arguments inside and outside the domains: special and extreme values, any magnitude, and ordinary values. No
+ * subnormal values if `subnormal` is 0. */
 void arguments_draw(struct arguments *a, struct bit_source *source, size_t n, int subnormal);
-void arguments_flush(struct arguments *a); /* replaces subnormal ones by 0 */
+void arguments_flush(struct arguments *a); /* replaces subnormal values by 0 */
 
 struct results {
     double *value;

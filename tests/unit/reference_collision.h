@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The collision of a disk with the wall exp(alpha x)/alpha, (40), (44), (45) of Gerl and Zippelius, by Taylor series in
- * time. It is the truth for tests of cor_disk_collision and shares neither code nor method with it. */
+ * time. It is the reference for tests of cor_disk_collision and shares neither code nor method with that function. */
 #ifndef COR_TESTS_REFERENCE_COLLISION_H
 #define COR_TESTS_REFERENCE_COLLISION_H
 

@@ -239,7 +239,7 @@ TEST(other_modes)
         const double v = random_log(&draw, 0.003, 0.3), alpha = random_log(&draw, 50, fmin(8000, 50 / v));
         as_reference(material(random_uniform(&draw, 0, 1)), (size_t)random_log(&draw, 1, 60), alpha, v);
     }
-    /* tangential modes only, then radial ones only */
+    /* only tangential modes, then only radial modes */
     for (int k = 0; k < 2; k++) {
         const struct cor_disk_modes modes = modes_cut(&cor_disk_modes_nu090, (int[]){1, 2, 3, 4, 5, -1}, 0, 12);
         for (size_t i = 0; i < modes.count; i++)
@@ -448,7 +448,7 @@ TEST(chaotic)
     assert_true(fabs(diary.drift) < 1e-4);
 }
 
-/* No contact, or one that needs too many steps. If this is foreseeable, the run ends before the contact begins. */
+/* No contact, or a contact of too many steps. If this is foreseeable, the run ends before the contact begins. */
 TEST(without_results)
 {
     static const struct {
@@ -478,7 +478,7 @@ TEST(without_results)
 
 enum { CANARIES = 64 };
 
-/* Any workspace of sufficient size gives the same bits, whatever it contains. A refused one is not touched. */
+/* Any workspace of sufficient size gives the same bits, with any content. A refused workspace is not touched. */
 TEST(workspaces)
 {
     static const struct {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The parts of a collision, one by one: a drift, a kick against the gradient of its potential, the window of angles.
- * The extrapolation of artificial series, and the error from artificial movements. */
+/* Tests the parts of a collision one by one: a drift, a kick against the gradient of its potential, the window of
+ * angles. Tests the extrapolation of artificial series, and the error from artificial movements. */
 #include "check.h"
 
 #include <cor/disk.h>
@@ -322,7 +322,7 @@ TEST(step_error)
             if (runs > 2 && ratio > 0.5)
                 assert_true(error >= 3.9 * evidence.movement[runs - 2]);
         }
-    /* one movement that is small by chance */
+    /* a single movement that is small by chance has little effect */
     remainder_of(&evidence, 6, 1e-3, 0.1);
     evidence.movement[5] = 1e-15;
     assert_true(cor_collision_step_error(&soft, &evidence, 0) > 3e-10);
@@ -420,7 +420,7 @@ TEST(angles_error)
     assert_true(error.angles == 1);
 }
 
-/* The mean of the moments with some angles and with shifted ones equals the moment with twice as many angles. */
+/* The mean of the moments with some angles and with shifted angles equals the moment with twice the angles. */
 TEST(shifted_angles)
 {
     enum { PHI = 19, TERMS = 8 };

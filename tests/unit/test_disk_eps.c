@@ -129,7 +129,7 @@ static const struct cell *cell_beyond(const struct cell *at, int across, int las
 }
 
 /* Computes the joined polynomials by another route. If the cells beyond a side are smaller, their values replace the
- * first or last of the four interpolated ones. On the other two sides the difference is interpolated between zeros. */
+ * first or last of four interpolated values. On the other two sides the difference is interpolated between zeros. */
 static long double joined(const struct cell *at, long double x, long double y, long double *uncertainty)
 {
     const long double x_in = (x - at->x) / at->side, y_in = (y - at->nu) / at->side;
@@ -270,7 +270,7 @@ TEST(test_uncertainty)
     print_worst("off the grid");
 }
 
-/* Where a cell borders on smaller ones, and in the cell up to a third of it from there, the uncertainty of either side
+/* Where a cell borders on smaller cells, and in it up to a third of its side from there, the uncertainty of either side
  * covers the error. COR_TEST_MULTIPLIER=250: 500 places. */
 TEST(test_uncertainty_at_borders)
 {
@@ -348,7 +348,7 @@ TEST(test_collisions)
         assert_int_equal(cor_disk_collision(&cor_disk_modes_nu033, 1800, &options, speeds[i], &soft), 0);
         options.alpha *= 2;
         assert_int_equal(cor_disk_collision(&cor_disk_modes_nu033, 1800, &options, speeds[i], &hard), 0);
-        /* first order in 1/alpha; the rest is of the next order, and from the omitted modes */
+        /* extrapolated to first order in 1/alpha; the next order and the omitted modes remain */
         const double limit = cor_disk_one_minus_eps2(speeds[i], 0.33);
         const double found = 2 * hard.one_minus_eps2 - soft.one_minus_eps2;
         check(fabs(found - limit) <= 0.1 * (limit - soft.one_minus_eps2) + 0.04 * limit,

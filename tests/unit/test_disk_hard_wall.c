@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The public functions of the rigid wall (runtime/disk/hard_wall.c): values from another program, the error against two
- * more levels. All speeds down to the smallest double, details, workspaces, refusals. */
+ * more levels, all speeds down to the smallest double, details, workspaces, refusals. */
 #include "check.h"
 
 #include <cor/disk.h>
@@ -160,7 +160,7 @@ TEST(budgets)
         assert_int_equal(stopped, again.omega_levels < 2 ? COR_CONTACT_NOT_ENDED : COR_TOLERANCE_NOT_REACHED);
         check(work <= (double)(some.max_steps + COR_HARD_WALL_BATCH) && work > 0.2 * (double)some.max_steps,
               "nu = %.17g, v = %.17g: %g of %zu steps", nu, speed, work, some.max_steps);
-        /* enough steps give the same levels; each level needs 2^(1/2) times the steps of the one before */
+        /* enough steps give the same levels; each level needs 2^(1/2) times the steps of the previous level */
         struct cor_disk_hard_wall_options steps = {COR_DISK_HARD_WALL_MIN_TOLERANCE, 1};
         assert_int_equal(cor_disk_hard_wall(&modes, modes.count, &steps, speed, &again), COR_CONTACT_NOT_ENDED);
         assert_true(isnan(again.one_minus_eps2) && isnan(again.error_estimate) && again.omega_levels == 0);

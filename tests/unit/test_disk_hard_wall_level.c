@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* One level of the rigid wall (runtime/disk/hard_wall_level.c, hard_wall_contact.c) against the written-out formulas,
- * which share no sum, no contact solver and no step with it. Two fades, a point contact, energy, contacts in pieces.
- * Instruction sets give levels and modes with the same bits. */
+ * which share no sum, no contact solver and no step with it. Also tests two fades, a point contact, energy, contacts in
+ * pieces. All instruction sets give the same bits. */
 #include "check.h"
 
 #include <cor/status.h>

@@ -63,7 +63,7 @@ TEST(starts_alike)
     }
 }
 
-/* No root is found twice and none is missed: the number of modes below a frequency between two modes, (11.3) */
+/* No root is found twice and none is missed. Compares with the number of modes below a frequency, (11.3). */
 TEST(counted)
 {
     for (size_t i = 0; i < points(8); i++) {

@@ -95,7 +95,7 @@ TEST(test_tail)
                   out.error_estimate / all);
             errors += error / all;
             estimates += out.error_estimate / all;
-            /* with the other modes of the table in the tail */
+            /* the tail contains the other modes of the table */
             out = rayleigh(table(sums[i].table), n, datum, speed, NULL);
             error = fabs(out.fraction + out.tail - all);
             const double allowed =

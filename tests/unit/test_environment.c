@@ -88,8 +88,8 @@ static int free_results(void **state)
     return 0;
 }
 
-/* True if a result changes by a small fraction only, or by a few of the smallest normal numbers, because subnormal ones
- * are lost. Infinite results and NaN must not change. */
+/* True if a result changes by a small fraction only, or by a few of the smallest normal numbers, because subnormal
+ * numbers are lost. Infinite results and NaN must not change. */
 static int is_sane(const struct public_function *f, double x, double before)
 {
     const int is_float = f->type == PUBLIC_float || strcmp(f->name, "cor_law_arrayf") == 0;

@@ -113,7 +113,7 @@ TEST(falling_beta)
     }
 }
 
-/* Both exponents count. A number 200 octaves below the other is omitted. */
+/* Both exponents count. A number that is 200 octaves smaller is omitted. */
 TEST(sums_of_scaled_pairs)
 {
     for (size_t i = 0; i < points(2000); i++) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A sphere on a thin plate: the fields of the contact, sphere and plate integrated as two bodies, a plate with edges.
- * Published approximations, and the conditions of the theory. */
+/* Tests a sphere on a thin plate: the fields of the contact, sphere and plate integrated as two bodies, a plate with
+ * edges. Tests published approximations and the conditions of the theory. */
 #include "check.h"
 
 #include <cor/cor.h>

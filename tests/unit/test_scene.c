@@ -6,8 +6,8 @@
 
 #include "cor/contact.h"
 
-/* Mass, stiffness, radius and dissipation time of two bodies whose numbers all differ, or of a body and a wall. The
- * second body uses the numbers of the first where it has none. */
+/* Mass, stiffness, radius and dissipation time of two bodies whose numbers all differ, or of a body and a wall. A
+ * number that the second body lacks defaults to the first body's number. */
 TEST(unlike_bodies)
 {
     enum { YOUNG, POISSON, RADIUS, DENSITY, MASS, TIME, VISCOSITY, BULK, NUMBERS };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Spheres with JKR adhesion, by other methods. The energy of the tail by quadrature of the force, a motion in time and
- * contact radius in long double, and the spheres without adhesion. */
+/* Tests spheres with JKR adhesion by other methods. These are the energy of the tail by quadrature of the force, a
+ * motion in time and contact radius in long double, and the limit without adhesion. */
 #include "../reference/ode.h"
 #include "scene.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The lines for a simulator: the active ones, and their numbers against the force laws of LAMMPS and LIGGGHTS given
- * here; tests/simulators runs the lines. */
+/* Tests the lines for a simulator: which lines are active, and their numbers against the force laws of LAMMPS and
+ * LIGGGHTS given here. tests/simulators runs the lines. */
 #include "scene.h"
 
 #define PI 3.14159265358979323846
@@ -191,7 +191,7 @@ TEST(buffer_of_any_size)
         const size_t kept = size <= (size_t)length ? size - 1 : (size_t)length;
         check(memcmp(part, whole, kept) == 0 && part[kept] == '\0' && part[kept + 1] == 'x', "size %zu", size);
     }
-    /* a refusal is shortened likewise */
+    /* a refusal is shortened to the size, too */
     for (size_t size = 0; size < 60; size++) {
         memset(part, 'x', sizeof part);
         assert_true(lines_for(part, size, "mujoco-2", NULL, &scene, 0) < 0);
@@ -252,7 +252,7 @@ TEST(corrected_for_a_step)
         check(fabs(factor - 1) > 2e-4, "pair %d: nothing to correct, %g", i, factor);
         is_near(eta, 1.5e-4 * kn / m * factor, 1e-9);
     }
-    /* an impulse needs no correction; a method without these steps has none */
+    /* an impulse needs no correction; a method without time steps has no correction */
     scene = bodies(COR_LAW_HUNT_CROSSLEY, 0);
     scene_give(scene, {COR_SCENE_RESTITUTION, 0.7}, {COR_SCENE_AT, speed});
     scene.end = COR_END_ZERO_FORCE;

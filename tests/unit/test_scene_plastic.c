@@ -191,7 +191,7 @@ static double luding_force(const double number[3], double radius, double x, doub
 }
 
 /* The lines for LIGGGHTS are integrated: eps and overlap of the spheres at the speed of the lines, and the stated eps
- * at other speeds. Lines for a simulator without such a model state this. */
+ * at other speeds. Lines for a simulator without such a model state that it is missing. */
 TEST(lines_of_luding)
 {
     static const char *const names[] = {"LoadingStiffness", "UnloadingStiffness", "coefficientPlasticityDepth"};

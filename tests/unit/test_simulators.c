@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* cor/scene.h, the table of simulators: the realised e of each model for the e that a user sets, and the number that
- * corrects it. Also every conversion to a simulator's own number against its force law, integrated in SI units. */
+/* Tests the table of simulators of cor/scene.h: the realised e of each model for the e that a user sets, and the number
+ * that corrects it. Compares each conversion to a simulator's own number with its force law, integrated in SI units. */
 #include "../reference/ode.h"
 #include "scene.h"
 

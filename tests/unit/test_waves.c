@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The loss to elastic waves: known values, another contour for J(nu), sphere and half-space of one material and of
+/* Tests the loss to elastic waves: known values, another contour for J(nu), sphere and half-space of one material or of
  * two. */
 #include "check.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Two equal spheres head-on in Bullet, or one and a plane, with the lines of corgen contact --for bullet. The file
  * bullet_cases.inc, which measure.py writes, holds the array bullet_cases. The first overlap depends on where in a time
- * step the bodies meet. The program prints for each case the smallest and the largest restitution of 64 such places. For
+ * step the bodies meet. The program prints for each case the smallest and the largest restitution at 64 such times. For
  * a spring it prints their mean twice, because corgen states the mean:
  *     eps NAME 64 SMALLEST LARGEST */
 #include <btBulletDynamicsCommon.h>

@@ -10,7 +10,7 @@ import esys.lsm
 from esys.lsm import *
 from esys.lsm.util import BoundingBox, Vec3
 
-# without this the other process waits for ever after an error
+# without this hook the other MPI process waits forever after an error
 sys.excepthook = lambda *error: (sys.__excepthook__(*error), os._exit(1))
 paste, duration, count = sys.argv[1], float(sys.argv[2]), int(sys.argv[3])
 call = next(line for line in open(paste) if "Prms(" in line)
