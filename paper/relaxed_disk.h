@@ -32,7 +32,7 @@ struct relaxed_disk {
  * equally spaced on the quadrant 0 < phi < pi/2. The sum over them is exact for the trigonometric part of f that they
  * resolve. So its error falls faster than any power once the edge of the contact, about alpha^(-2/3) wide, spans a few
  * points. At delta <= 0.3 it is below 1e-12 of the load with 192 points for alpha = 500, and 1e-7 with 512 for 20000.
- * These numbers are sampled, compared with twice the points.
+ * These numbers are sampled errors against a disk with twice the points.
  *
  * The first disk has the lowest n_modes of a table. The second has all modes with n < 2 points, by
  *     A_n = D_n = (2n - 1 + nu)/(n^2 - 1),  B_n = (n (1 - nu) - 2)/(n^2 - 1)                       n >= 2

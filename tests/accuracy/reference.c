@@ -390,9 +390,9 @@ static long double cell_value(enum quantity quantity, long double beta)
 }
 
 /* For beta = 8^k b with b in the last binades, value = 2^(power k) (value at b + log k ln 2 x). x = b for the duration
- * at zero overlap, otherwise the largest overlap at b. Terms after the leading powers and logarithms are negligible.
- * These are beta^(-5/3), beta (const + (10/3) ln beta) and X beta^(-2/3), X = (3/2)^(2/3). The times of zero force and
- * of the largest overlap are beta^(-2/3) (const + (5/3) ln beta/sqrt(X)), with twice the logarithm at zero force. */
+ * at zero overlap, otherwise the largest overlap at b. Later terms are negligible. The leading terms are beta^(-5/3),
+ * beta (const + (10/3) ln beta) and X beta^(-2/3), X = (3/2)^(2/3). The times of zero force and of the largest overlap
+ * are beta^(-2/3) (const + (5/3) ln beta/sqrt(X)), with twice the logarithm at zero force. */
 static const struct {
     int power, thirds; /* log = thirds/3 */
     long double limit; /* at infinity */

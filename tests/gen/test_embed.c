@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Tests scenes and forms of corgen embed: speeds to beta, fits against collisions solved at the same speeds, emulated
- * arithmetic at the ends and outside, operation counts, the choice of a form. tests/embed/run tests the header. */
+/* Tests scenes and forms of corgen embed: speeds to beta, and fits against collisions at the same speeds. Tests
+ * emulated arithmetic, operation counts, and the choice of a form. tests/embed/run tests the header. */
 #define _XOPEN_SOURCE 700 /* mkstemp */
 #include <unistd.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The loops of arrays equal their scalar functions to the last bit: every function of laws and contacts, every
- * instruction set, any length, any place. The error of float arrays. (Public array functions: test_environment.c.) */
+ * instruction set, any length, any place. The error of float arrays. test_environment.c tests public functions. */
 #define _POSIX_C_SOURCE 200809L
 #include "check.h"
 

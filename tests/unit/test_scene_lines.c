@@ -252,7 +252,7 @@ TEST(corrected_for_a_step)
         check(fabs(factor - 1) > 2e-4, "pair %d: nothing to correct, %g", i, factor);
         is_near(eta, 1.5e-4 * kn / m * factor, 1e-9);
     }
-    /* an impulse needs no correction; a method without time steps has no correction */
+    /* an impulse needs no correction; an implicit integrator has no correction */
     scene = bodies(COR_LAW_HUNT_CROSSLEY, 0);
     scene_give(scene, {COR_SCENE_RESTITUTION, 0.7}, {COR_SCENE_AT, speed});
     scene.end = COR_END_ZERO_FORCE;
