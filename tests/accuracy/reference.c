@@ -72,7 +72,7 @@ static bool is_loss(int quantity)
 enum { DEGREE = 32, LENGTH };
 
 /* Relative size of the terms that a step omits; smaller for weak damping, where f is large compared with its final
- * value. And the relative size of the remaining transient on the slow manifold. */
+ * value. JOINED_LOG2: relative size of the remaining transient on the slow manifold. */
 static const double STEP_LOG2 = -75, STEP_IN_ROOT_LOG2 = -150, JOINED_LOG2 = -90;
 
 static struct {

@@ -21,7 +21,7 @@ static double inverse_error(const struct search_function *f, const struct search
         return computed == ((x == 1) != of_loss ? 0 : last) ? 0 : HUGE_VAL;
     }
     const long double other = 1 - (long double)x, eps = of_loss ? other : x, loss = of_loss ? x : other;
-    if (isinf(computed)) /* right if eps at the largest double is larger */
+    if (isinf(computed)) /* infinity is right if eps at the largest double exceeds x */
         return o->exact(f, EPS, DBL_MAX) >= eps ? 0 : HUGE_VAL;
     if (of_loss && x < DBL_MIN) /* proportional to the loss; the reference covers only normal numbers */
         return ulp_error(computed, (long double)f->value(0x1p-1000) * 0x1p1000L * x);

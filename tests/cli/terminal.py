@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""terminal.py CORGEN [SEED]: progress on a terminal, of four slow commands, or of all for the seed "all". The first
-line appears within a second, and then about one per second or more, also between rows. Ctrl-C leaves no file."""
+"""terminal.py CORGEN [SEED]: progress of four slow commands on a terminal, or of all for the seed "all". The first line
+appears within a second, and later lines about once a second or more often, also between rows. Ctrl-C leaves no file."""
 import os
 import pty
 import random

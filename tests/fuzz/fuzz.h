@@ -57,8 +57,8 @@ static inline size_t take_up_to(struct input *in, size_t most)
     return x % (most + 1);
 }
 
-/* Allocates exactly this number of bytes, so that the sanitizers detect an access beyond. Zero bytes are one byte,
- * which is never set, because malloc may return NULL for zero. */
+/* Allocates exactly this number of bytes, so that the sanitizers detect an access beyond. For zero bytes it allocates
+ * one byte, which is never set, because malloc(0) may return NULL. */
 static inline void *exactly(size_t size)
 {
     void *p = malloc(size > 0 ? size : 1);

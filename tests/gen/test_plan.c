@@ -67,8 +67,8 @@ static double pade_46(double beta)
     return p / q;
 }
 
-/* Checks the choice at every tolerance: it meets the tolerance at every point, and no cheaper model does. A model
- * reported to miss does miss. */
+/* Checks the choice at every tolerance: it meets the tolerance at every point, and no cheaper model does. A model that
+ * is reported as missing the tolerance misses it. */
 static void check_choice(struct plan *plan, struct random_state *r)
 {
     for (int k = 0; k < 300; k++) {

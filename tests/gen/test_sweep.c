@@ -214,7 +214,7 @@ static const char *const line[] = {"1,2,3", "", "a longer line, with 12345678 at
 enum { LINES = COUNT_OF(line) };
 
 enum { MOST = 1 << 12 };
-static char file[64], part[64], *whole_file; /* FILE, FILE.part, and the bytes of a complete one */
+static char file[64], part[64], *whole_file; /* FILE, FILE.part, and the bytes of a complete FILE */
 static size_t whole_size;
 
 static void part_write(const char *bytes, size_t size)

@@ -366,7 +366,7 @@ def _yield(eps):
     return brentq(lambda r: eps4(r) - eps**4, 1e-6, 1)
 
 
-# value, low and high of 95 %, AIC and p of corgen fit, the predecessor of cor.fit
+# value, low and high of 95 %, AIC and p, from another implementation, corgen fit
 STORED = [
     ("golf_ball_marble_heights", "viscoelastic zero-overlap", "g_star_m_s", 205461, 195593, 215918, 14.7784, 0.0051),
     ("ice_bridges_1984_formula", "power-law", "exponent", -0.234, -0.234012, -0.233988, -595.433, 0.25),

@@ -398,7 +398,7 @@ TEST(extreme_contacts)
     assert_true(cor_contact_eps_zero_force(&extreme, 1) == 1);
 }
 
-/* From the materials, all in long double, and by functions of beta */
+/* Compares with long doubles, from the materials, and with functions of beta */
 TEST(dimensions_against_long_double)
 {
     for (size_t i = 0; i < points(3000); i++) {

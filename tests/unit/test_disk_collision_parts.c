@@ -384,8 +384,8 @@ TEST(other_errors)
     assert_true(cor_collision_lasting_error(&large) == 0.5 && cor_collision_total_error(&large) == 1);
 }
 
-/* The collision amplifies the error of the angles. The factor is a bound, a thousandth of it for calm collisions, a
- * measured value, or the result of a run with other angles. */
+/* The collision amplifies the error of the angles. The factor is a bound (a thousandth of the bound for calm
+ * collisions), a measured value, or the result of a run with other angles. */
 TEST(angles_error)
 {
     struct stage stage;

@@ -490,7 +490,7 @@ TEST(parts_of_the_estimate)
     /* the second last change counts; the usual error at Omega = 240 is below three times the last change */
     double estimate = estimate_and_changes(0.1285, 0.06194, tolerance, 8, change);
     check(relative_error(estimate, change[1] + noise + UNSEEN / pow(first_omega(7), 2)) < 1e-9, "%.17g", estimate);
-    EACH (tolerances, tolerance, 3e-6) { /* a larger tolerance adds noise to the noise for 1e-6 */
+    EACH (tolerances, tolerance, 3e-6) { /* a larger tolerance adds noise beyond the noise for 1e-6 */
         estimate = estimate_and_changes(0.3305, 0.06118, *tolerances, 9, change);
         const double usual = 6.8e-7 * pow(680 / 240.0, 3.5) + 0.23 * fmax(change[0], change[1]),
                      more = NOISE * pow(*tolerances / 4e-6, 2.5 / 3) - noise;

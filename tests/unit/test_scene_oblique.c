@@ -197,7 +197,7 @@ static long double reference_restitution(struct reference *r, long double tangen
         o.longest = y[1] < 0 ? fminl(longest, 0.1L * y[0] + 1e-4L) : longest; /* the last slip may be short */
         int found = ode_until(&o, y, value, VALUES);
         const long double rounding = 1e-15L * r->cap * fabsl(normal_force(y, r));
-        for (int i = ABOVE; i <= SLIP && found < 0; i++) /* a test that was 0 at the start of the step */
+        for (int i = ABOVE; i <= SLIP && found < 0; i++) /* a value that was 0 at the start of the step */
             found = value[i](y, r) < -rounding ? i : found;
         o.h = found < 0 ? o.h : restart;
         if (r->mode == CREEPS && y[0] > 0)

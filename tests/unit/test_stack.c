@@ -103,7 +103,7 @@ static size_t stack_stated(const struct public_function *function, int of_scene)
 TEST(stack_of_functions)
 {
 #if defined __SANITIZE_ADDRESS__ || !defined __OPTIMIZE__
-    skip(); /* functions need more if instrumented or not optimized */
+    skip(); /* functions need more stack if instrumented or not optimized */
 #endif
     const size_t thread = stack_taken(NULL);
     for (size_t k = 0; k < function_count(); k++) {

@@ -59,7 +59,7 @@ TEST(test_gravity)
     assert_true(!web_read(GLASS "g-star=400\nend=surface") && strcmp(web_wrong.option, "end") == 0);
 }
 
-/* Returns the next cell of a row of csv, which has no quotes within cells. *row moves behind it. */
+/* Returns the next cell of a row of csv, which has no quotes within cells. Moves *row behind this cell. */
 static char *cell_of(char **row)
 {
     const int quoted = **row == '"';
