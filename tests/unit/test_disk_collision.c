@@ -61,7 +61,7 @@ static void same_results(const struct cor_disk_collision *x, const struct cor_di
 
 /* ---- values ---- */
 
-/* DISKS, section 4, to the digits printed there; nu = 0.33, alpha = 500, v = 0.1 */
+/* Known eps, to all digits given here; nu = 0.33, alpha = 500, v = 0.1 */
 TEST(known_answers)
 {
     static const struct {

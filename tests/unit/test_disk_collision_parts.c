@@ -128,7 +128,7 @@ TEST(kick)
         COR_CLEAR_DOUBLES(m->size.cells, m->p);
         stage.now.depth = random_uniform(&draw, -1, 0.5) / p.alpha;
         stage.now.v = 0;
-        cor_collision_drift(m, 0, &stage.now); /* time 0, but the angles of h: turns the modes and adds them up */
+        cor_collision_drift(m, 0, &stage.now); /* no time, but the angles of h: turns the modes and adds them up */
         y[0] = stage.now.depth;
         for (size_t i = 0; i < p.modes; i++)
             y[1 + i] = m->q[m->place[i]] / sqrtl(mass * (long double)m->mode[i].omega);

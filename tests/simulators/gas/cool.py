@@ -196,7 +196,7 @@ class Predictor:
                    os.path.join(HERE, "theory.c"), library, "-lgsl", "-lgslcblas", "-lm"])
 
     def __call__(self, states, model="zero_overlap", factor=1.0, loss=1.0):
-        """Returns theory at the times of the states, from the temperature of the first. factor multiplies A, loss 1
+        """Returns theory at the times of the states, from the first temperature. factor multiplies A, loss 1
         - eps^2."""
         command = [self.program, model, "%.17g" % loss, YOUNG, POISSON, RADIUS, DENSITY,
                    "%.17g" % (float(self.time) * factor), FRACTION, "%.17g" % states[0].temperature]
