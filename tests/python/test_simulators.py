@@ -345,6 +345,16 @@ def test_dir_is_what_is_public():
         assert set(dir(module)) == set(module.__all__)
 
 
+def test_quantities_are_those_of_corgen():
+    given = dict(**GLASS, dissipation_time=1e-6, adhesion=0.05, adhesion_model="dmt")
+    rows = csv.reader(io.StringIO(corgen("contact", "--format", "csv", **given).stdout))
+    printed = {row[0]: row[1] for row in rows}
+    found = cor.Contact(**given).quantities
+    assert "tabor_number" in found
+    for name, value in found.items():
+        assert value == pytest.approx(float(printed[name]), rel=1e-11), name
+
+
 @pytest.mark.parametrize("model", ["displacement", "mindlin_rescale/force", "liggghts", "yade", "viscous"])
 def test_oblique_impacts_are_those_of_corgen(model):
     given = dict(**GLASS, restitution=0.8, at=1.0, end="zero-force")
@@ -363,6 +373,7 @@ def test_oblique_impacts_are_those_of_corgen(model):
         ("angle_degrees: 90", {"angle_degrees": 90}),
         ("angle_degrees: nan", {"angle_degrees": np.nan}),
         ("speed_m_s: 0", {"speed_m_s": 0}),
+        ("speed_m_s: inf", {"speed_m_s": math.inf}),
         ("tangential: 'foo' is not a tangential model; allowed: displacement.* simulator", {"tangential": "foo"}),
         ("tangential_stiffness of viscel is missing", {"tangential": "viscel"}),
         ("friction -1.0 is out of range", {"friction": -1}),
