@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* A disk held at rest against the wall, the dashed-dotted line of Fig. 10. Its shape minimises the energy (41), in
- * which omega^2 Q^2 lacks a factor 1/2, with all momenta zero and the centre of mass at x_0. There each mode balances
- * the pressure f(phi) = exp(alpha x(phi)) of the wall: Q = -(1/(pi omega^2)) int w f dphi, w = C cos(n phi) cos(phi) -
- * S sin(n phi) sin(phi). This turns (40) into one equation on the rim,
+/* A disk held at rest against the wall, the dashed-dotted line of Fig. 10. Its shape minimises the energy (41) with
+ * all momenta zero and the centre of mass at x_0. (In the printed (41), omega^2 Q^2 lacks a factor 1/2.) Then each mode
+ * balances the pressure f(phi) = exp(alpha x(phi)) of the wall: Q = -(1/(pi omega^2)) int w f dphi, w = C cos(n phi)
+ * cos(phi) - S sin(n phi) sin(phi). This turns (40) into one equation on the rim,
  *
  *     ln(f)/alpha = x_0 + cos(phi) - int G(phi, psi) f(psi) dpsi,     -pi/2 <= phi <= pi/2,
  *     pi G = sum_n A_n cos(n phi) cos(phi) cos(n psi) cos(psi) + D_n sin(n phi) sin(phi) sin(n psi) sin(psi)

@@ -10,7 +10,7 @@
 #include "support/formula.h"
 #include "support/local.h"
 
-/* The columns. name: for the dimensionless collision and in SI units, NULL: no such column; end: where the number
+/* The columns. name: of the dimensionless collision and in SI units; NULL: no such column. end: where the number
  * holds. Under a constant force the surface replaces zero force. */
 enum { BETA, FORCE_MAX = 9, STICKING, COLUMNS = STICKING + 2 };
 static const struct {

@@ -77,7 +77,8 @@ static struct route route_of(const arb_t beta, double below, const struct cor_ex
     return r;
 }
 
-/* Solves by the route. Closed forms replace results that the motion encloses less well, or not at all near zeta = 1. */
+/* Solves by the route. Closed forms replace results that the motion encloses less tightly. Near zeta = 1 it does not
+ * enclose them at all. */
 static enum motion_outcome try_precision(struct collision *c, const arb_t beta, const struct cor_exponents *law,
                                          const struct route *r)
 {

@@ -3,8 +3,8 @@
 
 #include "enclosure/complex_path.h"
 
-/* Zero force is reached in zeta for |sqrt(beta)| <= NEAR_TO, and in k for NEAR_FROM and above. From there zero overlap
- * is reached in k up to CREEP_TO, and in Y for CREEP_FROM and above, where unloading creeps. */
+/* The path to zero force uses the variable zeta for |sqrt(beta)| <= NEAR_TO, and k from NEAR_FROM upward. The path from
+ * zero force to zero overlap uses k up to CREEP_TO, and Y from CREEP_FROM upward, where unloading is slow. */
 #define NEAR_FROM 1.05
 #define NEAR_TO 1.1
 #define CREEP_FROM 1.65

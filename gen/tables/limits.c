@@ -27,7 +27,7 @@ enum { X_ROOTS = 20, NU_ROOTS = 5, ROOTS = X_ROOTS * NU_ROOTS };
 /* Largest number of divisions of a cell. A fifth division helps little (docs/disks.md). The unit of coordinates is a
  * sixth of the side of a cell that is divided FINEST times, so coordinates do not depend on this number. */
 enum { MOST_CUTS = 4, FINEST = 8, SIXTHS = 6, ROOT_SIDE = SIXTHS << FINEST };
-/* The smallest cells and pieces. PER_ROOT of them make the side of a root. */
+/* The smallest cells and pieces. The side of a root cell has PER_ROOT of them. */
 enum {
     PER_ROOT = 1 << MOST_CUTS,
     SMALLEST = ROOT_SIDE / PER_ROOT,

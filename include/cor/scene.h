@@ -409,7 +409,7 @@ struct cor_scene {
 enum cor_fault {
     COR_FAULT_NONE,           /* COR_OK */
     COR_FAULT_SOLVER,         /* the law needs a solver */
-    COR_FAULT_NO_DAMPING,     /* the solver gives this restitution for no damping */
+    COR_FAULT_NO_DAMPING,     /* no damping gives this restitution */
     COR_FAULT_MISSING,        /* number is missing */
     COR_FAULT_ONE_OF,         /* give one of number and other */
     COR_FAULT_EXCLUDED,       /* number and other exclude each other */
@@ -427,7 +427,7 @@ enum cor_fault {
     COR_FAULT_NOT_HERTZ,      /* bodies, and a law without Hertz's force */
     COR_FAULT_NO_WAY,         /* nothing gives the damping */
     COR_FAULT_TWO_WAYS,       /* number and other both give the damping */
-    COR_FAULT_NOT_SPHERE,     /* number belongs to viscoelastic spheres; other: COR_SCENE_AT where q is not 0 */
+    COR_FAULT_NOT_SPHERE,     /* only viscoelastic spheres have `number`; `other` is COR_SCENE_AT if q is not 0 */
     COR_FAULT_CONSTANT,       /* g*, where q = 0 */
     COR_FAULT_NOT_CONSTANT,   /* zeta, where q is not 0 */
     COR_FAULT_NO_BODIES,      /* number needs bodies */

@@ -23,7 +23,7 @@ enum {
 /* Runs with a larger tolerance start with the largest allowed step. Runs with a smaller tolerance start with a smaller
  * step, so that four or five runs suffice. Chosen. */
 #define COR_TUNING_EASY_TOLERANCE 1e-8
-/* Largest number of cuts of the first step, 2^6 in all. Chosen. */
+/* Largest number of times that the first step is cut; 12 cuts divide it by 2^6. Chosen. */
 #define COR_TUNING_MAX_CUTS 12
 
 /* Smallest number of angles in the quadrant. Chosen. */

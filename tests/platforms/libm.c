@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Another C library answers tests/accuracy/test_libm.c (COR_TEST_LIBM): reads NAME BITS, prints the value's bits. */
+/* Evaluates functions of another C library for tests/accuracy/test_libm.c (COR_TEST_LIBM). Reads lines NAME BITS and
+ * prints the bits of each value. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -118,7 +118,7 @@ static inline int ode_until(struct ode *o, long double *y, ode_value *const *val
             found = i;
             length = high;
             memcpy(next, last, size);
-            i = -1; /* starts again: another value may fall earlier and rise later */
+            i = -1; /* start again: another value may reach zero earlier */
         }
     }
     memcpy(y, next, size);

@@ -187,7 +187,7 @@ static const struct known_scene {
      1e-14,
      {0},
      0},
-    /* repeated impacts amplify the error of the angles, which the load does not show */
+    /* repeated impacts amplify the error of the angles; the load does not show this */
     {{0.9, 80, 2018.0773948944377, 0.15687429682060067, 3e-3}, 0.80948591625, 1e-9, {8.65e-3}, 0},
     /* the next two: only in one turn of three */
     {{0.33, 24, 4000, 0.1, 1e-4}, 0.92397154646327462, 1e-14, {1e-8, 1e-9}, 1e-4},

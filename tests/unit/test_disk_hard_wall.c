@@ -123,8 +123,8 @@ TEST(errors)
     assert_true(judged > 0);
 }
 
-/* At random scenes, the operations exceed a budget by at most one batch of steps. If this budget, or a budget of steps,
- * ends the sequence, result and estimate are as from a table with only the modes of its levels. */
+/* At random scenes, the operations exceed a budget by at most one batch of steps. If a budget of operations or of steps
+ * ends the sequence, result and estimate equal the ones from a table that has only the modes of the finished levels. */
 TEST(budgets)
 {
     leave_to_turn(2, 3);

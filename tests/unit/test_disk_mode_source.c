@@ -119,7 +119,7 @@ TEST(all_materials)
         sum_rules(random_uniform(&draw, -0.9, 0.95), (size_t)random_log(&draw, 2000, 6000));
 }
 
-/* Close to nu = -1, where the lowest modes are the conformal maps, omega^2 = (n + 1)(n + 2)/2, and close to 1 */
+/* nu close to -1 and to 1. Near -1 the lowest modes are conformal maps with omega^2 = (n + 1)(n + 2)/2. */
 TEST(ends)
 {
     EACH (nus, -1 + 0x1p-53, -1 + 1e-12, -1 + 1e-6, -0.999, 0.999, 1 - 1e-6, 1 - 1e-12, 1 - 0x1p-53) {

@@ -82,7 +82,7 @@ TEST(special_values)
     assert_true(same_bits(cor_inline_fifth_root(0.0), 0.0) && same_bits(cor_inline_fifth_root(-0.0), -0.0));
     assert_true(cor_inline_fifth_root(INFINITY) == INFINITY);
     assert_true(isnan(cor_inline_fifth_root(NAN)));
-    assert_true(cor_inline_fifth_root(-32) == -32); /* not refused here: callers refuse it */
+    assert_true(cor_inline_fifth_root(-32) == -32); /* accepted here; its callers refuse it */
     EACH (edge, 0x1p-900, 0x1p900, DBL_MIN, DBL_MAX, 5e-324) {
         const double side[3] = {nextafter(*edge, 0), *edge, nextafter(*edge, DBL_MAX)};
         for (int k = 0; k < 3; k++)

@@ -145,7 +145,7 @@ TEST(ends)
     hunt_crossley.end = COR_END_APPROACH_ONLY;
     scene_give(hunt_crossley, {COR_SCENE_RESTITUTION, 0.5}, {COR_SCENE_AT, 1});
     found(text_for("simbody", NULL, &hunt_crossley, 1), "\n// realises eps = 0.5 at 1 m/s\n");
-    /* A given damping is the active one. */
+    /* If the damping is given, the active lines have it. */
     const double l = log(2) / PI, zeta = l / sqrt(1 + l * l), root = sqrt(1 - zeta * zeta);
     scene.end = COR_END_ZERO_OVERLAP;
     scene_give(scene, {COR_SCENE_RESTITUTION, NAN}, {COR_SCENE_ZETA, zeta});

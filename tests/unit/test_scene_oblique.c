@@ -185,7 +185,7 @@ static long double reference_restitution(struct reference *r, long double tangen
     r->least = r->p + d < a ? r->p + d : a;
     r->least = (r->beta > 0 || r->gamma > 0) && b < r->least ? b : r->least;
     r->mode = first + (r->in_cap ? damper(early, r) : 0) > r->cap * normal_force(early, r) ? SLIPS : STICKS;
-    if (r->mode == SLIPS && excess(early, r) <= 0) { /* the damper filled the cap */
+    if (r->mode == SLIPS && excess(early, r) <= 0) { /* the damper reached the friction limit */
         if (!remembers_force(r) && b < r->p) {
             r->side = -1;
         } else {

@@ -83,7 +83,7 @@ def lines_of(path: str) -> List[Tuple[int, str]]:
 
 
 class Script:
-    """The script in the program, with collisions in place of its runs."""
+    """Runs the script in the program, with collisions in place of its runs."""
 
     def __init__(self, command: List[str], folder: str, source: str, end: float, todo: List[Collision]) -> None:
         self.command, self.folder, self.source, self.end, self.todo = command, folder, source, end, todo
