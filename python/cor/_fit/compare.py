@@ -279,6 +279,8 @@ def find_outliers(data: Data, sample: Sample, models: Sequence[Model], setup: Se
         if e is None:
             break
         lines, found = distances(e)
+        if np.isnan(found).all():  # a function without numbers
+            break
         k = int(np.nanargmax(np.abs(found)))
         if here.size * special.erfc(abs(found[k]) / math.sqrt(2)) > 0.05:
             break
