@@ -21,7 +21,7 @@ from cor._fit.data import Air, Apexes, Data, DataError, Heights, Points, Times  
 
 DATA = Path(__file__).parents[2] / "docs" / "data"
 CORGEN = os.environ.get("CORGEN", "build/corgen")
-LONG = "COR_TEST_LONG" in os.environ
+LONG = bool(os.environ.get("COR_TEST_LONG"))
 G = 9.80665
 BALL = {"mass": 0.0027, "diameter": 0.04, "drag_coefficient": 0.47}
 FIELD = likelihood.Field(G, 0.0, math.nan)
@@ -590,11 +590,14 @@ def test_outliers_are_named(kind):
     assert clean <= 1 and found >= draw
 
 
-def test_a_function_without_numbers_is_not_determined():
+def test_a_function_without_numbers_has_no_outliers_and_is_not_determined():
     def broken(speed, a=1.0):
         return speed * math.nan
 
     assert math.isnan(cor.fit(points([1.0, 2.0, 3.0], [0.8, 0.8, 0.7]), law=broken).parameters.value[0])
+    for robust in (False, True):
+        found = cor.fit({"speed_m_s": [1.0, 2.0, 3.0], "eps": [0.8, 0.8, 0.7]}, law=broken, robust=robust)
+        assert math.isnan(found.parameters.value[0])
 
 
 def mean_of(eps, sigma, bend):
