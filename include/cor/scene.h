@@ -319,8 +319,8 @@ struct cor_oblique_impact {
 /* Computes the impact of two solid spheres, or of a sphere on a wall. friction: the coefficient. The normal speed is g,
  * the tangential speed g times `tangent`. Friction limits the force to `friction` times the absolute normal force of
  * spring and damper, which can be negative before the end of zero overlap. For tangent = 0 the result is the limit of
- * small angles. The contact may have any power law and a constant force; the result is NaN if this force holds the
- * bodies. Taylor series follow the motion between slip and stick, in 20 to 80 microseconds. Accuracy:
+ * small angles. The contact may have any power law and a constant force; the result is NaN if the bodies do not part,
+ * with eps 0. Taylor series follow the motion between slip and stick, in 20 to 80 microseconds. Accuracy:
  * COR_OBLIQUE_ERROR, absolute, of u'/u while 1e-6 <= tangent/friction and eps >= 1e-3; sampled in
  * tests/unit/test_scene_oblique.c. Returns COR_OK; COR_FAULT_RANGE for numbers that are out of range and for plates,
  * yield, liquids and JKR; COR_FAULT_PRESSED if the motion takes too many steps. */

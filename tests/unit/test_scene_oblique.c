@@ -392,4 +392,10 @@ TEST(refused_numbers)
                     cor_scene_oblique(&o, &c, &good, 0.3, *x, 1, 0) == COR_FAULT_RANGE &&
                     cor_scene_oblique(&o, &c, &good, 0.3, 1, *x, 0) == COR_FAULT_RANGE && isnan(o.restitution));
     assert_true(cor_scene_oblique(&o, &held, &good, 0.3, 1, 1, 0) == COR_OK && isnan(o.restitution) && o.regime == 0);
+    /* damped so strongly that the bodies never part at zero overlap */
+    EACH (law, COR_LAW_LINEAR, COR_LAW_HERTZ_DASHPOT) {
+        const struct cor_scene_contact stays = scaled_contact(&cor_law_exponents[(int)*law], 5, 0);
+        assert_true(cor_scene_oblique(&o, &stays, &good, 0.3, 1, 1, 0) == COR_OK && isnan(o.restitution));
+        assert_true(cor_scene_oblique(&o, &stays, &good, 0.3, 1, 1, 1) == COR_OK && o.eps > 0 && o.eps < 0.1);
+    }
 }
