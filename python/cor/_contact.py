@@ -25,11 +25,12 @@ def raise_text(text: Any) -> None:
     raise ValueError(re.sub(r"--([a-z][a-z0-9-]*)", lambda name: name[1].replace("-", "_"), string(text)))
 
 
-def option_number(name: str, value: Any) -> float:
+def option_number(name: str, value: Any, label: str = "") -> float:
+    """Returns a number in the range of the argument with this name. The error names the label, or the argument."""
     option = ffi.addressof(lib.cor_scene_options, _NUMBERS.index(name))
-    made = float(number(name, value))
+    made = float(number(label or name, value))
     if not lib.cor_option_allows(option, made):
-        raise ValueError(f"{name}: {value!r} is not {string(option.allowed)}")
+        raise ValueError(f"{label or name}: {value!r} is not {string(option.allowed)}")
     return made
 
 

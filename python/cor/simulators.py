@@ -106,10 +106,10 @@ def _row(argument: str, row: Mapping[str, Any], texts: Tuple[str, ...], numbers:
             continue
         try:
             cells[column] = float(given) if column in numbers else str(given)
-            if numbers.get(column) and not math.isnan(cells[column]):
-                option_number(numbers[column], cells[column])
         except ValueError as error:
-            raise ValueError(f"{argument}: {column}: {str(error).replace('zeta: ', '')}") from None
+            raise ValueError(f"{argument}: {column}: {error}") from None
+        if numbers.get(column) and not math.isnan(cells[column]):
+            option_number(numbers[column], cells[column], f"{argument}: {column}")
     return cells
 
 

@@ -289,8 +289,16 @@ def test_a_measured_restitution():
         (lambda: simulators.lines("lammps", materials=[], speeds=1), "^no material has balls"),
         (lambda: simulators.lines("lammps", materials=[{**MATERIALS[0], "wall": 0}], speeds=1), "radius is missing"),
         (lambda: simulators.lines("lammps", materials=[{"mass": 1}], speeds=1), "^materials: the column 'mass'"),
-        (lambda: simulators.lines("lammps", materials=[{"young_pa": -1}], speeds=1), "^materials: young_pa: young: "),
+        (
+            lambda: simulators.lines("lammps", materials=[{"young_pa": -1}], speeds=1),
+            "^materials: young_pa: -1.0 is not ",
+        ),
         (lambda: simulators.lines("lammps", materials=[{**MATERIALS[1], "wall": 1}], speeds=1), "a wall has no radius"),
+        (
+            lambda: simulators.lines("lammps", materials=MATERIALS, pairs=[{"friction": -1}], speeds=1),
+            "^pairs: friction: ",
+        ),
+        (lambda: simulators.lines("lammps", materials=[{"wall": "x"}], speeds=1), "^materials: wall: could not"),
         (lambda: simulators.lines("lammps", materials=MATERIALS, pairs=PAIRS[:1], speeds=1), "^steel and steel: the "),
         (lambda: simulators.lines("lammps", materials=MATERIALS, pairs=[{"a": "x"}], speeds=1), "^pairs: x, : a and"),
         (lambda: simulators.lines("lammps", BODY, version="new"), "^version: "),
