@@ -105,7 +105,7 @@ class Declarations:
         self.constants: Dict[str, Constant] = {}
         self.objects: Dict[str, Object] = {}
         self.types: List[str] = []  # structs and enums as C text, in order
-        self.modules: Dict[str, str] = {}  # the subject of a header: its name, or the name of the header that includes it
+        self.modules: Dict[str, str] = {}  # the subject of a header: its name or its includer's
         self._include = include
         self._read("cor.h", "version")
 

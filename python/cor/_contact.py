@@ -193,8 +193,8 @@ class Contact:
     def _raise(self, fault: Any) -> None:
         if fault.fault == lib.COR_FAULT_SOLVER:
             raise ValueError(
-                f"elastic, damping: the law {self._law} has no functions here; use corgen contact --elastic A --damping B "
-                f"(allowed: {', '.join(_LAWS)}, equal exponents, and any under gravity or dmt adhesion)"
+                f"elastic, damping: the law {self._law} has no functions here; use corgen contact --elastic A "
+                f"--damping B (allowed: {', '.join(_LAWS)}, equal exponents, and any under gravity or dmt adhesion)"
             )
         text = ffi.new("char[]", lib.COR_SCENE_FAULT_TEXT)
         lib.cor_scene_fault_text(text, len(text), fault, self._law.encode(), ffi.NULL)

@@ -497,7 +497,8 @@ def test_oblique_impacts(tmp_path, line):
     assert found(text) == [None, None]
 
 
-OLD_STYLES = """hooke/history 35e3 NULL 50 NULL 0.4 1|hooke 35e3 50 tangential linear_history 1e4 0.5 0.4 damping mass_velocity
+OLD_STYLES = """hooke/history 35e3 NULL 50 NULL 0.4 1|\
+hooke 35e3 50 tangential linear_history 1e4 0.5 0.4 damping mass_velocity
 hooke/history 3e4 2e4 50 20 0.4 0|hooke 3e4 50 tangential linear_history 2e4 0 0.4 damping mass_velocity
 hertz/history 2e7 1.5e7 5e4 2e4 0.3 1|hertz 2e7 5e4 tangential mindlin 1.5e7 0.4 0.3 damping viscoelastic"""
 

@@ -32,8 +32,8 @@ _LOSSES = re.compile(
 _NORMAL = {"hooke": 2, "hertz": 2, "hertz/material": 3, "dmt": 4, "jkr": 4}  # number of coefficients
 _FAULTS = {
     "dmt": "The pull of DMT adhesion makes eps depend on the speed; without it eps would depend only on the damping.",
-    "jkr": "LAMMPS separates bodies at the largest pull of JKR's force: they stick below 0.703 times the speed of JKR's "
-    "theory, and lose half its energy. The damping adds to this loss.",
+    "jkr": "LAMMPS separates bodies at the largest pull of JKR's force: they stick below 0.703 times the speed of "
+    "JKR's theory, and lose half its energy. The damping adds to this loss.",
 }
 _BY_MASS = ("HOOKE_MASS_VELOCITY", "HOOKE_VISCOELASTIC", "HERTZ_VISCOELASTIC", "HERTZ_MASS_VELOCITY")
 _BY_ROOT = ("HOOKE_TSUJI", "HERTZ_TSUJI", "COEFF_RESTITUTION")  # damping is proportional to the root of the mass

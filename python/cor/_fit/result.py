@@ -209,7 +209,9 @@ class Result:
             lines.append(f"Not determined, because the minimum is flat: parameters of {', '.join(flat)}.")
         lines += self._outlier_remarks(mine)
         kind = "a chi2" if e.p_of_chi2 else "means of neighbouring residuals"
-        lines.append(f"p: probability of {kind} this large if the model is right; below {SIGNIFICANCE} it does not fit.")
+        lines.append(
+            f"p: probability of {kind} this large if the model is right; below {SIGNIFICANCE} it does not fit."
+        )
         named: Dict[str, List[str]] = {}
         for m, _ in fits:
             named.setdefault(m.curve.name, []).append(m.title)
