@@ -155,7 +155,8 @@ def _docstring(text: str) -> str:
 
 def docs(declared: Declarations) -> str:
     """Returns the module _docs: the comments of functions with wrappers written by hand."""
-    text = '# SPDX-License-Identifier: MIT\n# Written by python/bindings from the headers of cor.\n"""Comments of the headers."""\n\n'
+    text = "# SPDX-License-Identifier: MIT\n# Written by python/bindings from the headers of cor.\n"
+    text += '"""Comments of the headers."""\n\n'
     text += "DOCS = {\n"
     for name, call in calls(declared).items():
         if call.kind == "other":

@@ -69,7 +69,8 @@ WANTED = (
     "time_s,height_m for a track"
 )
 _UNIT_END = re.compile(
-    r"^(?P<base>.*?)(?:[\s_]*[(\[](?P<in>[^()\[\]]*)[)\]]|[\s_/]+(?P<end>(?:mm|cm|m)[/_]s|mm|cm|m|s|ms|us|µs|μs|sec))$",
+    r"^(?P<base>.*?)(?:[\s_]*[(\[](?P<in>[^()\[\]]*)[)\]]"
+    r"|[\s_/]+(?P<end>(?:mm|cm|m)[/_]s|mm|cm|m|s|ms|us|µs|μs|sec))$",
     re.I | re.S,
 )
 
