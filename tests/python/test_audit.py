@@ -517,6 +517,15 @@ def test_oblique_impacts_of_other_styles(tmp_path):
         expected = found(f"{head}pair_style granular\npair_coeff * * {granular}\n{tail}")
         found_old = found(f"{head}pair_style gran/{old}\npair_coeff * *\n{tail}")
         assert expected and found_old == pytest.approx(expected), old
+    mixed = head.replace("create_box      1", "create_box 2").replace('then "create_atoms 1', 'then "create_atoms 2')
+    mixed = mixed.replace("set             type 1", "set group all") + "pair_style granular\n"
+    mixed += "".join(
+        f"pair_coeff {i} {i} hertz 1e7 {i} damping velocity tangential mindlin 1e7 0.2 0.3\n" for i in (1, 2)
+    )
+    out = run("audit", write(tmp_path, "in", mixed + tail), "--speed", "1", "--angle", "40", "--format", "json")[1]
+    rows = {row["pair"]: row for row in json.loads(out)}
+    assert rows["1-1"]["tangential_restitution"] and rows["1-2"]["realised"]
+    assert rows["1-2"]["tangential_restitution"] is None
     text = (ROOT / "tests" / "audit" / "liggghts.in").read_text(encoding="utf-8").replace("1e7 2e7", "1e7 1e7")
     text = text.replace("0.3 0.2", "0.3 0.3").replace("tangential off", "tangential history")
     friction = "coefficientFriction peratomtypepair 2 0.3 0.3 0.3 0.3\npair_style "
