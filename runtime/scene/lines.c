@@ -964,7 +964,7 @@ static void put_realised(struct text *t, const struct block *block, const struct
     if (speeds == 0 && constant)
         put_comment(t, "realises eps = %s at every speed", TEXT(realised_eps(block, task, 1)));
     else if (!task->has_law && !request->materials)
-        put_comment(t, "Right at %s m/s alone: %s does not have the law of the contact.", TEXT(block->speed_m_s),
+        put_comment(t, "Right only at %s m/s: %s does not have the law of the contact.", TEXT(block->speed_m_s),
                     task->simulator->title);
     else if (speeds == 0)
         put_comment(t, "eps depends on the impact speed as that of the contact does: --speed LIST prints it here");

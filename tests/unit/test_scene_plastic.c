@@ -220,7 +220,7 @@ TEST(lines_of_luding)
             check_near(largest, impact.max_overlap_m, 2e-5);
     }
     static const char *const others[][2] = {{"lammps", "mdr"},
-                                            {"lammps", "Right at 0.5 m/s alone"},
+                                            {"lammps", "Right only at 0.5 m/s"},
                                             {"chrono", "knows no model of Chrono"},
                                             {"rebound", "embed --law elastic-plastic"},
                                             {"lammps", "hold at one impact speed"}};
