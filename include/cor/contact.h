@@ -88,9 +88,9 @@ struct cor_sphere_contact {
 COR_API int cor_sphere_contact_init(struct cor_sphere_contact *contact, const struct cor_body *body_1,
                                     const struct cor_body *body_2);
 
-/* Fills *contact from only the characteristic speed g* of (29)-(31), m/s. Use it for a fit to measured eps if the
- * materials are unknown. beta_per_root becomes (g*)^(-1/5)/|C_1|; the other fields become NaN. g* = INFINITY is a
- * contact without dissipation.
+/* Fills *contact from the characteristic speed g* of (29)-(31), m/s, without materials. Use this function for a fit to
+ * measured eps if the materials are unknown. beta_per_root becomes (g*)^(-1/5)/|C_1|; the other fields become NaN. g* =
+ * INFINITY is a contact without dissipation.
  * Accuracy of beta_per_root: COR_CONTACT_MAX_ULP.
  *
  * Returns COR_OK, COR_ERROR_NULL, or COR_ERROR_G_STAR if g* is zero, negative, NaN or out of range. On error all fields

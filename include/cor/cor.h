@@ -9,7 +9,7 @@
  *     an elastic disk                                     modes, contact law, energy, collisions     disk.h
  *     a status                                            its sentence                               status.h
  *
- * The library libcor_scene has one more header, scene.h: one contact as a simulator computes it.
+ * Another library, libcor_scene, has the header scene.h, which computes a contact as a simulator does.
  *
  *     struct cor_body glass = {70e9, 0.22, 0.4e-6, 5e-3, cor_sphere_mass_kg(5e-3, 2500)};
  *     struct cor_sphere_contact contact;
@@ -22,14 +22,14 @@
  * bounds the stack.
  * Floating-point environment: no function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW or sets errno, whatever its
  * argument, so that programs may trap these exceptions. FE_UNDERFLOW and FE_INEXACT may be raised. All functions assume
- * rounding to nearest; other rounding modes give no guarantee. Where subnormal numbers are flushed to zero, results
- * change by a relative 1e-9 at most (floats: 1.2e-7).
+ * rounding to nearest; other rounding modes give no guarantee. If the processor flushes subnormal numbers to zero,
+ * results change by a relative 1e-9 at most (floats: 1.2e-7).
  * Arrays: a function whose name ends in _array sets y[i] to the bits of function(x[i]) for i < n. If n is 0, the
  * pointers may be NULL. x and y may be the same array, but must not overlap otherwise.
- * Bits: the same input gives the same bits on every processor. The library chooses an instruction set at run time, and
- * none changes a result. Where a function calls the C library's exp, log, sin or atan, another C library may change the
- * last place. Rayleigh's energy and collisions of disks may change more, but far less than their error estimates
- * (docs/evidence.md#platforms has the list).
+ * Bits: the same input gives the same bits on every processor. The library chooses an instruction set at run time; the
+ * choice does not change a result. If a function calls exp, log, sin or atan of the C library, another C library may
+ * change the last place. Rayleigh's energy and collisions of disks may change more, but far less than their error
+ * estimates (docs/evidence.md#platforms has the list).
  * tests/unit/test_environment.c and test_stack.c assert these properties for every function. */
 #ifndef COR_COR_H
 #define COR_COR_H

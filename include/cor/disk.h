@@ -21,9 +21,9 @@
  *     modes                               cor_disk_modes_nu033, _nu090, _read, _compute, _below
  *
  * cor.h describes threads, memory and the floating-point environment. A callback runs in the environment of the caller.
- * Modes have numbers below 1e9; larger ones give COR_ERROR_MODES. Six functions allocate memory and free it:
- * cor_disk_modes_compute, cor_disk_rayleigh_array, cor_disk_collision, cor_disk_collision_array, cor_disk_hard_wall and
- * cor_disk_hard_wall_nu. (cor_disk_modes_read opens a file, for which the C library may allocate a buffer.)
+ * The numbers of a mode must be below 1e9; larger numbers give COR_ERROR_MODES. Six functions allocate memory and free
+ * it: cor_disk_modes_compute, cor_disk_rayleigh_array, cor_disk_collision, cor_disk_collision_array, cor_disk_hard_wall
+ * and cor_disk_hard_wall_nu. (cor_disk_modes_read opens a file, for which the C library may allocate a buffer.)
  *
  * Equation numbers (n) refer to Gerl and Zippelius, Phys. Rev. E 59, 2361 (1999); docs/theory-disks.md, 11 to 17,
  * derives them again, and docs/errata.md lists where the print is wrong. */
@@ -44,7 +44,7 @@ extern "C" {
 #endif
 
 /* Bounds on the error of the functions below. COR_DISK_LAW_MAX_ULP is proved (tests/proof/run; docs/theory.md, 18) if
- * log and log1p of the C library are within 1 ulp. In one case it is sampled only: the limit of the law exceeds the
+ * log and log1p of the C library are within 1 ulp. It is only sampled, not proved, if the limit of the law exceeds the
  * argument by less than one part in 2^92, which happens for about one nu in 2^39. The other bounds are sampled. The
  * tests assert all of them; docs/accuracy.md records the worst cases found. Each bound holds for every nu and datum in
  * the whole domain unless it states otherwise. */
@@ -135,8 +135,8 @@ enum cor_disk_datum {
     COR_DISK_DATUM_PRINTED         /* b = -1 - nu, as (56) and (57) are printed; no choice of points gives it */
 };
 
-/* Return the limits of the law. At the load P = 4 pi exp(b - 1) delta stops growing, with delta = 4 exp(b - 1) and V =
- * 4 pi exp(2 b - 2); the impact speed sqrt(8) exp(b - 1) reaches it. Each result is the largest double inside the
+/* Return the limits of the law. At the load P = 4 pi exp(b - 1), delta stops growing: delta = 4 exp(b - 1) and V = 4 pi
+ * exp(2 b - 2). The impact speed sqrt(8) exp(b - 1) leads to this load. Each result is the largest double inside the
  * limit, which the functions below accept. Here and below the result is NaN if nu is outside -1 < nu < 1 or the datum
  * does not exist. */
 COR_API double cor_disk_load_limit(double nu, enum cor_disk_datum datum);
@@ -221,10 +221,10 @@ COR_API int cor_disk_rayleigh(const struct cor_disk_modes *modes, size_t n_modes
                               double speed, struct cor_disk_rayleigh *out, double *mode_fraction);
 
 /* Does the same at n speeds with one table: out[i] belongs to speed[i], and mode_fraction[i n_modes + k], if
- * mode_fraction is not NULL, to mode k. The speeds share most of the work. Where at least 28 speeds have 2 ln(limit/v)
- * between two powers of 4, the function interpolates the terms that vary slowly with v. Its results differ from
- * cor_disk_rayleigh by less than the bounds, and from another list of speeds by less than 1e-12. status is NULL, or
- * receives the status of each speed. out[i] is NaN where the speed is out of range. If n is 0, speed and out may be
+ * mode_fraction is not NULL, to mode k. The speeds share most of the work. If 2 ln(limit/v) is between the same two
+ * powers of 4 for at least 28 speeds, the function interpolates the terms that vary slowly with v. Its results differ
+ * from cor_disk_rayleigh by less than the bounds, and from another list of speeds by less than 1e-12. status is NULL,
+ * or receives the status of each speed. out[i] is NaN where the speed is out of range. If n is 0, speed and out may be
  * NULL. Callers may divide the speeds among threads.
  * Returns COR_OK, the first status of a speed that is not COR_OK, or, with nothing changed,
  *     COR_ERROR_NULL, COR_ERROR_MODES, COR_ERROR_DATUM, COR_ERROR_DISK_POISSON_RATIO as above, COR_ERROR_MEMORY */
@@ -282,15 +282,15 @@ struct cor_disk_collision {
  *
  * error_estimate is the sum of four parts: the remainder of the extrapolation, the quadrature over the rim, round-off,
  * and the wall's force before and after the contact. The last three are multiplied by the amplification of errors by
- * the collision. The amplification is bounded from the runs, or measured by a run with v changed by 2^-40. If the
- * quadrature may take more than a tenth of the tolerance, a run with angles shifted by half their distance measures its
+ * the collision. The amplification is bounded from the runs, or measured by a run with v changed by 2^-40. If the error
+ * of the quadrature may exceed a tenth of the tolerance, a run with angles shifted by half their distance measures its
  * effect on eps. Accuracy is sampled in 8640 random scenes of 1 to 60 modes of nu = 0.33 and 0.9 (alpha 200 to 8000, v
  * 0.003 to 0.3, tolerances 1e-3 to 1e-11). Another 8640 scenes have 10 to 1800 modes (alpha 100 to 8000, v 0.003 to
  * 0.45, tolerances 1e-2 to 1e-6). Where the status is COR_OK the error is at most 0.86 of the tolerance. In 6 scenes it
- * exceeds error_estimate, by at most 3.7 times: docs/theory-disks.md, 15. Near chaos, round-off by itself may exceed a
- * small tolerance; below 1e-12 it mostly does. one_minus_eps2 is as accurate as eps. contact_time and max_compression,
- * which are measured during the contact, are less accurate. energy_drift is eps^2 + one_minus_eps2 - 1. Equal
- * arguments give equal bits on every instruction set.
+ * exceeds error_estimate, by at most 3.7 times: docs/theory-disks.md, 15. Near chaos, the effect of round-off may
+ * exceed a small tolerance; for tolerances below 1e-12 it mostly does. one_minus_eps2 is as accurate as eps.
+ * contact_time and max_compression, which are measured during the contact, are less accurate. energy_drift is eps^2 +
+ * one_minus_eps2 - 1. Equal arguments give equal bits on every instruction set.
  *
  * Returns COR_OK if error_estimate is at most the tolerance. It returns, with the best numbers and their
  * error_estimate,

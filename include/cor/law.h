@@ -59,7 +59,7 @@ enum cor_law {
 };
 
 /* The nonnegative exponents a = elastic/denominator and b = damping/denominator, in lowest terms. If the largest force
- * has no closed form, its computation uses powers with these three exponents. */
+ * has no closed form, cor_law_force_max (scene.h) integrates series in powers that these integers determine. */
 struct cor_exponents {
     int elastic, damping, denominator;
 };
@@ -126,7 +126,7 @@ COR_API const char *cor_quantity_name(enum cor_quantity quantity);
 
 /* ---- The functions of the table ----
  *
- * The errors max_ulp hold for every double of the domain, subnormal arguments and results included. They are sampled at
+ * The bounds max_ulp hold for every double of the domain, subnormal arguments and results included. They are sampled at
  * random arguments and around every boundary. tests/accuracy/test_laws.c asserts them against MPFR in another
  * formulation. For Hertz's dashpot, tests/table/test_hertz_dashpot.c asserts them against enclosed collisions;
  * docs/accuracy.md records the worst cases found. In all laws:
@@ -135,11 +135,11 @@ COR_API const char *cor_quantity_name(enum cor_quantity quantity);
  *     COR_LOSS             1 - eps with relative accuracy, also where a subtraction would cancel
  *     COR_DAMPING_OF_EPS   the smallest damping that has this eps, with the given double treated as exact. Near eps = 1
  *                          one unit of its last place changes the damping much; use COR_DAMPING_OF_LOSS there
- *     COR_MAX_OVERLAP,     of the full law at zero overlap, zero force and approach only; absent for the limited end
+ *     COR_MAX_OVERLAP,     the same for zero overlap, zero force and approach only; absent for the limited end
  *     COR_TIME_OF_MAX_OVERLAP
  *
- * Damping 0 gives eps 1 and loss 0; damping +inf gives eps 0 and loss 1. The inverses return +inf where the damping is
- * beyond the largest double.
+ * Damping 0 gives eps 1 and loss 0; damping +inf gives eps 0 and loss 1. The inverses return +inf if the damping
+ * exceeds the largest double.
  *
  * Linear dashpot (a = 1, b = 0) and Tsuji's damping (a = 3/2, b = 1/4): x is the damping ratio zeta. For the linear
  * dashpot beta = 2 zeta and zeta = C/(2 sqrt(m K)); for Tsuji's damping beta = sqrt(5) zeta and zeta = C/sqrt(5 m K).

@@ -10,10 +10,11 @@
  *
  * These functions form a separate library, libcor_scene (in CMake cor::scene), which needs libcor and libm. They are
  * thread-safe. The only memory they use is at most COR_SCENE_MAX_STACK bytes of stack. They assume rounding to nearest.
- * They never set errno, and raise only underflow and inexact. A solver of the caller runs in the caller's environment.
- * The functions to which a model points do not check their arguments. Every number with a unit must be from
- * COR_SI_LEAST to COR_SI_MOST (contact.h), or 0 where 0 is meaningful. Other numbers give NaN or COR_FAULT_RANGE.
- * Simulators need numbers from 1e-48 to 1e48. Source: docs/theory.md, 9, and docs/laws.md. */
+ * They never set errno, and raise only underflow and inexact. A solver of the caller runs in the caller's
+ * floating-point environment. The functions in struct cor_simulator_model do not check their arguments. Every number
+ * with a unit must be from COR_SI_LEAST to COR_SI_MOST (contact.h), or 0 where 0 is meaningful. Other numbers give NaN
+ * or COR_FAULT_RANGE. The lines for simulators need numbers from 1e-48 to 1e48. Source: docs/theory.md, 9, and
+ * docs/laws.md. */
 #ifndef COR_SCENE_H
 #define COR_SCENE_H
 
@@ -35,16 +36,16 @@ extern const struct cor_exponents cor_law_exponents[COR_LAW_IMPULSE]; /* of the 
 enum { COR_SCENE_ENDS = 2 };                      /* zero overlap, and zero force or the surface */
 extern const char *const cor_end_names[COR_ENDS]; /* "zero overlap" */
 
-/* Returns eps of a damping parameter, and the parameter of an eps, for the laws with closed forms: linear and Tsuji
- * (zeta), Hunt and Crossley (beta), an impulse. Returns NaN for other laws, for ends that the law does not have, and
- * where the functions of law.h give NaN. Accuracy: as the functions of law.h. */
+/* Return eps for a damping parameter, and the damping parameter for an eps, of the laws with closed forms: linear and
+ * Tsuji (zeta), Hunt and Crossley (beta), an impulse. They return NaN for other laws, for ends that the law does not
+ * have, and if the functions of law.h give NaN. Accuracy: as the functions of law.h. */
 double cor_law_eps(enum cor_law law, enum cor_end end, double damping);
 double cor_law_damping(enum cor_law law, enum cor_end end, double eps);
 
 /* Returns the largest value of x^a + beta x^b x' during the collision x'' + beta x^b x' + x^a = 0, x(0) = 0, x'(0) = 1.
- * Where q = 0 the argument is zeta. In SI units the largest force is m g/T times this number, where T is the unit of
- * time. Where q = 0 and where a = b the result is a closed form. Otherwise Taylor series integrate up to the largest
- * overlap. If the spring is too weak to matter, the result is the limit of strong damping.
+ * The argument is zeta if q = 0, otherwise beta. In SI units the largest force is m g/T times this number, where T is
+ * the unit of time. For q = 0 and for a = b the result is a closed form. Otherwise Taylor series integrate the motion
+ * up to the largest overlap. If the spring is too weak to matter, the result is the limit of strong damping.
  * Accuracy: COR_LAW_FORCE_MAX_ERROR, relative; sampled in tests/unit/test_scene_force.c and tests/gen/test_contact.c.
  * Special values: damping negative, infinite or NaN, or above 1e100 (q = 0) or 1e280 (a = b) -> NaN. */
 #define COR_LAW_FORCE_MAX_ERROR 1e-12
@@ -53,10 +54,10 @@ double cor_law_force_max(const struct cor_exponents *exponents, double damping);
 /* ---- spheres that yield, spheres in a liquid ---- */
 
 /* Return, for elastic-plastic spheres (Thornton 1997): eps at x = v/v_y, the impact speed over the yield speed; 1 - eps
- * at x; x of an eps. With r = 1/x and t = r sqrt(5/(6 - r^2)): eps^4 = 108 t/((t + 2) (t^2 + 5)^2). eps = 1 for x <= 1.
- * Accuracy: units in the last place. The bound for eps counts roundings (docs/theory.md, 21); the others are sampled in
- * tests/unit/test_scene_plastic.c. Special values: x = +inf -> eps 0; x negative or NaN, eps not in [0, 1] -> NaN; eps
- * = 0 -> x = +inf. An x too large for a double is +inf, too. */
+ * at x; x for an eps. With r = 1/x and t = r sqrt(5/(6 - r^2)): eps^4 = 108 t/((t + 2) (t^2 + 5)^2). eps = 1 for x <=
+ * 1. Accuracy: units in the last place. The bound for eps counts roundings (docs/theory.md, 21); the others are sampled
+ * in tests/unit/test_scene_plastic.c. Special values: x = +inf -> eps 0; x negative or NaN, eps not in [0, 1] -> NaN;
+ * eps = 0 -> x = +inf. An x too large for a double is +inf, too. */
 #define COR_ELASTIC_PLASTIC_EPS_MAX_ULP 4.5
 #define COR_ELASTIC_PLASTIC_LOSS_MAX_ULP 12.0
 #define COR_ELASTIC_PLASTIC_SPEED_RATIO_MAX_ULP 16.0
@@ -104,7 +105,7 @@ struct cor_scene_contact {
     int plastic;              /* elastic-plastic spheres; `damping` is 0 */
     double yield_speed_m_s;   /* v_y; 0: not known */
     double liquid_speed_m_s;  /* s, lost to a liquid on the way in and again on the way out; 0: a dry contact */
-    double adhesion_j_m2;     /* work of adhesion w of JKR, with ends of enum cor_jkr_end; 0: none */
+    double adhesion_j_m2;     /* work of adhesion w of JKR, J/m^2; the ends are then enum cor_jkr_end; 0: none */
 };
 
 double cor_scene_speed_exponent(const struct cor_scene_contact *contact); /* q */
@@ -131,15 +132,15 @@ struct cor_scene_impact {
 int cor_scene_impact(struct cor_scene_impact *impact, const struct cor_scene_contact *contact, double speed_m_s);
 int cor_scene_eps(double *eps_at_end, const struct cor_scene_contact *contact, double speed_m_s, int end);
 double cor_scene_force_max_n(const struct cor_scene_contact *contact, double speed_m_s);
-/* In a liquid, eps is the eps of the whole impact, with the error of cor_wet_eps. The other numbers describe the dry
- * contact at the speed that remains. If none remains, the bodies do not touch: beta and durations are NaN, overlap and
- * force 0. */
+/* In a liquid, eps describes the whole impact, with the error of cor_wet_eps. The other numbers describe the dry
+ * contact at the speed left by the liquid. If no speed is left, the bodies do not touch: beta and durations are NaN,
+ * overlap and force 0. */
 
 /* Computes, for spheres of known effective radius (otherwise NaN):
- * - v_y of a yield stress, and back;
- * - contact radius and central pressure at an overlap, by Hertz (p_y for elastic-plastic spheres beyond v_y);
+ * - v_y for a yield stress, and the yield stress for v_y;
+ * - Hertz's contact radius and central pressure at an overlap; the pressure of elastic-plastic spheres is at most p_y;
  * - the largest overlap of a contact without damping;
- * - s of a liquid of a viscosity in Pa s between two distances of the surfaces, 6 pi eta R^2 ln(outer/inner)/m.
+ * - the speed s lost to a liquid that acts between two distances of the surfaces, 6 pi eta R^2 ln(outer/inner)/m.
  * Accuracy: 1e-14, relative. */
 double cor_scene_yield_speed(const struct cor_scene_contact *contact, double yield_stress_pa);
 double cor_scene_yield_stress(const struct cor_scene_contact *contact, double yield_speed_m_s);
@@ -157,11 +158,12 @@ double cor_scene_liquid_speed(const struct cor_scene_contact *contact, double vi
 #define COR_TABOR_DMT 0.1
 double cor_scene_tabor_number(const struct cor_scene_contact *contact, double adhesion_j_m2, double distance_m);
 
-/* Computes the tangential spring and dashpot of solid spheres with the linear dashpot (LAW 1, 0). The contact point, of
- * mass (2/7) m, reverses its tangential speed within the duration of the contact, with the restitution tangential_eps,
- * 0 < tangential_eps <= 1. At zero overlap k_t/K = (2/7) (pi^2 + ln^2 e_t)/(pi^2 + ln^2 e_n). The contact must not
- * slip. Accuracy: COR_SCENE_MAX_ERROR. Returns COR_OK. Returns COR_FAULT_RANGE, and sets both results to NaN, for
- * another law, unknown mass or stiffness, a constant force, bodies that never part, or another tangential_eps. */
+/* Computes a tangential spring and dashpot for solid spheres with the linear dashpot (a = 1, b = 0). With them the
+ * contact point, of mass (2/7) m, reverses its tangential velocity within the duration of the contact, with the
+ * restitution tangential_eps, 0 < tangential_eps <= 1. At zero overlap k_t/K = (2/7) (pi^2 + ln^2 e_t)/(pi^2 + ln^2
+ * e_n). The contact must not slip. Accuracy: COR_SCENE_MAX_ERROR. Returns COR_OK. Returns COR_FAULT_RANGE, and sets
+ * both results to NaN, for another law, unknown mass or stiffness, a constant force, bodies that never part, or another
+ * tangential_eps. */
 int cor_scene_tangential(double *stiffness_n_m, double *damping_n_s_m, const struct cor_scene_contact *contact,
                          double tangential_eps, int end);
 
@@ -173,12 +175,12 @@ int cor_scene_tangential(double *stiffness_n_m, double *damping_n_s_m, const str
  *   speed v_f. The bodies then fly against force_n to x = 0 and arrive with (v_f^2 - 2 force_n x_f/m)^(1/2). eps is
  *   this speed over the impact speed. The duration includes the flight. For b >= a the two ends are the same.
  *
- * Each end has a sticking speed. Up to this speed the bodies come to rest in contact, because the energy never grows
- * (docs/theory.md, 24): eps is 0 and the duration infinite. The largest force excludes force_n. Accuracy:
- * COR_SCENE_PRESSED_ERROR: absolute for eps^2; relative for durations while eps > 0.01, for overlap and for force.
- * Sampled against proved enclosures in tests/gen/test_contact.c, with force_n up to 1e12 in units of m g/T. The
- * function returns the sticking speed in m/s. It is 0 without force or damping, and infinite where the bodies stick at
- * every speed up to 1e9 times sqrt(m) (force_n^(a+1)/K)^(1/(2 a))/m. In a liquid, eps is 0 below this speed. */
+ * Each end has a sticking speed. Up to this speed the bodies come to rest in contact: eps is 0 and the duration
+ * infinite (docs/theory.md, 24). The largest force does not include force_n. Accuracy: COR_SCENE_PRESSED_ERROR:
+ * absolute for eps^2; relative for durations while eps > 0.01, for overlap and for force. Sampled against proved
+ * enclosures in tests/gen/test_contact.c, with force_n up to 1e12 in units of m g/T. cor_scene_sticking_speed returns
+ * the sticking speed in m/s. It is 0 without force or damping, and infinite if the bodies stick at every speed up to
+ * 1e9 times sqrt(m) (force_n^(a+1)/K)^(1/(2 a))/m. In a liquid, eps is 0 below this speed. */
 #define COR_SCENE_PRESSED_ERROR 1e-12
 double cor_scene_sticking_speed(const struct cor_scene_contact *contact, int end);
 
@@ -212,8 +214,8 @@ double cor_scene_elastic_duration_s(const struct cor_scene_contact *contact, dou
 
 /* The realised eps of a simulator minus the exact eps, over all phases of the first step. The phase is the time from
  * first touch to the end of the step in which the bodies touch. It is uniformly distributed from 0 to the step h. Under
- * a constant force both speeds of eps are speeds at the surface. Before the first step and after the last one only the
- * force acts, and v^2/2 - force_n x/m is constant. */
+ * a constant force eps is the ratio of the speeds at x = 0. Before the first step and after the last one only the force
+ * acts, and v^2/2 - force_n x/m is constant. */
 struct cor_step_error {
     double bias;           /* mean */
     double scatter;        /* standard deviation */
@@ -238,9 +240,9 @@ int cor_scene_step_error(struct cor_step_error *error, const struct cor_scene_co
                          int end, double steps, int integrator);
 
 /* Finds, to 0.1 % or one step, the least number of steps in an elastic duration above which |bias| and scatter stay
- * within the tolerance. The result is sampled: a scan starts at 2 steps and grows by factors of 1.2. At each number it
- * tests eight numbers, up to one step more. It ends at four times the last number that failed. Between the samples the
- * scatter may be larger by a tenth. Returns COR_FAULT_STEP also if the scan would need more than 1e6 steps. */
+ * within the tolerance. The function scans numbers of steps from 2 upwards by factors of 1.2, up to four times the last
+ * number that failed. For each it tests eight values within one step above. Between tested values the scatter may
+ * exceed the tolerance by a tenth. Returns COR_FAULT_STEP also if the scan would need more than 1e6 steps. */
 int cor_scene_step_for(double *least_steps, const struct cor_scene_contact *contact, double speed_m_s, int end,
                        double tolerance, int integrator);
 
@@ -251,15 +253,13 @@ int cor_scene_step_corrected(struct cor_scene_contact *corrected, const struct c
 
 /* ---- oblique impacts ---- */
 
-/* The memory of a tangential spring. For the first, the force is k x^p s, where the displacement s adds up the motion
- * of the contact point. For the second, the force itself adds up k x^p times this motion. For the next two, s or the
- * force also shrinks with the contact radius x^(1/2) on the way back; p = a - 1. For the last, only a damper acts. */
+/* The memory of a tangential spring k x^p. s is the displacement of the contact point since the first touch. */
 enum cor_tangential_memory {
-    COR_REMEMBERS_DISPLACEMENT,
-    COR_REMEMBERS_FORCE,
-    COR_REMEMBERS_DISPLACEMENT_RESCALED,
-    COR_REMEMBERS_FORCE_RESCALED,
-    COR_REMEMBERS_NOTHING,
+    COR_REMEMBERS_DISPLACEMENT,          /* the force is k x^p s */
+    COR_REMEMBERS_FORCE,                 /* the force is the integral of k x^p ds */
+    COR_REMEMBERS_DISPLACEMENT_RESCALED, /* likewise, but s shrinks with the contact radius x^(1/2) on the way back */
+    COR_REMEMBERS_FORCE_RESCALED,        /* likewise, but the force shrinks with it; in both p = a - 1 */
+    COR_REMEMBERS_NOTHING,               /* no spring: only a damper acts */
     COR_TANGENTIAL_MEMORIES
 };
 
@@ -274,8 +274,8 @@ struct cor_tangential {
     double kappa, damping;
 };
 
-/* The tangential models of simulators, and cor's own ones that represent them. name: as in the simulator. from: the
- * simulators. The other members are as in struct cor_tangential. */
+/* Tangential models: first the general models of cor, then the models of simulators. name: as in the simulator. from:
+ * the simulator, "" for a general model. The other members are as in struct cor_tangential. */
 enum cor_tangential_id {
     COR_TANGENTIAL_DISPLACEMENT,
     COR_TANGENTIAL_FORCE,
@@ -351,7 +351,7 @@ enum cor_scene_number {
     COR_SCENE_DISSIPATION_TIME_2,
     COR_SCENE_VISCOSITY_2,
     COR_SCENE_BULK_VISCOSITY_2,
-    COR_SCENE_BETA, /* at the speed COR_SCENE_AT; where q = 0, at every speed, like the restitution */
+    COR_SCENE_BETA, /* at the speed COR_SCENE_AT; at every speed if q = 0, like the restitution */
     COR_SCENE_AT,   /* m/s */
     COR_SCENE_STIFFNESS,
     COR_SCENE_DAMPING_COEFFICIENT, /* C, N s/m^(b+1) */
@@ -369,8 +369,8 @@ enum cor_scene_number {
     COR_SCENE_NUMBERS,
     COR_SCENE_BODY = COR_SCENE_YOUNG_2 - COR_SCENE_YOUNG
 };
-/* The numbers as corgen, the page and Python accept them: the name of the option, the unit, and the range. Each finite
- * number from `least` (itself only if least_allowed) to `largest` is allowed. */
+/* The numbers as corgen, the calculator and Python accept them: the name of the option, the unit, and the range. A
+ * number must be finite, at most `largest`, and above `least`, or equal to it if least_allowed is true. */
 struct cor_scene_option {
     const char *name, *unit; /* "young-2", "Pa"; unit "": none */
     double least, largest;
@@ -383,10 +383,10 @@ int cor_option_allows(const struct cor_scene_option *option, double value); /* T
 /* The force between spheres that adhere. DMT: 2 pi w R, constant during the contact. JKR: depends on the overlap. */
 enum cor_adhesion { COR_ADHESION_NONE, COR_ADHESION_DMT, COR_ADHESION_JKR };
 
-/* Spheres with JKR adhesion attract each other beyond zero overlap, in the tail of the force, and part at its end. In
- * LAMMPS they part at the largest pull, with half of the loss. In arrays the tail has the index of zero overlap, and
- * the largest pull the index of zero force. The damping force is C (c^2/R)^b x' with the radius c of the contact; for w
- * -> 0 it becomes the damping force of the law.
+/* Spheres with JKR adhesion attract each other beyond zero overlap, in the tail of the force, and part at the end of
+ * the tail. In LAMMPS they part earlier, at the largest pull, and lose about half as much energy. In arrays the tail
+ * has the index of zero overlap, and the largest pull the index of zero force. The damping force is C (c^2/R)^b x' with
+ * the radius c of the contact; for w -> 0 it becomes the damping force of the law.
  * Accuracy: eps^2 within COR_JKR_EPS2_MAX_ERROR, absolute. While eps > 0.01, this number also bounds the relative error
  * of durations. Down to eps = 1e-3 the bound is 0.01/eps times this number, because the rounding error of eps^2 moves
  * the end. Sampled in tests/unit/test_scene_jkr.c. Without damping eps is a closed form. The sticking speed is infinite
@@ -416,40 +416,40 @@ enum cor_fault {
     COR_FAULT_WALL,           /* a wall has no radius, density or mass */
     COR_FAULT_MATERIAL,       /* `status` of cor_sphere_contact_init or cor_plate_contact_init */
     COR_FAULT_VISCOSITY,      /* number is negative or infinite */
-    COR_FAULT_PLATE_LAW,      /* a thickness with a law other than the plate's */
+    COR_FAULT_PLATE_LAW,      /* a thickness is given, but the law is not the plate's */
     COR_FAULT_PLATE_END,      /* a plate has only the end zero overlap */
     COR_FAULT_PLATE_BODIES,   /* a plate needs a sphere and a plate */
     COR_FAULT_PLATE_NUMBERS,  /* a plate has only thickness, modulus, Poisson's ratio and density */
     COR_FAULT_PLATE_DENSITY,  /* the density of the plate is missing */
     COR_FAULT_PLATE_DAMPING,  /* a plate has no damping except the dissipation of its sphere */
-    COR_FAULT_TWO_CONTACTS,   /* bodies, and stiffness or effective mass */
+    COR_FAULT_TWO_CONTACTS,   /* both bodies and a stiffness or an effective mass are given */
     COR_FAULT_SPRING,         /* number is missing: stiffness and effective mass go together */
-    COR_FAULT_NOT_HERTZ,      /* bodies, and a law without Hertz's force */
+    COR_FAULT_NOT_HERTZ,      /* bodies are given, but the law does not have Hertz's force */
     COR_FAULT_NO_WAY,         /* nothing gives the damping */
     COR_FAULT_TWO_WAYS,       /* number and other both give the damping */
     COR_FAULT_NOT_SPHERE,     /* only viscoelastic spheres have `number`; `other` is COR_SCENE_AT if q is not 0 */
-    COR_FAULT_CONSTANT,       /* g*, where q = 0 */
-    COR_FAULT_NOT_CONSTANT,   /* zeta, where q is not 0 */
+    COR_FAULT_CONSTANT,       /* g* is given, but q = 0 */
+    COR_FAULT_NOT_CONSTANT,   /* zeta is given, but q is not 0 */
     COR_FAULT_NO_BODIES,      /* number needs bodies */
     COR_FAULT_NO_SCALES,      /* number needs bodies, or stiffness and effective mass */
     COR_FAULT_NO_SPEED,       /* number needs COR_SCENE_AT */
-    COR_FAULT_SPEED_ALONE,    /* COR_SCENE_AT without restitution and beta */
+    COR_FAULT_SPEED_ALONE,    /* COR_SCENE_AT is given, but no number that needs it */
     COR_FAULT_FIRST_MISSING,  /* number of body 2 needs other, the same number of body 1 */
     COR_FAULT_NO_SECOND_BODY, /* number belongs to a second viscoelastic body, which is absent */
     COR_FAULT_RANGE,          /* number, a number of the contact, or the speed is out of range */
-    COR_FAULT_STEP,           /* of the functions of the time step, which have no yield, liquid or JKR adhesion */
-    COR_FAULT_NO_STIFFNESS,   /* no stiffness fits this damping and the duration, C or A */
-    COR_FAULT_PRESSED,        /* a constant force, and a damping too strong to be integrated */
+    COR_FAULT_STEP,           /* cor_scene_step_error lists the causes */
+    COR_FAULT_NO_STIFFNESS,   /* no stiffness gives this damping and this duration, C or A */
+    COR_FAULT_PRESSED,        /* under a constant force the damping is too strong to be integrated */
     COR_FAULT_GRAVITY,        /* gravity needs a wall or a plate: it does not press free bodies together */
     COR_FAULT_ADHESION,       /* adhesion and an adhesion model go together */
     COR_FAULT_ADHESION_MODEL, /* the adhesion model is none, or has no contact of this law */
-    COR_FAULT_PRESSED_LAW,    /* elastic-plastic spheres, or a liquid (number), and gravity or adhesion */
+    COR_FAULT_PRESSED_LAW,    /* gravity or adhesion, with elastic-plastic spheres or a liquid (number) */
     COR_FAULT_NO_YIELD,       /* elastic-plastic spheres need a yield stress or a restitution */
     COR_FAULT_YIELD_DAMPING,  /* elastic-plastic spheres do not accept number */
     COR_FAULT_LIQUID,         /* number is missing: viscosity and both gaps go together */
     COR_FAULT_GAPS,           /* the outer gap is not larger than the inner one */
-    COR_FAULT_NO_DURATION,    /* no damping fits the duration and the stiffness, C or A */
-    COR_FAULT_TWO_DURATIONS,  /* a dissipation time and a duration at zero overlap: two contacts can have both */
+    COR_FAULT_NO_DURATION,    /* no damping gives this duration and this stiffness, C or A */
+    COR_FAULT_TWO_DURATIONS,  /* two contacts may have this dissipation time and this duration at zero overlap */
     COR_FAULT_EQUIVALENT /* cor_scene_equivalent needs bodies, a speed, the law linear, and for some numbers an end */
 };
 struct cor_scene_fault {
@@ -459,7 +459,7 @@ struct cor_scene_fault {
 };
 /* Writes the fault as a sentence, with the names of corgen's options for the numbers, "--young". Works like snprintf.
  * The text is shorter than COR_SCENE_FAULT_TEXT if law_name and rule are short. law_name: the law in the sentence.
- * rule: which numbers bodies have; NULL: the rule of corgen contact. */
+ * rule: a sentence about the numbers that bodies need; NULL: the rule of corgen contact. */
 enum { COR_SCENE_FAULT_TEXT = 600 };
 long cor_scene_fault_text(char *text, size_t size, const struct cor_scene_fault *fault, const char *law_name,
                           const char *rule);
@@ -482,8 +482,9 @@ struct cor_body cor_scene_body(const struct cor_scene *scene, int body);
 /* Replaces the bodies of a scene with the linear law by a linear spring. At the speed V, COR_SCENE_AT, the spring has
  * the energy or the duration of Hertz's elastic contact: K = ((4/5) K_H)^(4/5) (m V^2)^(1/5), where K_H is Hertz's
  * stiffness, or K = m pi^2/T^2. Restitution, beta, zeta or damping coefficient are unchanged. A damping of viscoelastic
- * spheres becomes the restitution of Hertz's contact at V and at the end of the scene. At other speeds the spring
- * differs; compare with `hertz`, without damping. Accuracy: COR_SCENE_MAX_ERROR. Returns COR_OK, or the fault. */
+ * spheres becomes the restitution of Hertz's contact at V and at the scene's end of contact. *hertz receives Hertz's
+ * contact without damping, for a comparison at other speeds, where the spring differs. Accuracy: COR_SCENE_MAX_ERROR.
+ * Returns COR_OK, or the fault. */
 enum cor_equivalence { COR_EQUIVALENT_NONE, COR_EQUIVALENT_ENERGY, COR_EQUIVALENT_DURATION };
 int cor_scene_equivalent(struct cor_scene *spring, struct cor_scene_contact *hertz, struct cor_scene_fault *fault,
                          const struct cor_scene *scene, int equivalence);
@@ -509,9 +510,9 @@ double cor_scene_damping(const struct cor_scene_contact *contact, int number);
 
 /* The quantities that corgen contact prints for a contact: name, number and unit. number: a constant of the next enum,
  * or enum cor_scene_number, where COR_SCENE_NUMBERS means q, COR_SCENE_YIELD_STRESS v_y and COR_SCENE_LIQUID_VISCOSITY
- * s. The function returns the value, or NaN if it is not known. A pressing force of 0 is NaN. Sticking speeds are NaN
- * without pressing force, liquid or JKR; eps is NaN if it depends on the speed. Under a constant force corgen prints
- * sticking_speed_surface instead of sticking_speed_zero_force. */
+ * s. The function returns the value, or NaN if it is not known. It also returns NaN for a pressing force of 0, for
+ * sticking speeds without pressing force, liquid or JKR, and for an eps that depends on the speed. Under a constant
+ * force corgen prints sticking_speed_surface instead of sticking_speed_zero_force. */
 enum {
     COR_SCENE_PRESSING_FORCE = COR_SCENE_NUMBERS + 1,
     COR_SCENE_STICKING_ZERO_OVERLAP,
@@ -533,7 +534,8 @@ double cor_scene_quantity(const struct cor_scene_contact *contact, int number);
 /* How the lines of a model define the contacts of two types: not at all; by a line for each pair; by matrices; by one
  * law, also for walls */
 enum cor_simulator_pairs { COR_PAIRS_NONE, COR_PAIRS_LINES, COR_PAIRS_MATRIX, COR_PAIRS_ONE_LAW };
-/* How the lines depend on the mass: as the number does; by twice the effective mass; not at all (per unit of mass) */
+/* How the lines depend on the mass: as the model's number does; by twice the effective mass; not at all (per unit of
+ * mass) */
 enum cor_simulator_mass { COR_MASS_OF_NUMBER, COR_MASS_IN_LINES, COR_MASS_PER_UNIT };
 
 /* The contact models, each with a row in cor_simulators */
@@ -653,7 +655,7 @@ double cor_simulator_e(const struct cor_simulator_model *model, double requested
 /* Computes the smallest and the largest restitution that the model can realise by its e. */
 void cor_simulator_reach(const struct cor_simulator_model *model, double *least, double *most);
 
-/* Returns eps of MuJoCo's contact where its impedance d depends on the overlap x. d changes from solimp[0] at x = 0 to
+/* Returns eps of MuJoCo's contact, whose impedance d depends on the overlap x. d changes from solimp[0] at x = 0 to
  * solimp[1] at x = solimp[2], with the midpoint solimp[3] and the power solimp[4]. With c = d/solimp[1], frequency w in
  * 1/s and the damping ratio zeta, x'' = -c (2 zeta w x' + c w^2 x) + (1 - d) gravity until the force of the contact
  * vanishes. Only gravity acts on the way back to x = 0. The result is 0 if the ball does not leave. Uses the
@@ -734,9 +736,10 @@ struct cor_simulator_request {
  * With materials the block has the lines of all their contacts, and one time step. A contact that was not measured has
  * the dissipation times of both materials. If one is unknown, the measured contact of two balls of this material gives
  * it.
- * As snprintf: writes at most `size` characters, the last of which is 0, and returns the length of the whole text.
- * Negative: the simulator cannot realise the contact, or the request is incomplete; the text gives the reason, in less
- * than COR_SIMULATOR_REASON characters. */
+ * Works like snprintf: writes at most `size` characters, the last of which is 0, and returns the length of the whole
+ * text.
+ * A negative result means that the simulator cannot realise the contact, or that the request is incomplete; the text
+ * then gives the reason, in less than COR_SIMULATOR_REASON characters. */
 enum { COR_SIMULATOR_REASON = 1200 };
 long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_request *request);
 

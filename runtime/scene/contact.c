@@ -45,7 +45,7 @@ static enum cor_law law_of(const struct cor_exponents *law)
         if (cor_law_is_same(law, &cor_law_exponents[i]) &&
             cor_law_function((enum cor_law)i, COR_END_ZERO_OVERLAP, COR_EPS))
             return (enum cor_law)i;
-    /* where q = 0, eps is the same function of zeta for all exponents */
+    /* for q = 0, eps is the same function of zeta for all exponents */
     return cor_law_is_constant(law) ? COR_LAW_LINEAR : COR_LAWS;
 }
 
@@ -91,7 +91,7 @@ static double beta_per_coefficient(const struct cor_scene_contact *contact)
     return cor_quiet_quotient(cor_quiet_power(time_factor(contact), cor_damping(&contact->law) + 1), contact->mass_kg);
 }
 
-/* Returns |C_1| = (2/(a+1)) X_0^(b+1) B((b+1)/(a+1), 3/2), X_0 = ((a+1)/2)^(1/(a+1)): docs/theory.md, 9 */
+/* Returns |C_1| = (2/(a+1)) X_0^(b+1) B((b+1)/(a+1), 3/2), X_0 = ((a+1)/2)^(1/(a+1)) (docs/theory.md, 9). */
 static double first_coefficient(const struct cor_exponents *law)
 {
     const double a1 = cor_elastic(law) + 1, s = (cor_damping(law) + 1) / a1;
@@ -192,8 +192,8 @@ double cor_scene_quantity(const struct cor_scene_contact *contact, int number)
 
 /* ---- collisions ---- */
 
-/* law: the law in libcor's table that gives eps of zeta where q = 0, otherwise of beta (COR_LAWS: none). times: source
- * of durations and overlap: the table, functions of the elastic exponent, or the solver. */
+/* law: the law of libcor's table that gives eps, from zeta if q = 0, otherwise from beta; COR_LAWS: none. times: the
+ * source of durations and overlap: the table, functions of the elastic exponent, or the solver. */
 struct functions {
     enum cor_law law;
     enum { OF_TABLE, OF_EXPONENT, OF_SOLVER } times;
@@ -258,7 +258,7 @@ static int scaled_impact(struct cor_full_impact *impact, const struct cor_scene_
     return COR_FAULT_NONE;
 }
 
-/* Computes eps of the damping parameter, even for an end that the contact does not have. */
+/* Computes eps for a damping parameter, even at an end that the contact does not have. */
 static int eps_of(double *eps, const struct cor_scene_contact *contact, double parameter, int end)
 {
     const struct functions f = {law_of(&contact->law), OF_SOLVER};
@@ -311,8 +311,8 @@ static int is_full(const struct cor_scene_contact *contact, double speed_m_s)
     return does_yield(contact, speed_m_s) || contact->adhesion_j_m2 > 0 || contact->force_n > 0;
 }
 
-/* Computes a dry contact's collision in SI units; unknown results are NaN. `force_max` is set only for a plate and if
- * is_full. */
+/* Computes the collision of a dry contact in SI units; unknown results are NaN. Sets `force_max` only for a plate and
+ * if is_full is true. */
 static int dry_impact(struct cor_full_impact *impact, const struct cor_scene_contact *contact, double speed_m_s)
 {
     static const struct cor_full_impact none = {{NAN, NAN}, {NAN, NAN}, NAN, NAN};
@@ -338,7 +338,7 @@ static int dry_impact(struct cor_full_impact *impact, const struct cor_scene_con
         *impact = none;
     if (status != COR_FAULT_NONE || contact->adhesion_j_m2 > 0)
         return status;
-    if (contact->plate) /* the force on the plate is K x^a; the other term of the equation is its own motion */
+    if (contact->plate) /* the force is K x^a; the damping term of the equation is the motion of the plate */
         impact->force_max = cor_quiet_power(impact->max_overlap, cor_elastic(&contact->law));
     impact->force_max = cor_quiet_product(impact->force_max, unit.force_n);
     impact->max_overlap = cor_quiet_product(impact->max_overlap, unit.length_m);
@@ -385,7 +385,7 @@ int cor_scene_eps(double *eps, const struct cor_scene_contact *contact, double s
         *eps = 0;
     } else if (!is_full(contact, at)) {
         status = eps_of(eps, contact, parameter_of(contact, at), end);
-    } else if (does_yield(contact, at)) { /* without the duration, which takes longer */
+    } else if (does_yield(contact, at)) { /* skips the duration, which takes longer to compute */
         *eps = cor_elastic_plastic_eps(cor_quiet_quotient(at, contact->yield_speed_m_s));
     } else {
         status = dry_impact(&impact, contact, at);
@@ -495,7 +495,7 @@ static int solved_beta(double *beta, const struct cor_scene_contact *contact, do
             return status;
         const double rest = eps == 0            ? isgreater(got, 0)
                             : isgreater(got, 0) ? log(got) - wanted
-                                                : -1; /* for eps = 0, the first beta found with this eps */
+                                                : -1; /* for eps = 0: the first beta found that gives it */
         if (fabs(rest) < 1e-15 * fmax(1, fabs(wanted)) ||
             (cor_is_bracketed(&bracket) && bracket.high - bracket.low < 1e-15 * fmax(1, fabs(x))))
             return COR_FAULT_NONE;

@@ -9,7 +9,7 @@
 
 /* ---- q = 0: u = x^((a+1)/2) obeys u'' + 2 zeta w u' + w^2 u = 0 with w^2 = (a+1)/2 ----
  *
- * In the phase theta of the damped oscillation, with cos(phi) = zeta and p = (a-1)/(a+1), the force is
+ * At the phase theta of this damped oscillation, with cos(phi) = zeta and p = (a-1)/(a+1), the force is
  *
  *     [(w/sin(phi)) exp(-theta cot(phi))]^(1+p) sin(theta)^p sin(2 phi - theta)
  *
@@ -25,17 +25,17 @@ static double force_linear(const struct cor_exponents *law, double zeta)
         return NAN;
     const double sine = sqrt(fabs((1 - zeta) * (1 + zeta)));
     if (sine == 0) {
-        const double r = (3 - sqrt((p + 9) / (p + 1))) / 2; /* theta/phi, the limit of both branches */
+        const double r = (3 - sqrt((p + 9) / (p + 1))) / 2; /* theta/phi at zeta = 1, the limit of both branches */
         return pow(root * exp(-r), 1 + p) * pow(r, p) * (2 - r);
     }
     const int over = zeta > 1;
     const double phi = over ? asinh(sine) : atan2(sine, zeta);
-    /* cos(3 phi - 2 theta) = 1 - 2 s^2: the form in half angles keeps its relative accuracy where phi is small */
+    /* cos(3 phi - 2 theta) = 1 - 2 s^2; half angles keep the relative accuracy for small phi */
     const double h1 = over ? sinh(phi / 2) : sin(phi / 2), h3 = over ? sinh(1.5 * phi) : sin(1.5 * phi);
     const double s = sqrt((p * h1 * h1 + h3 * h3) / (1 + p));
     const double theta = over ? 1.5 * phi - asinh(s) : 1.5 * phi - asin(fmin(s, 1));
     const double rise = over ? sinh(theta) : sin(theta), descent = over ? sinh(2 * phi - theta) : sin(2 * phi - theta);
-    /* by logarithms, because products of hyperbolic sines and the exponential could overflow */
+    /* logarithms, because products of hyperbolic sines and the exponential could overflow */
     return exp((1 + p) * (log(root / sine) - theta * zeta / sine) + p * log(rise) + log(descent));
 }
 
@@ -52,8 +52,8 @@ static double log_rest(double z)
     return z * z * sum;
 }
 
-/* Solves for the largest force, where a v = beta x^(a+1). With z = beta v, f = log_rest: a z + (a+1) f(z) = (a+1)
- * f(beta). */
+/* Returns the largest force, which occurs where a v = beta x^(a+1). z = beta v solves a z + (a+1) f(z) = (a+1) f(beta),
+ * where f is log_rest. */
 static double force_hunt_crossley(const struct cor_exponents *law, double beta)
 {
     const double a = cor_elastic(law), wanted = (a + 1) * log_rest(beta);
@@ -76,8 +76,8 @@ static double force_hunt_crossley(const struct cor_exponents *law, double beta)
 #define FORCE_SPRING_LEAST 0x1p-48 /* below this mu the spring is neglected */
 
 /* Returns the largest force. For beta >= 1 the damping sets the scales: x = beta^(-1/(b+1)) X, X'' + X^b X' + mu X^a =
- * 0. For mu = 0 the largest force is X^b (1 - X^(b+1)/(b+1)) at X^(b+1) = b (b+1)/(2 b + 1). The spring changes it by
- * less than 50 mu, relative (docs/theory.md, 9). */
+ * 0. For mu = 0 the largest force is X^b (1 - X^(b+1)/(b+1)) at X^(b+1) = b (b+1)/(2 b + 1). The spring changes this
+ * force by a relative 50 mu at most (docs/theory.md, 9). */
 static double force_power(const struct cor_exponents *law, double beta)
 {
     const double b1 = cor_damping(law) + 1, a1 = cor_elastic(law) + 1, b = b1 - 1,

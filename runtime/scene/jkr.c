@@ -8,8 +8,8 @@
 
 #include "runtime/scene/exponents.h"
 
-/* broken_at: u where the contact breaks: the end of the tail, 4^(-1/3), and the largest pull, (3/4)^(1/3). lost: twice
- * the energy lost from u = 1 to there, 2 (3/5 + u^4 - (8/3) u^7 + (16/15) u^10). */
+/* broken_at: u at which the contact breaks: 4^(-1/3) at the end of the tail, (3/4)^(1/3) at the largest pull. lost:
+ * twice the energy lost between u = 1 and this u, 2 (3/5 + u^4 - (8/3) u^7 + (16/15) u^10). */
 static const double broken_at[COR_SCENE_ENDS] = {0.62996052494743658238, 0.90856029641606982944};
 static const double lost[COR_SCENE_ENDS] = {1.3259921049894873165, 0.65486382215035810233};
 
@@ -18,16 +18,16 @@ static double inward_speed(const struct motion *m, double s, double level)
     return -cor_motion_v(m, s, level);
 }
 
-#define LARGEST 1e4                /* motions to larger u are not followed */
-#define REST 1.1447142425533318678 /* u where the force vanishes, (3/2)^(1/3) */
+#define LARGEST 1e4                /* largest u to which a motion is followed */
+#define REST 1.1447142425533318678 /* u at which the force vanishes, (3/2)^(1/3) */
 
 static double overlap_of(double u)
 {
     return u * (u * u * u - 1);
 }
 
-/* True if the motion creeps to its place of rest and never passes it. This holds once x'/(x_e - x), x_e at rest, is
- * between 0 and half of the least damping coefficient on the way, if this coefficient exceeds 2 sqrt(dF/dx). */
+/* True if the motion creeps to its rest at the overlap x_e and never passes it. Let c be the smallest damping
+ * coefficient on the way. The condition is c > 2 sqrt(dF/dx) and 0 <= x'/(x_e - x) < c/2. */
 static int is_slow(const struct motion *m)
 {
     const double u = cor_motion_start(m), low = fmin(u, REST), high = fmax(u, REST), cube = 4 * high * high * high;
@@ -36,8 +36,8 @@ static int is_slow(const struct motion *m)
     return c * c * (cube - 1) > 4 * stiffness && towards >= 0 && towards < c / 2 * (overlap_of(high) - overlap_of(low));
 }
 
-/* True if the bodies stay together: twice the energy (0 at the touch), which never grows, is below its value at the
- * next end. */
+/* True if the bodies stay together: twice the energy, which is 0 at first touch and never grows, is below its value at
+ * the next end. */
 static int does_stay(const struct motion *m)
 {
     const double u = cor_motion_start(m), cube = u * u * u;
@@ -64,7 +64,7 @@ static int solve_jkr(struct cor_full_impact *impact, double kappa, int power, do
     for (int k = 0; cor_motion_start(&m) > broken_at[COR_END_ZERO_OVERLAP] && !does_stay(&m) && !is_slow(&m); k++) {
         if (k == MOTION_MOST_STEPS || !cor_motion_expand(&m))
             return COR_FAULT_PRESSED;
-        if (cor_motion_v(&m, m.step, 0) > 0) /* the bodies turn again: end the step there */
+        if (cor_motion_v(&m, m.step, 0) > 0) /* the bodies turn again: the step ends there */
             m.step = cor_motion_root(&m, inward_speed, k == 0 ? m.step * 0x1p-20 : 0, m.step, 0);
         for (int end = 0; end < COR_SCENE_ENDS; end++)
             if (cor_motion_start(&m) > broken_at[end] && cor_motion_u(&m, m.step, broken_at[end]) <= 0) {
@@ -82,8 +82,8 @@ static int solve_jkr(struct cor_full_impact *impact, double kappa, int power, do
     return COR_FAULT_NONE;
 }
 
-/* Computes the sticking speed backward in time from rest at the end. The motion leaves the saddle at the end of the
- * tail along its unstable direction. */
+/* Returns the sticking speed, from a motion backward in time that starts at rest at the end of contact. The end of the
+ * tail is a saddle, which the motion leaves along the unstable direction. */
 static double sticking_speed(double kappa, int power, int end)
 {
     const double start = end == COR_JKR_TAIL && isless(kappa, INFINITY) ? 1e-7 / (1 + kappa) : 0, u = broken_at[end];

@@ -46,7 +46,7 @@ static const char *read_digits(long *value, const char *text)
     return text;
 }
 
-/* Returns a date as a number. text: month and year, after the day. 0: not a date */
+/* Returns a date as a number, or 0 if it is not a date. text: month and year, which follow the day. */
 static long date_of(long day, const char *text)
 {
     static const char *const months[] = {"january", "february", "march",     "april",   "may",      "june",
@@ -85,7 +85,7 @@ struct text {
     const struct cor_simulator *simulator;
     int commented; /* each line becomes a comment */
     int at_start;  /* the next character begins a line */
-    int known;     /* 1: no unknown number was written since this was set */
+    int known;     /* set to 1 before a line; 0 after an unknown number */
 };
 
 static void put_raw(struct text *t, const char *from)
@@ -149,7 +149,7 @@ static struct number number_text(double value, int digits)
 
 /* ---- the request to a simulator ---- */
 
-/* Contacts of two bodies: the three in the lines, and each body at a wall of either material */
+/* Contacts of two bodies: the pair and two of either kind, which the lines contain; each body at either wall */
 enum { PAIR, LIKE_1, LIKE_2, PAIRS, CONTACTS = PAIRS + 4 };
 static const struct {
     int body, other, wall;
@@ -160,16 +160,16 @@ struct task {
     const struct cor_simulator *simulator;
     int types;    /* types of bodies: 2 for two different bodies, or a body and a wall */
     int has_law;  /* some model has the law of the contact */
-    int pressed;  /* pressed by gravity; eps then depends on it */
+    int pressed;  /* gravity presses the bodies together; eps depends on it */
     int slides;   /* some contact has friction */
-    int same_eps; /* the next block has the requested eps even if a damping was given */
-    /* For each end at which the restitution may have been measured, or the contact of the request */
+    int same_eps; /* the next block shows the requested eps even if a damping was given */
+    /* one for each end at which the restitution may have been measured */
     struct cor_scene_contact contact[CONTACTS][COR_SCENE_ENDS];
     struct cor_simulator_target target[CONTACTS];
     struct cor_simulator_request own; /* set by soften_wall, or for one contact of several materials */
     size_t i, j;                      /* types of this contact, from 0 */
     struct cor_scene_contact soft[COR_SCENE_ENDS];
-    double k1, hardening, depth;        /* of put_luding: k_1, k_p/k_1, plasticity depth */
+    double k1, hardening, depth;        /* for put_luding: k_1, k_p/k_1, plasticity depth */
     char law[NUMBER];                   /* name of the law */
     char refusal[COR_SIMULATOR_REASON]; /* "": none yet */
 };
@@ -186,7 +186,7 @@ static int refuse_task(struct task *task, const char *format, ...)
     return 0;
 }
 
-/* True for a wall. Types of several materials are first the balls, in the order of the request, then the walls. */
+/* True for a wall. The numbers of the types are first those with balls, in the order of the request, then walls. */
 static int is_wall(const struct cor_material *material)
 {
     return cor_is_infinity(material->body.mass_kg);
@@ -221,14 +221,14 @@ static struct cor_material_contact *contact_of(const struct cor_simulator_reques
 struct block {
     const struct cor_simulator_model *model;
     double number[CONTACTS];
-    double damping, speed_m_s; /* of the pair in the request at this speed */
+    double damping, speed_m_s; /* of the pair in the request, and the speed at which it holds */
     double time_step_s;        /* NaN: not known */
     int same_eps;              /* the model has the requested eps, but not at the requested end */
-    char reason[SENTENCE];     /* why it has no numbers, or no corrected ones */
+    char reason[SENTENCE];     /* why the model has no numbers, or no corrected numbers */
 };
 
-/* Returns the type whose elasticity a type has: itself if made_of is NULL, the number of types if the name is
- * unknown. */
+/* Returns the type that made_of names, which gives the elasticity; `type` if made_of is NULL, the number of types if
+ * the name is unknown. */
 static size_t source_of(const struct cor_simulator_request *request, size_t type)
 {
     const char *const name = material_of(request, type)->made_of;
@@ -262,7 +262,7 @@ static const struct cor_material_contact *own_contact(struct task *task, size_t 
     return c;
 }
 
-/* Makes words take their numbers from the contact of types i and j. */
+/* Makes the contact of types i and j the source of the numbers in the lines. */
 static void turn_to_contact(struct task *task, struct block *block, size_t i, size_t j)
 {
     const struct cor_material_contact *const c = own_contact(task, i, j);
@@ -287,7 +287,8 @@ static int has_own_damping(const struct cor_scene *scene)
     return cor_scene_given(scene, COR_SCENE_DISSIPATION_TIME) || cor_scene_given(scene, COR_SCENE_VISCOSITY);
 }
 
-/* Changes a contact into another of these materials: with their dissipation times, or zeta or C/K of the pair */
+/* Changes the contact of the pair into another contact of its materials. Its damping comes from their dissipation
+ * times, or has zeta or C/K of the pair. */
 static void make_contact(struct cor_scene_contact *contact, const struct cor_scene *scene, int kind)
 {
     struct cor_sphere_contact sphere;
@@ -299,7 +300,7 @@ static void make_contact(struct cor_scene_contact *contact, const struct cor_sce
         two.radius_m = two.mass_kg = INFINITY;
     if (cor_sphere_contact_init(&sphere, &one, &two) != COR_OK)
         return;
-    contact->force_n = 0; /* only the contact of the request is pressed */
+    contact->force_n = 0; /* gravity presses only the contact of the request */
     contact->mass_kg = sphere.effective_mass_kg;
     contact->stiffness = sphere.elastic_constant_n_m15;
     contact->radius_m = sphere.effective_radius_m;
@@ -338,7 +339,7 @@ static int is_requested(const struct cor_simulator_model *model, const struct ta
     return cor_model_has_version(model, version ? cor_simulator_version(version) : 0);
 }
 
-/* True if lines of the model can be printed, provided that their numbers are known */
+/* True if the model has lines for the request, provided that their numbers are known. */
 static int model_suits(const struct cor_simulator_model *model, const struct task *task, int has_law)
 {
     return (task->request->materials ? model->many != NULL
@@ -395,7 +396,8 @@ static int integrator_of(const struct task *task)
     return own == COR_NO_INTEGRATOR || task->request->integrator == COR_NO_INTEGRATOR ? own : task->request->integrator;
 }
 
-/* True if the lines of the model define this contact. At a wall, YADE's lines and matrices also define equal pairs. */
+/* True if the lines of the model define this contact. For a sphere and a wall, matrices and lines of one law also
+ * define the contact of two equal spheres. */
 static int has_contact(const struct block *block, const struct task *task, int pair)
 {
     const enum cor_simulator_pairs pairs = block->model->pairs;
@@ -405,8 +407,8 @@ static int has_contact(const struct block *block, const struct task *task, int p
 }
 
 /* Returns the time step of one contact at a speed: its duration over the number of steps, or the largest step for the
- * tolerance. Infinite if the bodies never part, NaN if not known. *steps: of the request, then of the pair. For other
- * contacts, whose damping may be replaced, returns the smallest step over both ends and without damping. */
+ * tolerance. Infinite if the bodies never part, NaN if not known. *steps: the requested number, then the pair's. Other
+ * contacts, whose damping may be replaced, get the smallest step of both ends and of the undamped contact. */
 static double step_of(const struct cor_scene_contact *c, const struct task *task, int pair, int end, double speed,
                       double *steps)
 {
@@ -418,7 +420,7 @@ static double step_of(const struct cor_scene_contact *c, const struct task *task
         own = NAN;
     if (pair == PAIR)
         *steps = own;
-    if (c->force_n > 0 && tolerance == 0) { /* a force may hold the bodies, or they fly before they part */
+    if (c->force_n > 0 && tolerance == 0) { /* the duration may be infinite, or include a flight */
         struct cor_scene_impact bounce = impact;
         struct cor_scene_contact undamped = *c;
         undamped.damping = 0;
@@ -447,7 +449,7 @@ static double time_step(const struct block *block, const struct task *task)
         for (int pair = 0; pair < CONTACTS; pair++) {
             const struct cor_scene_contact c = contact_made(block, task, pair);
             if (!cor_law_has_spring_of(&c.law, law))
-                return NAN; /* another spring: its stiffness is the user's */
+                return NAN; /* another spring, whose stiffness the user chooses */
             if (has_contact(block, task, pair))
                 least = fmin(least, step_of(&c, task, pair, end,
                                             request->speeds > 0 ? request->speed_m_s[i] : block->speed_m_s, &steps));
@@ -458,7 +460,7 @@ static double time_step(const struct block *block, const struct task *task)
     return least > 0 && least < INFINITY ? least : NAN;
 }
 
-/* Corrects the numbers for the time step, at the only speed of the request. False if that is not possible */
+/* Corrects the numbers for the time step, at the only speed of the request. Returns 0 if that is not possible. */
 static int correct_block(struct block *block, const struct task *task)
 {
     enum cor_simulator_status status;
@@ -488,7 +490,7 @@ static int correct_block(struct block *block, const struct task *task)
     return 1;
 }
 
-/* True if an end was requested, eps depends on it, and the model, which has the law, ends contacts elsewhere. */
+/* True if an end was requested, eps depends on the end, and the model has the law but ends contacts at another end. */
 static int ends_elsewhere(const struct cor_simulator_model *model, const struct task *task)
 {
     const int end = task->request->scene->end;
@@ -496,8 +498,9 @@ static int ends_elsewhere(const struct cor_simulator_model *model, const struct 
            (end == COR_END_APPROACH_ONLY || cor_scene_ends_differ(task->request->contacts));
 }
 
-/* Changes the damping so that contacts have the requested eps at the end of the model, not at the requested end. False:
- * eps is not known, or no damping gives it. *eps, *speed_m_s: of the request; the speed is NaN if none matters. */
+/* Changes the damping so that contacts have the requested eps at the model's end of contact instead of the requested
+ * end. Returns 0 if eps is not known or no damping gives it. Sets *eps and *speed_m_s to the requested values; the
+ * speed is NaN if eps does not depend on it. */
 static int meet_eps(struct cor_scene_contact *contact, double *eps, double *speed_m_s, const struct task *task,
                     const struct cor_simulator_model *model)
 {
@@ -516,7 +519,7 @@ static int meet_eps(struct cor_scene_contact *contact, double *eps, double *spee
             cor_scene_set_damping(contact, COR_SCENE_RESTITUTION, *eps, *speed_m_s, (int)model->end) == COR_FAULT_NONE);
 }
 
-/* Finds the numbers of a model. Returns 1 if they exist. A given restitution is realised at the end of the model. */
+/* Finds the numbers of a model, which give the requested restitution at the model's end. Returns 1 if they exist. */
 static int fill_block(struct block *block, struct task *task, const struct cor_simulator_model *model)
 {
     enum cor_simulator_status status = COR_SIMULATOR_OK;
@@ -686,7 +689,7 @@ static double word_number(const char *word, const struct block *block, const str
     return NAN;
 }
 
-/* Returns the text for a word; NULL: the word is replaced by a number. */
+/* Returns the text that replaces a word; NULL if a number replaces it. */
 static const char *word_text(const char *word, const struct task *task, int pair)
 {
     static const char *const pairs[] = {"1 2", "1 1", "2 2"};
@@ -712,7 +715,7 @@ static void put_number(struct text *t, const char *word, const struct block *blo
     put_text(t, number_text(value, strcmp(word, "dt") == 0 ? TEXT_DIGITS : INPUT_DIGITS).text);
 }
 
-/* Writes the density of a body as an argument, if it is known. The second body needs it only if materials differ. */
+/* Writes the density of a body as an argument, if it is known. Body 2 needs it only if the materials differ. */
 static void put_density(struct text *t, const char *word, const struct block *block, const struct task *task)
 {
     const double density = word_number(word, block, task, PAIR);
@@ -756,8 +759,8 @@ static void put_tangential(struct text *t, const struct block *block, const stru
     put_number(t, "mu", block, task, pair);
 }
 
-/* Writes a word for the pair. t->known becomes 0 if its number is not known. {X[]} is the matrix of X for all pairs of
- * types, {X[,]} this matrix with commas, {X[i]} the list of X of all bodies. */
+/* Writes the replacement of a word for the pair. Sets t->known to 0 if the number is not known. {X[]} is the matrix of
+ * X for all pairs of types, {X[,]} this matrix with commas, {X[i]} the list of X of all bodies. */
 static void put_word(struct text *t, const char *word, const struct block *block, const struct task *task, int pair)
 {
     static const int order[] = {LIKE_1, PAIR, PAIR, LIKE_2};
@@ -844,7 +847,7 @@ static int put_template(struct text *t, const char *template, const struct block
 
 /* ---- comments of a block ---- */
 
-/* Returns the factor of the number at `masses` times the mass, with equal eps (q = 0) or the same material. */
+/* Returns the factor of the number for a mass `masses` times as large, with equal eps (q = 0) or the same material. */
 static double mass_factor(const struct block *block, const struct task *task, double masses)
 {
     const struct cor_simulator_model *const model = block->model;
@@ -923,7 +926,7 @@ static void put_pairs(struct text *t, const struct block *block, const struct ta
                     TEXT(cor_scene_body_density(scene, 1)), TEXT(cor_scene_body_density(scene, 2)));
 }
 
-/* Writes the realised eps with the time step. */
+/* Writes the realised eps, the time step included. */
 static void put_stepped(struct text *t, const struct block *block, const struct task *task, double speed_m_s,
                         double eps)
 {
@@ -1078,20 +1081,20 @@ static void put_luding(struct text *t, struct task *task, double speed_m_s, doub
     t->commented--;
 }
 
-/* Prints the model of a simulator for spheres that yield, next to the lines that hold at one speed. */
+/* Prints the simulator's model for spheres that yield, in addition to the lines that hold at one speed. */
 static void put_yielding(struct text *t, struct task *task)
 {
     if (task->simulator->yielding)
         put_comment(t, "%s", task->simulator->yielding);
     else if (task->simulator->luding)
         put_luding(t, task, task->target[PAIR].speed_m_s, task->target[PAIR].eps);
-    else if (!task->has_law) /* lines that call a function of the speed */
+    else if (!task->has_law) /* the lines call a function of the speed */
         put_comment(t, "cor knows no model of %s for spheres that yield.", task->simulator->title);
 }
 
 /* ---- choice ---- */
 
-/* Returns a rank for a model: the requested end counts first, then the version. */
+/* Returns a rank for a model, by which the requested end counts most, then the version. */
 static int rank_model(const struct cor_simulator_model *model, const struct task *task)
 {
     const int end = task->request->scene->end;
@@ -1099,8 +1102,8 @@ static int rank_model(const struct cor_simulator_model *model, const struct task
            cor_model_has_version(model, task->simulator->packaged);
 }
 
-/* States which eps the active lines have, if another end was requested. If a damping was given, also prints the lines
- * with the requested eps. */
+/* States which eps the active lines have, if they end contacts at another end than requested. If a damping was given,
+ * also prints lines with the requested eps. */
 static void put_other_end(struct text *t, const struct block *active, struct task *task)
 {
     const struct cor_simulator_request *const request = task->request;
@@ -1124,7 +1127,7 @@ static void put_other_end(struct text *t, const struct block *active, struct tas
     task->same_eps = 0;
 }
 
-/* Writes the realised e of the simulator if a user sets eps as e. */
+/* Writes the eps that the simulator realises if a user sets the requested eps as e. */
 static void put_own_maps(struct text *t, const struct task *task)
 {
     const double eps = task->target[PAIR].eps;
@@ -1137,7 +1140,7 @@ static void put_own_maps(struct text *t, const struct task *task)
     }
 }
 
-/* Prints all models with the contact. False if no model has it: the refusal is the reason of the first, or empty */
+/* Prints all models that have the contact. If none has it, returns 0; the refusal is then the reason of the first. */
 static int put_all(struct text *t, struct task *task)
 {
     struct block block, active = {.model = NULL};
@@ -1189,7 +1192,7 @@ static int put_all(struct text *t, struct task *task)
 
 /* ---- the text ---- */
 
-/* Gives the contact the stiffness of a soft wall; under gravity eps depends on it. */
+/* Gives the contact the reduced stiffness of the simulator's walls. Under gravity eps depends on the stiffness. */
 static void soften_wall(struct task *task)
 {
     const double *const number = task->request->scene->number;
@@ -1208,7 +1211,8 @@ static void soften_wall(struct task *task)
     task->request = &task->own;
 }
 
-/* Finds the speed, and its eps, for a simulator without the law of the contact. False if the request lacks them */
+/* Finds the speed at which the lines hold, and eps at this speed, for a simulator without the law of the contact.
+ * Returns 0 if the request does not have them. */
 static int find_speed(struct task *task)
 {
     const struct cor_simulator_request *const request = task->request;
@@ -1240,7 +1244,7 @@ static int find_speed(struct task *task)
     return 1;
 }
 
-/* True if a simulator has lines; for several materials, lines for them */
+/* True if a simulator has lines for the request: for two bodies or for several materials. */
 static int has_lines(const struct cor_simulator *simulator, const struct task *task)
 {
     int many = task->request->materials == NULL;
@@ -1329,9 +1333,9 @@ static int check_task(struct task *task)
            refuse_task(task, "no model of %s has lines for a wall; leave out --wall", task->simulator->title);
 }
 
-/* Replaces a law that no model has by a linear spring of the same duration T at the speed, without damping:
- * K = m (pi/T)^2. False: no linear model, no mass, no eps up to 1, a constant force, a plate, plastic bodies, or a
- * fault of the new scene. */
+/* Replaces a law that no model has by a linear spring whose undamped contact has the same duration T at the speed: K =
+ * m (pi/T)^2. Returns 0 if the simulator has no linear model, if the mass or an eps up to 1 is not known, or if the new
+ * scene has a fault. Constant forces, plates and plastic bodies also give 0. */
 static int replace_law(struct cor_simulator_request *request, struct cor_scene *scene,
                        struct cor_scene_contact contacts[COR_SCENE_ENDS], const struct task *task)
 {
@@ -1375,7 +1379,7 @@ static int check_numbers(struct task *task)
 
 /* ---- several materials ---- */
 
-/* Returns the scene of two types with their smallest or their largest balls, without damping; only j may be a wall. */
+/* Returns the scene of two types with their smallest or their largest balls, without damping. Only j may be a wall. */
 static struct cor_scene scene_of_types(const struct cor_simulator_request *request, size_t i, size_t j, int largest)
 {
     struct cor_scene scene = *request->scene;
@@ -1395,8 +1399,8 @@ static struct cor_scene scene_of_types(const struct cor_simulator_request *reque
     return scene;
 }
 
-/* Returns the dissipation time of a type, or of the measured contact of two of its balls; NaN: neither is known. *ends:
- * 2 if this time depends on the end of contact of that measurement */
+/* Returns the dissipation time of a type, or the time that follows from the measured contact of two of its balls; NaN
+ * if neither is known. Sets *ends to 2 if the time depends on the unknown end of contact of the measurement. */
 static double dissipation_time(const struct cor_simulator_request *request, size_t type, int end, int *ends)
 {
     const double own = material_of(request, type)->body.dissipation_time_s;
@@ -1520,7 +1524,7 @@ static int check_materials(struct task *task)
             if ((p->a == other->a && p->b == other->b) || (p->a == other->b && p->b == other->a))
                 return refuse_task(task, "%s and %s: two pairs of these materials; leave out one", a->name, b->name);
     }
-    /* in three turns: pairs of one material, pairs of types made of it, which may need its damping, and all others */
+    /* first pairs of one material; then pairs of types made of it, which may need its damping; then all others */
     for (int turn = 0; turn < 3; turn++)
         for (size_t i = 0; i < balls; i++)
             for (size_t j = i; j < types; j++)
@@ -1529,7 +1533,7 @@ static int check_materials(struct task *task)
     return 1;
 }
 
-/* Starts the task of one contact. False after a refusal of the whole request */
+/* Starts the task of one contact. Returns 0 after a refusal of the whole request. */
 static int start_contact(struct task *own, struct task *task, size_t i, size_t j)
 {
     *own = (struct task){.request = task->request, .slides = task->slides};
@@ -1544,8 +1548,8 @@ static int start_contact(struct task *own, struct task *task, size_t i, size_t j
     return refuse_contact(task, i, j, own->refusal);
 }
 
-/* Finds the numbers of a model for all contacts, and the contact with the smallest time step, NaN if one is not known.
- * Returns the rank of the model; -1: unsuitable */
+/* Finds the numbers of a model for all contacts, and the contact with the smallest time step, which is NaN if a step is
+ * not known. Returns the rank of the model, or -1 if it is unsuitable. */
 static int fill_contacts(struct task *task, const struct cor_simulator_model *model, struct block *shortest)
 {
     const size_t types = task->request->material_count, balls = count_balls(task->request);
@@ -1569,7 +1573,7 @@ static int fill_contacts(struct task *task, const struct cor_simulator_model *mo
     return rank;
 }
 
-/* Writes eps between the largest balls of both types, if the number depends on the mass. */
+/* Writes eps of a contact between the largest balls of both types, if the number depends on the mass. */
 static void put_largest(struct text *t, const struct block *block, const struct task *own)
 {
     const struct cor_simulator_model *const model = block->model;
@@ -1594,7 +1598,7 @@ static void put_largest(struct text *t, const struct block *block, const struct 
                     TEXT(speed), TEXT(wanted));
 }
 
-/* Prints the source of a contact's damping, and the eps that follow. */
+/* Prints the source of a contact's damping, and the resulting eps. */
 static void put_contact(struct text *t, const struct block *block, const struct task *own)
 {
     const struct cor_simulator_request *const r = own->request;
@@ -1621,9 +1625,10 @@ static void put_contact(struct text *t, const struct block *block, const struct 
         put_comment(t, "%s", own->simulator->wall);
 }
 
-/* True if a line of a template for several materials is repeated for types i and j. m: each type; b: each ball; g: each
- * ball, if the scene has a wall; v: each wall. p: each two balls; u: each two different types; w: each ball and wall;
- * c: each contact; f: each contact, if some contact has friction; F: then once; -: only once. */
+/* True if a line of a template for several materials is written for types i and j. Its first letter selects them. m:
+ * each type; b: each ball; g: each ball, if the scene has a wall; v: each wall. p: each two balls; u: each two
+ * different types; w: each ball and wall; c: each contact; f: each contact, if some contact has friction; F: once, if
+ * some contact has friction; -: once. */
 static int repeats_line(char letter, size_t i, size_t j, size_t balls, size_t types, int slides)
 {
     const int contact = i <= j && i < balls;
@@ -1655,7 +1660,7 @@ static void put_many(struct text *t, const char *template, struct block *block, 
             }
 }
 
-/* Prints the block of all contacts: comments, lines and the smallest time step. False after a refusal */
+/* Prints the block of all contacts: comments, lines and the smallest time step. Returns 0 after a refusal. */
 static int put_materials(struct text *t, struct task *task)
 {
     const struct cor_simulator_request *const given = task->request;
@@ -1681,7 +1686,7 @@ static int put_materials(struct text *t, struct task *task)
     const struct cor_simulator_model *const model = best.model;
     task->own.step_corrected = given->step_corrected;
     task->own.time_step_s = isless(best.time_step_s, INFINITY) ? best.time_step_s : 0;
-    if (fill_contacts(task, model, &block) < 0) /* with the smallest step of all */
+    if (fill_contacts(task, model, &block) < 0) /* the block of the smallest time step */
         return 0;
     put_comment(t, "%s, %s (%s): contacts end at %s", s->title, model->model, model->version,
                 cor_end_names[model->end]);

@@ -60,13 +60,13 @@ static double polynomial_at(const double *c, double s)
     return y;
 }
 
-static int order_of(const struct motion *m) /* returns d, where x = u^d, of a motion that follows its energy */
+static int order_of(const struct motion *m) /* returns d with x = u^d, for a motion that follows its energy */
 {
     return m->time[0].exponent + 1;
 }
 
-/* Returns a step at which the last terms of two series do not matter. In a series from u = 0 the last terms may be 0
- * while later terms, with factors of the order of 1, are not. */
+/* Returns a step at which the last terms of the series of u and v are negligible. A series that starts at u = 0 may
+ * have gaps: its last terms may be 0 although later terms, with factors of the order of 1, are not. */
 static double longest_step(const struct motion *m)
 {
     const double *const u = m->power[1].c, *const v = m->v;
@@ -140,7 +140,7 @@ int cor_motion_expand(struct motion *m)
     return 0;
 }
 
-/* Sets v from the energy, in the half of the way next to x = 0, where this does not subtract two large numbers. */
+/* Sets v from the energy if the spring force is below half of `press`: no large numbers then cancel. */
 static void restore_speed(struct motion *m)
 {
     const int d = order_of(m);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Collisions as motions with polynomial coefficients, by Taylor series:
+/* Computes collisions by Taylor series, as motions with polynomial coefficients:
  *
  *     du/ds = v,     dv/ds = -T(u) (F - press),     F = E(u) + damper u^b v,     dt/ds = T(u)
  *
@@ -12,7 +12,7 @@
 #include "runtime/number/inline.h"
 #include "runtime/number/root.h"
 
-/* A collision in the units of its function. eps = 0 and an infinite duration: the bodies stay together. */
+/* A collision, in the units of its function. If the bodies stay together, eps is 0 and the duration infinite. */
 struct cor_full_impact {
     double eps[COR_SCENE_ENDS], duration[COR_SCENE_ENDS], max_overlap, force_max;
 };
@@ -60,8 +60,8 @@ struct motion {
     struct motion_power power[MOTION_POWERS];
     double v[MOTION_ORDER + 1], t[MOTION_ORDER + 1], force[MOTION_ORDER + 1];
     double step, unit; /* the unit of s: 1, or smaller where coefficients would overflow */
-    /* Set where `press` outweighs the inertia of the start. v then follows from the energy v^2/2 + spring - press x =
-     * energy - loss, because the difference of two large speeds would lose the small speeds at x = 0. */
+    /* True if `press` outweighs the inertia at the start. v then follows from the energy, v^2/2 + spring - press x =
+     * energy - loss: a difference of two large speeds would have no accuracy for small speeds at x = 0. */
     int follows_energy;
     double energy, loss[MOTION_ORDER + 1]; /* loss: the work of the damper */
 };
@@ -72,17 +72,17 @@ int cor_motion_init(struct motion *m, double u, double v);
 /* Adds a power of u to the series, and returns its place in `power`. */
 int cor_motion_power(struct motion *m, int exponent);
 
-/* Fills the coefficients from u, v and t at s = 0, and the longest step at which the last ones do not matter. Returns 0
- * if a coefficient is so large that a product of two would overflow. */
+/* Fills the coefficients from u, v and t at s = 0, and sets the longest step at which the last coefficients are
+ * negligible. Returns 0 if the product of two coefficients would overflow. */
 int cor_motion_expand(struct motion *m);
 /* Makes the end of the step the start of the next one. */
 void cor_motion_advance(struct motion *m);
 
-/* Follows the motion to the turning point, where the next step begins, or to a step where F begins to fall and `rests`
- * is true. *force_max: the largest F on the way. Returns 0 if this needs too many steps. */
+/* Follows the motion to the turning point, where the next step begins, or to the end of a step in which F falls and
+ * `rests` is true. *force_max: the largest F on the way. Returns 0 if this needs too many steps. */
 int cor_motion_compress(struct motion *m, double *force_max, int (*rests)(const struct motion *m));
 
-/* Functions of the place s in a step. cor_motion_root finds where a function falls to `level` between two places. */
+/* Functions of the place s in a step. cor_motion_root returns the place at which a function falls to `level`. */
 typedef double motion_function(const struct motion *m, double s, double level);
 motion_function cor_motion_u, cor_motion_v; /* minus the level */
 double cor_motion_t(const struct motion *m, double s);
@@ -110,7 +110,7 @@ double cor_pressed_force_max(const struct cor_exponents *law, double elastic, do
  * motion takes too many steps. */
 int cor_pressed_solve(struct cor_full_impact *impact, const struct cor_exponents *law, double damping, double speed);
 
-/* Returns the impact speed up to which the bodies stay together; infinite if they do at all speeds up to 1e9. */
+/* Returns the impact speed up to which the bodies stay together; infinite if it exceeds 1e9. */
 double cor_pressed_sticking_speed(const struct cor_exponents *law, double damping, int end);
 
 /* ---- jkr.c ---- */
@@ -131,7 +131,7 @@ int cor_jkr_impact(struct cor_full_impact *impact, const struct cor_scene_contac
 /* Returns the speed up to which the bodies stay together, m/s; NaN if a motion needs too many steps. */
 double cor_jkr_sticking_speed(const struct cor_scene_contact *contact, double coefficient, int end);
 
-/* True if the damper of a law can be written with the contact radius: exponents 0, 1/4, 1/2 and 3/2 of Hertz's laws */
+/* True if the damper of a law is a power of the contact radius: Hertz's laws with b = 0, 1/4, 1/2 and 3/2. */
 int cor_jkr_has_law(const struct cor_exponents *law);
 
 /* ---- plastic.c ---- */

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Oblique impacts with friction (docs/theory.md, 20). In the units of the normal motion (motion.h) with x = u^d, the
- * velocity w of the contact point and the force S of a spring that remembers q obey
+/* Oblique impacts with friction (docs/theory.md, 20). In the units of the normal motion (motion.h), with the overlap x
+ * = u^d, the velocity w of the contact point and the force S of a spring with memory q obey
  *
  *     dw/dt = -(S + gamma x^b w),     S = kappa x^r q,     dq/dt = x^(p-r) w
  *
- * while the contact sticks. r = p remembers the displacement and r = 0 the force; both are 1/2 larger on the way back
- * if the memory shrinks with the contact radius. While the contact slips the force is the cap M |F|, and the spring
- * holds that force. All of this is polynomial in u. */
+ * while the contact sticks. For r = p the spring remembers its displacement, for r = 0 its force. On the way back r is
+ * larger by 1/2 if the memory shrinks with the contact radius. While the contact slips the force is the cap M |F|, and
+ * the spring holds that force. All of this is polynomial in u. */
 #include "cor/scene.h"
 
 #include <float.h>
@@ -16,11 +16,11 @@
 #include "runtime/scene/motion.h"
 
 enum { ORDER = MOTION_ORDER, MOST_STEPS = 20000, MOST_IDLE = 6, MOST_PARTS = 200 };
-#define TOLERANCE 2e-15 /* a test is 0 within this part of its terms */
-#define RATIO 0.26      /* of a step to the radius of convergence: RATIO^ORDER = 1e-14 */
-#define STRETCH 1.6     /* limit of a step over the step of motion.c, whose last terms are 1e-17 */
-#define MOMENT 1e-11    /* a part of a step that does not matter */
-#define NEAR 0.01       /* an event within this part of a step is found with the accuracy of its place */
+#define TOLERANCE 2e-15 /* a test below this fraction of its terms counts as 0 */
+#define RATIO 0.26      /* step over radius of convergence: RATIO^ORDER = 1e-14 */
+#define STRETCH 1.6     /* largest step over the step of motion.c, whose last terms are 1e-17 */
+#define MOMENT 1e-11    /* negligible fraction of a step */
+#define NEAR 0.01       /* fraction of a step in which an event is located accurately */
 #define JUMP 1e-12      /* largest jump of w at which creep may begin */
 #define POWER_MOST 1e280
 #define PRESS_MOST 1e12
@@ -52,9 +52,9 @@ static double value_at(const double *c, double s)
     return y;
 }
 
-/* Returns the first place up to `end` where a series falls below zero, or infinity. terms: the sizes of the terms of
- * each coefficient. Leading zeros of a series from x = 0 are divided out. On a part of the way the series is at least
- * c_0 + c_1 s + least s^2; parts end where this bound falls to zero. So no fall is missed, however short it is. */
+/* Returns the first place up to `end` at which a series falls below zero, or infinity. terms: the sizes of the terms of
+ * each coefficient. Leading zeros of a series from x = 0 are divided out. In each part of the way the series is at
+ * least c_0 + c_1 s + least s^2, and the part ends where this bound is zero, so no fall is missed. */
 static double first_fall(const double *series, const double *terms, double end)
 {
     double c[ORDER + 1] = {0}, size = 0, power = 1, place = 0, length = 1; /* in units of `end` */
@@ -95,7 +95,7 @@ static double times(const struct slide *s, int place, const double *series, int 
     return place == 0 ? series[n] : product_coefficient(power_series(s, place), series, n);
 }
 
-/* Sets w and q, and the forces up to the cap in both directions. */
+/* Sets w and q, and the two tests: the cap minus the force in either direction. */
 static void expand_stick(struct slide *s)
 {
     double total[ORDER + 1];
@@ -119,7 +119,7 @@ static void expand_stick(struct slide *s)
     s->test[0][ORDER] = s->test[1][ORDER] = 0;
 }
 
-/* Sets w and `held`, the spring force in the direction of the slip over u^least: the cap minus the damper in it. */
+/* Sets w and `held`, the spring force in the direction of the slip over u^least: the cap minus a damper in it. */
 static void expand_slip(struct slide *s)
 {
     const struct motion *const m = &s->m;
@@ -138,8 +138,8 @@ static void expand_slip(struct slide *s)
     s->held[ORDER] = 0;
 }
 
-/* Expands the rate at which the spring force would grow, in the direction of the slip, minus the rate of `held`; both
- * times T u/u^least. The contact slips while the difference is positive. w NULL: without the spring force */
+/* Expands, times T u/u^least, the rate at which the spring force would grow in the direction of the slip, minus the
+ * rate of the held force. The contact slips while this difference is positive. w NULL: omits the spring force. */
 static void expand_excess(struct slide *s, double *excess, const double *w)
 {
     double rise[ORDER + 1] = {0}; /* derivative of `held` in s */
@@ -154,7 +154,7 @@ static void expand_excess(struct slide *s, double *excess, const double *w)
     excess[ORDER - 1] = excess[ORDER] = 0; /* they need the unknown coefficient of `held` */
 }
 
-/* Sets w to the threshold, and the tests: with the cap only, w stays below it; with the damper, above it. */
+/* Sets w to the threshold and the tests of creep: while slipping w would fall below it, while sticking exceed it. */
 static void expand_creep(struct slide *s)
 {
     const double *const stiff = power_series(s, s->stiff), *const slope = power_series(s, s->time),
@@ -183,7 +183,7 @@ static void expand_creep(struct slide *s)
 
 /* ---- modes ---- */
 
-/* Returns a step at which the last terms of a series do not matter. Series from x = 0, and next to it, have gaps. */
+/* Returns a step at which the last terms of a series are negligible. Series from x = 0 and next to it have gaps. */
 static double longest_step(const double *c, double size)
 {
     double growth = -INFINITY; /* binary logarithm of the largest ratio of coefficients */
@@ -197,9 +197,9 @@ static double longest_step(const double *c, double size)
     return RATIO * exp2(-growth);
 }
 
-/* Begins a mode at the place of m. A contact that slipped and now sticks keeps its spring force. At x = 0 a damper in
- * the cap leaves a force of the order of x^b, b < a. If b < r no finite q gives this force, and the spring pushes back
- * to the cap on the other side. */
+/* Begins a mode at the start of the step of m. A contact that slipped and now sticks keeps its spring force. At x = 0 a
+ * damper in the cap leaves a spring force of the order of x^b, b < a. If b < r, no finite q gives this force; the
+ * contact then slips in the opposite direction. */
 static void change_mode(struct slide *s, int mode, double side)
 {
     const int touches = cor_motion_start(&s->m) == 0, order = (int)lround(s->r * s->d);
@@ -231,7 +231,7 @@ static double expand_mode(struct slide *s, double end, int *next, double *side)
     else
         expand_creep(s);
     if (s->mode == CREEPS && !(fabs(s->series_w[0] - s->w) < JUMP * s->size)) {
-        s->series_w[0] = s->w; /* next to x = 0 all forces are small, whatever w is */
+        s->series_w[0] = s->w; /* next to x = 0 all forces are small for any w */
         return 0;
     }
     step = fmin(end, longest_step(s->series_w, s->size));
@@ -239,7 +239,7 @@ static double expand_mode(struct slide *s, double end, int *next, double *side)
         step = fmin(step, longest_step(s->series_q, s->size / fmax(1, sqrt(s->kappa))));
     if (!s->slips)
         return step;
-    if (s->idle >= MOST_IDLE) /* rounding errors decide: any mode is right for a moment */
+    if (s->idle >= MOST_IDLE) /* only rounding errors distinguish the modes: keep this mode for a moment */
         return *next = s->mode, fmin(step, s->moment);
     if (s->mode == SLIPS) {
         if (s->memory == COR_REMEMBERS_NOTHING)
@@ -259,7 +259,7 @@ static double expand_mode(struct slide *s, double end, int *next, double *side)
             *side = place[0] <= place[1] ? 1 : -1;
     }
     const double first = fmin(place[0], place[1]);
-    /* If a damper outside the cap makes the force jump, the place matters: expand again next to it. */
+    /* If a damper outside the cap makes the force jump, the place must be accurate: expand again next to it. */
     const int jumps = s->mode == STICKS && !s->damper_in_cap && s->gamma > 0;
     if (first < step && !(jumps && first > NEAR * step))
         return first;
@@ -282,8 +282,8 @@ static struct scales speed_scales(const struct cor_scene_contact *contact, doubl
     return (struct scales){cor_quiet_product(time, speed_m_s), time};
 }
 
-/* Sets the units of the normal motion: from the speed, or smaller ones if damping or a constant force outweighs the
- * inertia. Returns 0 if the motion overflows. */
+/* Sets the units of the normal motion. The speed determines them, unless damping or a constant force outweighs the
+ * inertia; they are then smaller. Returns 0 if the motion overflows. */
 static int begin(struct slide *s, const struct cor_scene_contact *contact, const struct cor_tangential *tangential,
                  double speed_m_s)
 {
@@ -407,7 +407,7 @@ static int follow(struct slide *s, int end)
 #define NOT_INLINE static
 #endif
 
-/* Computes an impact with arguments in range. Not inline, to keep its stack separate from cor_scene_eps */
+/* Computes an impact for arguments in range. It is not inlined, so that its stack is not added to cor_scene_eps. */
 NOT_INLINE int follow_impact(struct cor_oblique_impact *oblique, const struct cor_scene_contact *contact,
                              const struct cor_tangential *tangential, double friction, double speed_m_s, double tangent,
                              int end)
@@ -416,7 +416,7 @@ NOT_INLINE int follow_impact(struct cor_oblique_impact *oblique, const struct co
     if (!begin(&s, contact, tangential, speed_m_s) || !set_memory(&s, 0))
         return COR_FAULT_RANGE;
     const double speed = s.m.v[0];
-    s.slips = tangent > 0 && !cor_is_infinity(friction); /* the limit of small angles does not slip */
+    s.slips = tangent > 0 && !cor_is_infinity(friction); /* small angles do not slip */
     s.cap *= s.slips ? 3.5 * friction : 0;
     s.w = s.size = tangent > 0 ? tangent : 1;
     s.q = 0;

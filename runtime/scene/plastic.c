@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Contacts in a liquid, and spheres that yield: Hertz's contact up to the pressure p_y, a linear spring of stiffness
- * pi R p_y above it, and Hertz's contact of a larger radius on the way back (docs/theory.md, 21). With r = v_y/v, the
- * ratio of the yield force to the largest force
+/* Contacts in a liquid, and spheres that yield. These follow Hertz's law up to the pressure p_y, then a linear spring
+ * of stiffness pi R p_y. On the way back they follow Hertz's law with a larger radius (docs/theory.md, 21). With r =
+ * v_y/v, the ratio of the yield force to the largest force
  *
  *     t = r sqrt(5/(6 - r^2))
  *
@@ -54,7 +54,7 @@ double cor_elastic_plastic_eps(double speed_ratio)
     const double t = force_ratio(speed_ratio);
     if (t < 0.75)
         return sqrt(sqrt(108 * t / eps_denominator(t)));
-    return sqrt(sqrt(1 - loss_of_fourth(t, force_gap(speed_ratio, t)))); /* never above 1, and 1 next to v_y */
+    return sqrt(sqrt(1 - loss_of_fourth(t, force_gap(speed_ratio, t)))); /* at most 1, and exactly 1 next to v_y */
 }
 
 double cor_elastic_plastic_loss(double speed_ratio)
@@ -68,8 +68,8 @@ double cor_elastic_plastic_loss(double speed_ratio)
     return loss_of_fourth(t, force_gap(speed_ratio, t)) / ((1 + eps) * (1 + eps * eps));
 }
 
-/* Returns t of eps. Near 1 Newton's method solves sqrt(1 - eps^4) = u sqrt(P/D) for u = 1 - t, elsewhere eps^4 = 108
- * t/D for ln t. Both start on the side from which they converge without crossing the root. */
+/* Returns t for an eps by Newton's method. P/D is loss_factor. Near eps = 1 it solves sqrt(1 - eps^4) = u sqrt(P/D) for
+ * u = 1 - t, elsewhere eps^4 = 108 t/D for ln t. It starts on the side from which it does not cross the root. */
 static double force_ratio_of_eps(double eps)
 {
     const double fourth = eps * eps * (eps * eps);
@@ -208,7 +208,7 @@ void cor_plastic_impact(struct cor_full_impact *impact, const struct cor_scene_c
  *
  * Lubrication reduces the speed of the bodies by the same s on the way in and on the way out (docs/theory.md, 22). */
 
-/* From m dv/dt = -6 pi eta R^2 v/h and dh/dt = -v follows dv/dh = 6 pi eta R^2/(m h). */
+/* Integrates dv/dh = 6 pi eta R^2/(m h), which follows from m dv/dt = -6 pi eta R^2 v/h and dh/dt = -v. */
 double cor_scene_liquid_speed(const struct cor_scene_contact *contact, double viscosity_pa_s, double gap_outer_m,
                               double gap_inner_m)
 {
@@ -235,7 +235,7 @@ double cor_wet_eps(double eps, double speed_m_s, double liquid_speed_m_s)
 
 double cor_wet_sticking_speed(const struct cor_scene_contact *contact, int end)
 {
-    /* Finds the speed at contact whose dry rebound has the speed s. The dry rebound grows with the impact speed. */
+    /* Finds the speed from which the dry contact rebounds with the speed s. The rebound grows with the impact speed. */
     const double s = contact->liquid_speed_m_s;
     struct cor_scene_contact dry = *contact;
     double low, high = s, eps = 0, rebound = 0, last;

@@ -3,8 +3,8 @@
  *
  *     dw/ds = v,     dv/ds = -d w^(d-1) (F - f),     F = elastic w^(a d) + damper w^(b d) v
  *
- * which is regular at x = 0 and at the turning point v = 0. d is at least 2, so that w = v = 0 is a place of rest: a
- * motion that turns just before x = 0 turns there slowly, and no step hides that. */
+ * which is regular at x = 0 and at the turning point v = 0. d is at least 2, so that w = v = 0 is a state of rest. A
+ * motion that turns just before x = 0 therefore turns slowly in s, and no step passes over the turn. */
 #include "runtime/scene/motion.h"
 
 #include "runtime/scene/exponents.h"
@@ -65,7 +65,7 @@ static double energy_of(const struct motion *m)
                              : m->v[0] * m->v[0] / 2 + spring_energy(m, w) - m->press * whole_power(w, order_of(m));
 }
 
-/* Returns the least overlap, as w, at which the force can vanish, if 2 (a - b) > 1; negative: at any overlap. */
+/* Returns w of the least overlap at which the force can vanish, if 2 (a - b) > 1; -1: any overlap. */
 static double release_height(const struct motion *m)
 {
     const int d = order_of(m), difference = m->spring[0].exponent - m->damper.exponent, power = 2 * difference - d;
@@ -81,7 +81,7 @@ static double overlap_of_rest(const struct motion *m)
                            (double)order_of(m) / m->spring[0].exponent);
 }
 
-/* True if the overlap stays below its value x_e at rest: once x'/(x_e - x) is below half the damping coefficient. */
+/* True if the overlap cannot exceed its value x_e at rest: x'/(x_e - x) is below half the damping coefficient. */
 static int creeps_up(const struct motion *m)
 {
     const double a = (double)m->spring[0].exponent / order_of(m), rest = overlap_of_rest(m), x = overlap_of(m);
@@ -110,9 +110,8 @@ static void part_at_zero_overlap(struct cor_full_impact *impact, const struct mo
     set_end(impact, COR_END_ZERO_OVERLAP, speed / unit->speed, cor_motion_t(m, s) * unit->time);
 }
 
-/* The force vanishes at s, at the overlap x with the speed v. A body that flies from there to x = 0 arrives with (v^2 -
- * 2 f x)^(1/2). If this root is not real, it falls back and stays in contact: its remaining energy keeps it below the
- * overlap at rest. */
+/* Sets the end at the surface. The force vanishes at s, with overlap x and speed v. A body that flies on to x = 0
+ * arrives with the speed (v^2 - 2 f x)^(1/2). If this root is not real, the body falls back and stays in contact. */
 static void part_at_surface(struct cor_full_impact *impact, const struct motion *m, double s, const struct scales *unit)
 {
     const double w = cor_motion_u(m, s, 0), x = whole_power(w, order_of(m)), v = -cor_motion_v(m, s, 0);
@@ -124,11 +123,11 @@ static void part_at_surface(struct cor_full_impact *impact, const struct motion 
     set_end(impact, COR_END_ZERO_FORCE, speed / unit->speed, (cor_motion_t(m, s) + 2 * x / (v + speed)) * unit->time);
 }
 
-/* Follows the rebound from the turning point to the end, or until too little energy is left to reach it. */
+/* Follows the rebound from the turning point to the end, or until the energy does not suffice to reach the end. */
 static int follow_rebound(struct cor_full_impact *impact, struct motion *m, int ends_differ, const struct scales *unit)
 {
-    const double release = ends_differ ? release_height(m) : -1; /* w from which the force can vanish */
-    int held = !ends_differ, parted = 0;                         /* held: the force has vanished, or never does */
+    const double release = ends_differ ? release_height(m) : -1; /* the force can vanish at this w or more */
+    int held = !ends_differ, parted = 0;                         /* held: the force has vanished or cannot vanish */
     for (int k = 0; !parted && energy_of(m) >= 0; k++) {
         if (k == MOTION_MOST_STEPS || !cor_motion_expand(m))
             return COR_FAULT_PRESSED;
@@ -152,7 +151,7 @@ static int follow_rebound(struct cor_full_impact *impact, struct motion *m, int 
     return COR_FAULT_NONE;
 }
 
-/* ---- slow impacts and weak damping: the motion is elastic from rest, less the loss (damping J) ---- */
+/* ---- slow impacts and weak damping: an elastic motion from rest that loses the energy damping J ---- */
 
 #define SLOW 1e-8           /* the largest speed; its square is neglected */
 #define WEAK 1e-16          /* the largest damping */
@@ -202,7 +201,7 @@ static void solve_slow(struct cor_full_impact *impact, const struct cor_exponent
 /* ---- a collision ---- */
 
 #define MOST_SPEED 1e140 /* higher speeds overflow */
-#define SLOWEST 1e-12    /* at lower speeds the bodies stick as they do here, unless the damping is WEAK */
+#define SLOWEST 1e-12    /* lower speeds give the same result, unless the damping is WEAK */
 
 /* Returns the units of a motion. The speed sets them; if it is small, the constant force and a strong damping do. */
 static struct scales motion_scales(const struct cor_exponents *law, double damping, double speed, int *is_forced)
@@ -229,7 +228,7 @@ int cor_pressed_solve(struct cor_full_impact *impact, const struct cor_exponents
         solve_slow(impact, law, damping, speed);
         return COR_FAULT_NONE;
     }
-    if (speed < SLOWEST && damping < WEAK) /* a weak spring keeps energy where the force vanishes */
+    if (speed < SLOWEST && damping < WEAK) /* a weak spring retains energy when the force vanishes */
         return COR_FAULT_PRESSED;
     const struct scales unit = motion_scales(law, damping, fmax(speed, SLOWEST), &is_forced);
     const double acceleration = cor_quiet_quotient(unit.length, cor_quiet_product(unit.time, unit.time));
@@ -264,12 +263,12 @@ double cor_pressed_sticking_speed(const struct cor_exponents *law, double dampin
         return damping == 0 ? 0 : slow;
     if (!motion_init(&m, law, 1, damping, 1, 0))
         return NAN;
-    m.damper.factor = -damping; /* in backward time */
+    m.damper.factor = -damping; /* backward in time */
     m.follows_energy = 1;
     double x = fmin(cor_quiet_power(START / fmax(damping, 1), 1 / (b + 0.5)), cor_quiet_power(START, 1 / a));
     m.loss[0] = -cor_quiet_product(cor_quiet_product(sqrt(2), damping), cor_quiet_power(x, b + 1.5)) / (b + 1.5);
     m.v[0] = sqrt(2 * (x - m.loss[0] - cor_quiet_power(x, a + 1) / (a + 1)));
-    if (end == COR_END_ZERO_FORCE && 2 * (a - b) > 1) { /* at the speed of a flight that just reaches x = 0 */
+    if (end == COR_END_ZERO_FORCE && 2 * (a - b) > 1) { /* starts at the speed from which a flight just reaches x = 0 */
         x = cor_quiet_power(cor_quiet_product(cor_quiet_product(2, damping), damping), 1 / (2 * (a - b) - 1));
         m.loss[0] = 0;
         m.v[0] = sqrt(2 * x);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Makes a contact of a scene: first from bodies or a spring, then the damping */
+/* Makes the contact of a scene: first mass and stiffness from bodies or a spring, then the damping */
 #include "cor/scene.h"
 
 #include <math.h>
@@ -19,7 +19,7 @@ struct rule {
     int broken, fault, number, other;
 };
 
-/* Refuses by the first broken rule; the last rule is {0}. */
+/* Sets the fault of the first broken rule. The last rule is {0}. */
 static int refuse_first(struct cor_scene_fault *fault, const struct rule *rule)
 {
     while (!rule->broken && rule->fault != COR_FAULT_NONE)
@@ -29,7 +29,7 @@ static int refuse_first(struct cor_scene_fault *fault, const struct rule *rule)
 
 /* ---- bodies, or a spring ---- */
 
-/* True if a number of a body is given, other than its dissipation. A spring may end at a wall. */
+/* True if a number of a body other than its dissipation is given. A wall does not count: a spring may have one. */
 static int has_bodies(const struct cor_scene *scene)
 {
     const int spring = cor_scene_given(scene, COR_SCENE_STIFFNESS) ||
@@ -205,7 +205,7 @@ static int is_material(int way)
     return way == COR_SCENE_DISSIPATION_TIME || way == COR_SCENE_VISCOSITY;
 }
 
-/* Sets *found to the given number of ways[] that does not give the stiffness, or to -1. */
+/* Sets *found to the given number of ways[] that gives the damping, not the stiffness, or to -1. */
 static int find_way(int *found, struct cor_scene_fault *fault, const struct cor_scene *scene)
 {
     *found = -1;
@@ -253,7 +253,7 @@ static int check_way(struct cor_scene_fault *fault, const struct cor_scene *scen
 
 /* ---- two numbers of a contact give its stiffness and its damping ---- */
 
-/* Returns (K/m)^(1/(a+1)) of a damping and of C = value, or A = value, from beta g^-q = (C/m) (m/K)^((b+1)/(a+1)). */
+/* Returns (K/m)^(1/(a+1)) from the damping and C or A = value, by beta g^-q = (C/m) (m/K)^((b+1)/(a+1)). */
 static double rate_of_damping(const struct cor_scene_contact *contact, int source, double value)
 {
     const double beta = cor_scene_beta(contact, 1), a = cor_elastic(&contact->law), b = cor_damping(&contact->law);
@@ -262,8 +262,8 @@ static double rate_of_damping(const struct cor_scene_contact *contact, int sourc
                : cor_quiet_power(cor_quiet_quotient(value, cor_quiet_product(beta, contact->mass_kg)), 1 / (b + 1));
 }
 
-/* Sets *rate to (K/m)^(1/(a+1)) of a contact with this damping that lasts for duration_s: for m = K = 1 the times are
- * `rate` times as long. */
+/* Sets *rate to the (K/m)^(1/(a+1)) with which this contact lasts for duration_s; for m = K = 1 it lasts rate times
+ * that. */
 static int rate_of_duration(double *rate, const struct cor_scene_contact *contact, double duration_s, double speed_m_s,
                             int end)
 {
@@ -284,9 +284,9 @@ static int set_stiffness(struct cor_scene_contact *contact, double rate)
     return cor_si_in_range(contact->stiffness) ? COR_FAULT_NONE : COR_FAULT_NO_STIFFNESS;
 }
 
-/* Sets the damping of a contact that lasts for duration_s and has C, A or, if source is -1, its stiffness, by the
- * Illinois method on the logarithms. Damping prolongs a contact of given K or C. It shortens one of given K or A that
- * ends at zero force. With A and the end at zero overlap two contacts can last equally long. */
+/* Sets the damping with which a contact of given C, A or (source = -1) K lasts for duration_s, by the Illinois method
+ * on the logarithms. Damping prolongs a contact of given K or C. At zero force it shortens a contact of given K or A.
+ * With given A and the end zero overlap, two contacts can have the same duration. */
 static int set_damping_of_duration(struct cor_scene_contact *contact, int source, double value, double duration_s,
                                    double speed_m_s, int end)
 {
@@ -311,7 +311,7 @@ static int set_damping_of_duration(struct cor_scene_contact *contact, int source
         if (status != COR_FAULT_NONE)
             return status;
         const double rate = source < 0 ? given : rate_of_damping(contact, source, value),
-                     ratio = cor_quiet_quotient(rate, needed), /* 0: they never part */
+                     ratio = cor_quiet_quotient(rate, needed), /* 0: the bodies never part */
             rest = (falls ? -1 : 1) * log(fmax(1e-300, fmin(1e300, ratio)));
         if (isnan(ratio))
             return COR_FAULT_RANGE;
@@ -325,7 +325,7 @@ static int set_damping_of_duration(struct cor_scene_contact *contact, int source
 
 /* ---- yield, and a liquid ---- */
 
-/* Sets v_y, where a yield stress or the restitution of elastic-plastic spheres is given. */
+/* Sets v_y, if a yield stress or the restitution of elastic-plastic spheres is given. */
 static int set_yield(struct cor_scene_contact *contact, struct cor_scene_fault *fault, const struct cor_scene *scene)
 {
     const double *const number = scene->number;
@@ -382,7 +382,7 @@ static int set_liquid(struct cor_scene_contact *contact, struct cor_scene_fault 
 
 /* ---- a damping from measurements ---- */
 
-/* Sets the damping. A restitution or a duration without its end may belong to either end: one contact for each. */
+/* Sets the damping. Makes one contact for each possible end if a restitution or a duration is given without its end. */
 static int set_damping(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *count, struct cor_scene_fault *fault,
                        const struct cor_scene *scene)
 {
@@ -391,7 +391,7 @@ static int set_damping(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *c
         status = check_way(fault, scene, &contacts[0], way);
     if (status != COR_FAULT_NONE || way < 0 || (is_material(way) && has_bodies(scene)))
         return status; /* already set by set_materials */
-    /* Where q = 0, a restitution without a speed is the value without a constant force. */
+    /* For q = 0, a restitution without a speed is the value without a constant force. */
     const double speed = cor_scene_given(scene, COR_SCENE_AT) ? scene->number[COR_SCENE_AT]
                          : way == COR_SCENE_RESTITUTION && (contacts[0].force_n > 0 || contacts[0].adhesion_j_m2 > 0)
                              ? (double)NAN
@@ -423,7 +423,7 @@ static int set_damping(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *c
     return status;
 }
 
-/* True if a finite nonzero number is out of the range, whatever its sign */
+/* True if the absolute value of a finite nonzero number is out of range */
 static int is_beyond(const struct cor_scene *scene, int number)
 {
     const double size = fabs(scene->number[number]);

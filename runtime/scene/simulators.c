@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* One table of the contact models of simulators; docs/simulators.md explains it. For each model it holds the damping
- * law, the end of contact, the damping that the model computes from a user's e, and the number to set for a damping. */
+/* The table of the contact models of simulators; docs/simulators.md explains it. It has, for each model, the damping
+ * law, the end of contact, the damping that the model computes from e, and the number to set for a damping. */
 #include "cor/scene.h"
 
 #include "runtime/scene/simulators.h"
@@ -37,7 +37,7 @@ double cor_flores_beta(double e)
     return 1.6 * (1 - e) / e;
 }
 
-/* Exact at zero overlap. LIGGGHTS, Chrono, MercuryDPM and others use this formula for every end of contact. */
+/* Returns zeta, exact at zero overlap. LIGGGHTS, Chrono, MercuryDPM and others use this formula for every end. */
 static double exact_at_zero_overlap(double e)
 {
     return cor_law_damping(COR_LAW_LINEAR, COR_END_ZERO_OVERLAP, e);
@@ -48,19 +48,19 @@ static double exact_at_zero_force(double e)
     return cor_law_damping(COR_LAW_LINEAR, COR_END_ZERO_FORCE, e);
 }
 
-/* The damping is 2 gamma sqrt(m k), where k = (3/2) K sqrt(x) is the tangent stiffness; zeta = sqrt(6/5) gamma. */
+/* Returns zeta = sqrt(6/5) gamma of the damping 2 gamma sqrt(m k), with the tangent stiffness k = (3/2) K sqrt(x). */
 static double thornton(double e)
 {
     return sqrt(1.2) * cor_thornton_gamma(e);
 }
 
-/* YADE: no damping at e = 1 exactly */
+/* Does the same as YADE: no damping at e = 1 exactly. */
 static double thornton_yade(double e)
 {
     return e == 1 ? 0 : thornton(e);
 }
 
-/* Kratos raises e to at least 0.001, and has no damping above 0.999 */
+/* Does the same as Kratos: e is at least 0.001, and there is no damping above 0.999. */
 static double thornton_kratos(double e)
 {
     return e > 0.999 ? 0 : thornton(e < 0.001 ? 0.001 : e);
@@ -76,7 +76,7 @@ static double tsuji_since_2026(double e)
     return sqrt(0.4) * cor_tsuji_alpha(e);
 }
 
-/* The polynomial is used on a linear spring. */
+/* Applies the polynomial for Hertz's force to a linear spring, as LAMMPS did. */
 static double tsuji_on_hooke_until_2026(double e)
 {
     return cor_tsuji_alpha(e) / 2;
@@ -87,7 +87,7 @@ static double tsuji_on_hooke_since_2026(double e)
     return cor_tsuji_alpha(e) / sqrt(2);
 }
 
-/* The formula of the linear dashpot is used with Hertz's force. */
+/* Applies the formula of the linear dashpot to Hertz's force. */
 static double mfix_hertz(double e)
 {
     return 2 / sqrt(5) * cor_law_damping(COR_LAW_LINEAR, COR_END_ZERO_OVERLAP, e);
@@ -100,13 +100,13 @@ static double esys(double e)
     return e == 0 ? 1 : -log(e) / sqrt(ESYS_PI * ESYS_PI + log(e) * log(e));
 }
 
-/* The damping of an impulse is 1 - e. */
+/* Returns the damping of an impulse, 1 - e. */
 static double loss_of_impulse(double e)
 {
     return 1 - e;
 }
 
-/* Kratos finds the root of the zero-force formula by bisection between 0 and 16, until the bracket is below 0.0001. */
+/* Bisects the zero-force formula between 0 and 16, like Kratos, until the bracket is below 0.0001. */
 static double kratos_linear(double e)
 {
     const double wanted = e < 0.001 ? 0.001 : e;
@@ -158,8 +158,8 @@ SCALED(hertz_velocity, pow(M, 0.6) * pow(K, 0.4) * pow(G, 0.2))
 SCALED(hertz_mass_velocity, pow(K / M, 0.4) * pow(G, 0.2))
 SCALED(chrono_hertz, pow(K / M, 0.6) / (R * pow(G, 0.2)))
 
-/* YADE since 2025 uses P(sqrt(beta)) as en, where beta is at the speed vn = 1 m/s. P is the Padé approximant of order
- * [3/6] of eps at zero force (Müller and Pöschel, Phys. Rev. E 84, 021302 (2011)), in v = sqrt(beta). */
+/* Returns P, the Padé approximant of order [3/6] of eps at zero force in v = sqrt(beta) (Müller and Pöschel, Phys. Rev.
+ * E 84, 021302 (2011)). YADE since 2025 sets en to P, with beta at the speed vn = 1 m/s. */
 static double yade_pade(double v)
 {
     static const double above[] = {1, 1.07232, 0.574198, 0.141552};
@@ -226,7 +226,7 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
 #define WALL_PLANE(plane)                                                                                              \
     "v# the plane of wall {j}: for another one define this variable before these lines\n"                              \
     "vvariable cor_wall_{j} index \"" plane "\"\n"
-/* A wall has atom type 2, because its contacts have other numbers than the contacts of two spheres. */
+/* The wall has atom type 2, because a contact with it has other numbers than a contact of two spheres. */
 #define LIGGGHTS(model, limit, properties)                                                                             \
     .lines = LIGGGHTS_PAIR(model, limit, properties),                                                                  \
     .wall_lines =                                                                                                      \
@@ -278,7 +278,7 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
     "fix cor_luding_" number " all property/global " property " peratomtypepair {types} " value "\n"
 #define YADE_LUDING "k1={k1}, kp={kp}, kc=0, ks=0, PhiF={depth}, G0=0)\n"
 
-/* Species of several materials, and species of their pairs; walls have no density. */
+/* Defines the species of several materials and of their pairs. Walls have no density. */
 #define MERCURYDPM_MANY(name, numbers)                                                                                 \
     .many = "mauto cor_{i} = speciesHandler.copyAndAddObject(" name "Species());\n"                                    \
             "bcor_{i}->setDensity({rho});\n"                                                                           \
@@ -288,7 +288,7 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
 #define MERCURYDPM_FRICTION                                                                                            \
     "?species->setSlidingFrictionCoefficient({mu});\n?species->setSlidingFrictionCoefficientStatic({mu});\n"           \
     "?species->setSlidingStiffness({kt0});\n"
-/* Density of one material; the mixed species of two materials has none. */
+/* The density of a material. The mixed species of two materials has no density. */
 #define MERCURYDPM_DENSITY "?species->setDensity({rho});\n"
 
 /* Source of a model: file, "run" or "source", version */
@@ -451,7 +451,7 @@ static const struct cor_simulator_model mercurydpm[] = {
         MERCURYDPM_MANY("HertzianBSHPViscoelastic", MERCURYDPM_DISSIPATION)),
 };
 
-/* Chrono combines the numbers of two materials. Here the numbers are the types; the strategy looks up the pair. */
+/* Chrono combines numbers of two materials by a strategy. Here they are types, and the strategy looks up the pair. */
 #define CHRONO_PAIRS(what, number, numbers)                                                                            \
     "-    float Combine" what "(float i, float j) const override\n-    {\n"                                            \
     "-        static const float pair[] = {\n-            " numbers "\n-        };\n"                                  \
@@ -630,7 +630,7 @@ static const struct cor_simulator_model opensees[] = {
         NO_LINES),
 };
 
-/* Planes, boxes and other shapes get contact points before they touch; the solver then acts on the gap. */
+/* Planes, boxes and other shapes have contact points before they touch; Bullet's solver then acts across the gap. */
 #define BULLET_TOUCH "body->setContactProcessingThreshold(0); // of one of two bodies: no force before they touch\n"
 static const struct cor_simulator_model bullet[] = {
     ROW(BULLET_RESTITUTION, OF_BULLET("BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.cpp"),
@@ -932,8 +932,7 @@ double cor_mujoco_eps(const double solimp[5], double frequency, double zeta, dou
     return NAN;
 }
 
-/* Returns the smallest positive damping, and sets its e. Near e = 1 fits are not monotonic, or models have no
- * damping. */
+/* Returns the smallest positive damping, and sets *at to its e. Near e = 1 some fits are not monotonic, or give 0. */
 static double weakest_damping(const struct cor_simulator_model *model, double *at)
 {
     const double most = nextafter(model->most, 0);
@@ -994,7 +993,7 @@ int cor_simulator_has_law(const struct cor_simulator_model *model, const struct 
            (cor_law_is(law, 2, 0) && model->any_spring);
 }
 
-/* True for a law with a closed form and the spring of the contact */
+/* True if the law of the model has a closed form and the same spring as the contact. */
 int cor_simulator_has_one_eps(const struct cor_simulator_model *model, const struct cor_scene_contact *contact)
 {
     return model->law == COR_LAW_IMPULSE ? !model->has_function
@@ -1003,7 +1002,7 @@ int cor_simulator_has_one_eps(const struct cor_simulator_model *model, const str
                                                (model->law == COR_LAW_LINEAR && cor_law_is(&contact->law, 2, 0));
 }
 
-/* Returns the speed at which numbers are converted. If the model has the contact's law, any speed gives equal lines. */
+/* Returns the speed at which numbers are converted. If the model has the contact's law, the speed has no effect. */
 static double speed_of(const struct cor_simulator_target *target)
 {
     return isnan(target->speed_m_s) ? 1 : target->speed_m_s;
@@ -1018,7 +1017,7 @@ static double exact_damping(const struct cor_simulator_model *model, const struc
     const int end = (int)model->end, has_end = end == COR_END_ZERO_OVERLAP || end == COR_END_ZERO_FORCE;
     const int pressed = cor_scene_given(target->scene, COR_SCENE_GRAVITY) &&
                         (!same_law || cor_scene_given(target->scene, COR_SCENE_AT));
-    /* If eps was given without an end, the simulator realises it at its own end. */
+    /* If eps was given without an end, the model gets this eps at its own end. */
     const int own_end = given && target->scene->end == COR_BOTH_ENDS && !pressed;
     if (model->law == COR_LAW_IMPULSE || (!same_law && !pressed) || (constant && own_end))
         return cor_law_damping(model->law, model->end, target->eps);

@@ -8,15 +8,15 @@
 #include "cor/scene.h"
 #include "runtime/scene/exponents.h"
 
-/* Thornton, Cummins and Cleary, Powder Technol. 233, 30 (2013): gamma of damping 2 gamma sqrt(m k_tangent), zero
- * force */
+/* Returns gamma of the damping 2 gamma sqrt(m k_tangent), which gives e at zero force: Thornton, Cummins and Cleary,
+ * Powder Technol. 233, 30 (2013). */
 double cor_thornton_gamma(double e);
 /* Returns the polynomial of Tsuji, Tanaka and Ishida, Powder Technol. 71, 239 (1992), in the form of LAMMPS. */
 double cor_tsuji_alpha(double e);
 /* Returns beta as a function of e: Flores et al. (2011). */
 double cor_flores_beta(double e);
 
-/* Returns the contact with the law of a model (NULL: its own) and with the damping of the model at a speed. */
+/* Returns the contact with the law of a model (NULL: its own law) and with the damping of the model at a speed. */
 COR_INLINE struct cor_scene_contact cor_model_contact(struct cor_scene_contact c, const struct cor_exponents *law,
                                                       double damping, double speed_m_s)
 {
@@ -64,11 +64,11 @@ COR_INLINE int cor_model_has_version(const struct cor_simulator_model *model, lo
     return version == 0 || (version >= model->since && (model->until == 0 || version <= model->until));
 }
 
-/* The first is true if the model has the law of the contact, the second if it can realise its eps at one speed */
+/* True if the model has the law of the contact; true if the model can realise eps of the contact at one speed */
 int cor_simulator_has_law(const struct cor_simulator_model *model, const struct cor_scene_contact *contact);
 int cor_simulator_has_one_eps(const struct cor_simulator_model *model, const struct cor_scene_contact *contact);
 
-/* The request to a model: the contacts of a scene by cor_scene_contacts. speed_m_s: NaN for all speeds. eps: at the
+/* A request to a model. contacts: made from the scene by cor_scene_contacts. speed_m_s: NaN for all speeds. eps: at the
  * speed, or at all speeds; NaN if it depends on the speed or the end. steps > 0: number of time steps in an elastic
  * duration; the damping is then corrected by cor_scene_step_corrected at the speed. */
 struct cor_simulator_target {
@@ -77,8 +77,8 @@ struct cor_simulator_target {
     int count;
     double speed_m_s, eps, steps;
 };
-/* Return the damping of the model for the target, by its law (`same_law`) or by eps only, and the number that a user
- * sets. NaN, with the reason, if they do not exist. */
+/* Return the damping of the model for the target, and the number that a user sets. same_law: use the law of the
+ * contact; otherwise only its eps. They return NaN, and set the reason, if the number does not exist. */
 double cor_simulator_damping(const struct cor_simulator_model *model, const struct cor_simulator_target *target,
                              int same_law);
 double cor_simulator_number(const struct cor_simulator_model *model, const struct cor_simulator_target *target,

@@ -36,12 +36,11 @@ enum {
     WHOLE_POWER = 32      /* the largest power computed by multiplication */
 };
 #define FIRST_PHASE 1e-14
-/* Bodies in contact with less energy than m (STUCK g)^2/2 part with at most STUCK times the impact speed g, or
- * never. */
+/* Bodies in contact with an energy below m (STUCK g)^2/2 part with at most STUCK times the impact speed g, if ever. */
 #define STUCK 1e-8
-#define HARDLY 1e-6 /* a smaller eps can follow any number of steps; jumps among them do not count */
-/* The largest change of the speed in a step by the constant force, in impact speeds. With more, bodies that part with
- * the impact speed are back within a step. */
+#define HARDLY 1e-6 /* a smaller eps may follow any pattern of steps; jumps between such patterns are ignored */
+/* The largest change of the speed by the constant force in a step, in units of the impact speed. Above it, bodies that
+ * part with the impact speed return within a step. */
 #define MOST_PRESS 2.0
 
 struct stepped {
@@ -75,7 +74,7 @@ static double force_at(const struct stepped *m, double x, double v)
     }
     double f = spring + m->beta * damper * v;
     if (m->implicit) {
-        const double each = m->beta + m->step; /* of the unit of velocity */
+        const double each = m->beta + m->step; /* force per unit of velocity */
         f = (x + each * (v + m->step * m->press)) / (1 + m->step * each);
     }
     return m->no_pull && f < 0 ? 0 : f;
@@ -84,25 +83,25 @@ static double force_at(const struct stepped *m, double x, double v)
 /* A collision from one phase of the first step */
 struct bounce {
     double phase, off;     /* off: eps minus the exact eps; NaN if there are too many steps or the motion overflows */
-    unsigned long pattern; /* differs if the force pushes in other steps, or if the bodies stay together */
+    unsigned long pattern; /* a hash of the steps in which the force pushes; 0 if the bodies stay together */
     long steps;
 };
 
-/* Returns twice the energy; below 0 bodies in contact never part. */
+/* Returns twice the energy. Bodies in contact never part if it is below 0. */
 static double energy_at(const struct stepped *m, double x, double v)
 {
     return v * v + (2 / (m->a + 1) * cor_quiet_power(x, m->a) - 2 * m->press) * x;
 }
 
-/* True if the contact force has ended and the bodies fly freely with the velocity `full`. With b > a the force may push
- * again after zero. With a predicted velocity it may push again if it pushes at v. */
+/* True if the contact force has ended and the bodies fly freely with the velocity `full`. A force of 0 may become
+ * positive again if b > a, or if it is positive at the predicted velocity. */
 static int has_ended(const struct stepped *m, double x, double v, double full, double f)
 {
     return !(x > 0) || (f == 0 && full < 0 && m->a >= m->b && force_at(m, x, v + m->ahead * m->step * m->press) == 0 &&
                         (full * full > 2 * m->press * x || energy_at(m, x, full) < 0));
 }
 
-/* Follows a collision. phase: time from the surface to the end of the first step that ends in contact, in steps */
+/* Follows a collision. phase: time from first touch to the end of the step in which the bodies touch, in steps. */
 static struct bounce follow_bounce(const struct stepped *m, double phase)
 {
     const double h = m->step, press = m->press;
@@ -110,9 +109,9 @@ static struct bounce follow_bounce(const struct stepped *m, double phase)
     double x = phase * h * (1 + press * phase * h / 2), v = 1 + press * h * (phase - 0.5);
     double f = force_at(m, x, v + m->ahead * h * press);
     for (; one.steps < MOST_STEPS; one.steps++) {
-        const double before = v, full = v + h / 2 * press; /* at the end of the step, in free flight */
+        const double before = v, full = v + h / 2 * press; /* velocity at the end of the step, in free flight */
         if (has_ended(m, x, v, full, f)) {
-            const double eps = sqrt(fmax(full * full - 2 * press * x, 0)); /* at the surface */
+            const double eps = sqrt(fmax(full * full - 2 * press * x, 0)); /* at x = 0 */
             one.pattern = eps > HARDLY ? one.pattern : 0;
             one.off = eps - m->exact;
             return one;
@@ -187,9 +186,9 @@ static void halve_phases(struct bounce *low, struct bounce *high, const struct s
     }
 }
 
-/* Computes a piece, in which eps is smooth except for fourth roots at both ends. The midpoint rule at t^4 (35 - 84 t +
- * 70 t^2 - 20 t^3) makes the ends smooth. If a node has another pattern than `low`, moves `high` down to
- * the jump and returns 0. */
+/* Computes the nodes of a piece, in which eps is smooth except for fourth roots at both ends. The substitution t^4 (35
+ * - 84 t + 70 t^2 - 20 t^3) in the midpoint rule removes these roots. If a node has another pattern than `low`, the
+ * function moves `high` down to the jump and returns 0. */
 static int are_alike(double *off, const struct bounce *low, struct bounce *high, struct bounce *beyond,
                      const struct stepped *m, int nodes, int may_differ)
 {
@@ -277,13 +276,13 @@ static int is_within(int *status, const struct cor_scene_contact *contact, doubl
 int cor_scene_step_for(double *steps, const struct cor_scene_contact *contact, double speed_m_s, int end,
                        double tolerance, int integrator)
 {
-    static const double ratio = 1.2, scanned = 4; /* the scan ends at this multiple of the steps of the last failure */
+    static const double ratio = 1.2, scanned = 4; /* scanned: end of the scan over the last number that failed */
     struct stepped m;
     int status = isgreater(tolerance, 0) ? COR_FAULT_NONE : COR_FAULT_STEP;
     *steps = (double)NAN;
     m.press = m.step = 0;
     stepped_init(&m, contact, speed_m_s, end, COR_SCENE_STEPS_MIN, integrator);
-    /* the smallest number that stepped_init accepts under the force */
+    /* the smallest number of steps that stepped_init accepts under the constant force */
     const double least = COR_SCENE_STEPS_MIN * fmax(1, 1.0001 * m.press * m.step / MOST_PRESS);
     double bad = 0, good = least;
     for (double n = good; status == COR_FAULT_NONE && n <= scanned * fmax(bad, least); n *= ratio) {
@@ -318,7 +317,7 @@ int cor_scene_step_corrected(struct cor_scene_contact *corrected, const struct c
         return COR_FAULT_STEP;
     const double beta = m.beta;
     int status = cor_scene_eps(&m.exact, contact, speed_m_s, end);
-    /* The mean falls as the damping grows, so the Illinois method finds the damping. */
+    /* The mean eps decreases with the damping, so the Illinois method finds the damping. */
     for (int k = 0; status == COR_FAULT_NONE && k < MOST_CALLS; k++) {
         m.beta = beta * factor;
         status = average_phases(&error, &m);
