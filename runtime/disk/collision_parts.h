@@ -185,7 +185,7 @@ struct cor_collision_error {
 /* Evidence of errors from the runs of a call */
 struct cor_collision_evidence {
     int runs;                            /* with the same angles */
-    double movement[COR_COLLISION_RUNS]; /* of the extrapolated result by each of them except the first */
+    double movement[COR_COLLISION_RUNS]; /* change of the extrapolated result by each run except the first */
     double amplification;                /* of errors: measured, or a bound on it */
     int measured;
     double by_angles; /* movement by shifted angles, if it is measured */

@@ -184,8 +184,8 @@ double cor_collision_quadrature_error(const struct cor_motion *m, const struct c
     return power > 0 && run->ripple < run->max_load ? pow(run->ripple / run->max_load, power) : 1;
 }
 
-/* Returns the error due to the angles. The collision amplifies the error of the quadrature like any other error. The
- * bound on the amplification may be far too large in calm collisions. A run with other angles measures the error. */
+/* Returns the error due to the angles. The collision amplifies the error of the quadrature like any other error. In
+ * calm collisions the bound on the amplification may be far too large; a run with other angles measures the error. */
 static double angles_error(const struct cor_motion *m, const struct cor_collision_run *run,
                            const struct cor_collision_evidence *evidence)
 {
@@ -479,7 +479,7 @@ static void runs_settle(struct cor_motion *m, struct runs *runs, struct cor_disk
                 verdict = GO_ON;
         }
     }
-    /* a bound on the amplification would make the error estimate of the best numbers useless */
+    /* measures the error of the angles: its estimate by the bound on the amplification may be useless */
     if (verdict == GIVEN_UP && runs->levels > 1 && runs->error.angles > runs->error.step) {
         measure_angles(m, runs);
         out->error_estimate = runs_estimate(m, runs);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* All adjustable constants of the collision integrator, and the origin of each value:
  *   derived  it follows from a formula;
- *   fitted   it is the cheapest value with which no promise is broken in 10^4 random scenes, as
+ *   fitted   it is the cheapest value with which all bounds hold in 10^4 random scenes, as
  *                COR_TEST_LONG=1 COR_TEST_MULTIPLIER=834 build/gcc/tests/test_disk_collision_error
- *            shows, or the command given there;
+ *            shows, or the command in the comment of the constant;
  *   chosen it costs time or memory, never accuracy: the error estimate follows from the actual runs. */
 #ifndef COR_RUNTIME_DISK_COLLISION_TUNING_H
 #define COR_RUNTIME_DISK_COLLISION_TUNING_H
@@ -29,13 +29,13 @@ enum {
 /* Smallest number of angles in the quadrant. Chosen. */
 #define COR_TUNING_LEAST_PHI 16.0
 /* Angles for each digit of the tolerance, over alpha^(2/3): the pressure decreases over alpha^(-2/3) at the edge of the
- * contact. The offset and the powers of v/0.1 below and above 1 follow. Fitted: the first choice mostly suffices. */
+ * contact. The offset and the powers of v/0.1 below and above 1 follow. Fitted so that they mostly suffice. */
 #define COR_TUNING_PHI_PER_DIGIT 0.2
 #define COR_TUNING_PHI_OFFSET 0.05
 #define COR_TUNING_PHI_SLOW 0.25
 #define COR_TUNING_PHI_FAST 0.6
-/* Angles for each wave of a mode. Derived: products of two waves of n_max need n_max/2 angles, and the angles for the
- * pressure count as half of them; see angles_error of collision_runs.c. */
+/* Angles for each wave of a mode. Derived: products of two waves of n_max need n_max/2 angles. The angles for the
+ * pressure count as half of these; see angles_error of collision_runs.c. */
 #define COR_TUNING_PHI_PER_N 0.25
 /* Largest ratio of the number of angles to the first choice. Chosen. */
 #define COR_TUNING_PHI_LIMIT 2.5
@@ -69,7 +69,7 @@ enum {
  * number is the error of such runs over the larger of the last two movements. Fitted. */
 #define COR_TUNING_NO_CONVERGENCE 0.5
 #define COR_TUNING_SCATTER 4.0
-/* Smallest alpha v of a hard wall, at which runs may agree by chance; docs/theory-disks.md, 15. Fitted. */
+/* From this alpha v onward the wall is hard: runs may agree by chance (docs/theory-disks.md, 15). Fitted. */
 #define COR_TUNING_HARD 24.0
 /* At a hard wall, lower bounds on the error: relative to the movement after two runs, to the last movement less
  * round-off, and to the previous movement. Fitted. */

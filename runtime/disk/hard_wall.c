@@ -27,19 +27,19 @@ enum { MAX_LEVELS = COR_DISK_HARD_WALL_MAX_LEVELS, LEAST_LEVELS = 2 };
 #define RANGE 2.6      /* range of the angles over sqrt(v) */
 
 /* The error estimate is the sum of three parts. The first is the largest of the last changes of the extrapolated value,
- * times these factors, and of a quarter of the change by the extrapolation itself. The second bounds the effect of
- * waves that no level has shown yet and that return while contact ends or splits. The third is the noise of steps and
- * angles. Fitted: with these factors the estimate is at least the error, as two more levels show, in 200 random scenes
- * at six tolerances. */
+ * times the factors below. It is at least a quarter of the distance of this value from the highest level. The second
+ * bounds the effect of waves that no level has shown yet and that return while contact ends or splits. The third is the
+ * noise of steps and angles. Fitted: with these factors the estimate is at least the error, as two more levels show, in
+ * 200 random scenes at six tolerances. */
 static const double calm_weight[] = {3, 1, 0.3, 0.1};
 #define EXTRAPOLATED 0.25
-#define UNSEEN 0.07 /* over Omega^2 */
-#define NOISE 8e-7  /* times fineness^NOISE_POWER */
+#define UNSEEN 0.07 /* the second part times Omega^2 */
+#define NOISE 8e-7  /* the third part over fineness^NOISE_POWER */
 #define NOISE_POWER 2.5
 /* Number of levels that an accepted estimate needs */
 enum { ENOUGH_LEVELS = 5 };
 /* Up to WILD_LEVELS levels may agree by chance at a speed above WILD_SPEED, or above CALM_SPEED if nu is outside
- * LEAST_CALM to LARGEST_CALM. There the factors are larger. Above WILD_SPEED the unseen part is at least UNSEEN_WILD
+ * LEAST_CALM to LARGEST_CALM. The factors are then larger. Above WILD_SPEED the second part is at least UNSEEN_WILD
  * (60/Omega)^4. Fitted. The domain of cor_disk_eps is calm. */
 #define WILD_SPEED 0.31
 #define CALM_SPEED 0.05
@@ -48,7 +48,7 @@ enum { ENOUGH_LEVELS = 5 };
 enum { WILD_LEVELS = 8 };
 static const double wild_weight[] = {3, 2, 0.6, 0.2};
 #define UNSEEN_WILD 1.5e-3
-/* In the domain of cor_disk_eps, and slightly beyond it, a second estimate is an upper limit for Omega above
+/* In the domain of cor_disk_eps, and slightly beyond it, a second estimate limits the first if Omega is above
  * USUAL_FROM. It is the usual error at Omega plus a fraction of the last changes. Fitted in this domain, at
  * USUAL_TOLERANCE: docs/theory-disks.md, 17, has the sample, which contains no other nu. */
 #define USUAL_SPEED 9e-6
@@ -218,7 +218,7 @@ static int compute_level(struct level_sequence *sequence, void *workspace, const
     return status == COR_ERROR_WORKSPACE ? COR_TOLERANCE_NOT_REACHED : status;
 }
 
-/* True if the budget suffices for the next level, and for work before it. */
+/* True if the budget suffices for the work `before` and for the next level. */
 static int is_affordable(const struct level_sequence *sequence, double before)
 {
     const double growth = sequence->work_per_step > 0 ? sqrt(2) : COR_HARD_WALL_GROWTH;

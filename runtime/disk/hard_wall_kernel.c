@@ -7,9 +7,8 @@
 /* Number of vectors that are summed at once: enough for independent additions, few enough for the registers */
 enum { COLUMNS = 4 };
 
-/* Makes one pass over the modes; `steps` is a constant. It starts from q at a kick and at the previous kick. With the
- * forces of this kick and of the next steps - 1 kicks, it computes q at the kick after them. It then predicts the sums
- * at that kick and at the steps - 1 kicks after it. */
+/* Makes one pass over the modes; `steps` is a constant. From q at two successive kicks and the forces of `steps` kicks
+ * it computes q after these kicks. It then predicts the sums at the next `steps` kicks. */
 COR_KERNEL void kernel_advance(const struct cor_hard_wall_modes *modes, size_t steps, const double *force_c,
                                const double *force_s, double *sum_c, double *sum_s)
 {

@@ -400,7 +400,7 @@ static void add_echoes(struct level *level, size_t at)
     }
 }
 
-/* Makes a kick, and moves the centre of mass to the next one. */
+/* Makes a kick at the present positions. */
 static struct kick take_step(struct level *level, struct motion *motion, size_t at)
 {
     const size_t lanes = level->size.lanes;

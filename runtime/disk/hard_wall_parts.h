@@ -44,7 +44,7 @@ struct cor_hard_wall_angles {
     double *whole;              /* [M][2]: of 2 pi x/M */
     double *sums;               /* scratch, [M][2][Q] */
 };
-/* True if `count` cosines are summed in parts, over b and then over a, which is faster for many. */
+/* True if `count` cosines are summed in parts, over b and then over a, which is faster for many cosines. */
 COR_INLINE int cor_hard_wall_sums_by_parts(const struct cor_hard_wall_angles *angles, size_t count)
 {
     return angles->bins > 0 && count > 2 * angles->bins;
@@ -106,8 +106,7 @@ void cor_hard_wall_contact_begin(struct cor_hard_wall_contact *contact, size_t t
                                  const double *q, const struct cor_hard_wall_angles *angles, double constant,
                                  double *scratch);
 /* Sets `points` forces y >= 0 under which no angle reaches into the wall. reach[j] is the reach of angle j without
- * forces; a reach up to `negligible` counts as 0. Returns 1 plus the last angle with a force: `points` if it does not
- * fit. */
+ * forces; a reach up to `negligible` counts as 0. Returns 1 plus the last angle with a force; `points`: too many. */
 size_t cor_hard_wall_contact_solve(struct cor_hard_wall_contact *contact, const double *reach, double negligible,
                                    double *y);
 

@@ -31,8 +31,8 @@ enum { LANES = COR_MODE_LANES };
 
 /* ---- waves ---- */
 
-/* Each step reduces the error of a_m by (J_(m+1)/J_m)^2, and for m >= kappa, -ln J_m grows like
- * m arcosh(m/kappa) - sqrt(m^2 - kappa^2). */
+/* Each step of the recurrence reduces the error of a_m by (J_(m+1)/J_m)^2, where -ln J_m grows like m arcosh(m/kappa) -
+ * sqrt(m^2 - kappa^2) for m >= kappa. */
 long cor_mode_recurrence_start(long n, double kappa, long bits)
 {
     const double low = fmax((double)n + 1, ceil(kappa));
@@ -54,7 +54,7 @@ static double first_order(double z, long m)
     return 0.75 * z / (double)(m + 1);
 }
 
-/* Returns the orders above N that a recurrence needs, kappa < N. Each reduces the error by at least (J_(N+1)/J_N)^2. */
+/* Returns the orders above N that a recurrence needs, kappa < N. Each reduces the error at least by (J_(N+1)/J_N)^2. */
 static double orders_above(double N, double kappa)
 {
     return 2 + 0.35 * (DOUBLE_BITS + START_BITS) / acosh(N / kappa);

@@ -73,8 +73,8 @@ double cor_mode_upper_end(const struct cor_mode_material *material, size_t count
 int cor_mode_find(const struct cor_mode_material *material, const struct cor_mode_loops *loops, double omega,
                   struct cor_disk_mode **mode, size_t *found);
 
-/* Returns an order m > n such that the recurrence gives a_n to `bits` bits from any a_m in [z/(2(m+1)), z/(m+1)]. This
- * interval contains a_m for kappa <= m + 1. */
+/* Returns an order m > n such that the recurrence gives a_n = kappa J_(n+1)/J_n to `bits` bits from any a_m in
+ * [z/(2(m+1)), z/(m+1)]. This interval contains a_m for kappa <= m + 1. */
 long cor_mode_recurrence_start(long n, double kappa, long bits);
 
 #endif

@@ -10,8 +10,8 @@
 #define PI 3.14159265358979323846
 #define LN2 0.69314718055994531
 
-/* Exponents x beyond which exp(-x) is negligible. Derived: exp(-40) is 2^-57, below which b is neglected. exp(300)^2 is
- * a double, and for q0 above 600 the remainder of Theta is below 2^-53. */
+/* Derived: b is neglected where its factor is below exp(-LEFT_OUT) = 2^-57. exp(LARGEST_HALF_DEPTH)^2 is a double, and
+ * for q0 above 600 the remainder of Theta is below 2^-53. */
 #define LEFT_OUT 40.0
 #define LARGEST_HALF_DEPTH 300.0
 
@@ -213,7 +213,7 @@ static void init_edges(struct cor_spectrum *spectrum, struct cor_leg *leg, const
     spectrum->set->octaves(leg, spectrum->first, spectrum->edges, spectrum->b, unused);
     for (int k = 0; k < spectrum->edges; k++)
         for (int j = 0; j < COR_SPECTRUM_TERMS; j++)
-            spectrum->b[k][j] = -spectrum->b[k][j]; /* the direction is upwards */
+            spectrum->b[k][j] = -spectrum->b[k][j]; /* this leg runs upwards */
 }
 
 static void spectrum_init(struct cor_spectrum *spectrum, const struct cor_rayleigh_set *set,

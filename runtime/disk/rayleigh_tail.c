@@ -31,11 +31,11 @@ static const double low_window[2] = {0.35, 0.75}, high_window[2] = {0.6, 1};
  * (tests/unit/test_disk_rayleigh.c). */
 static const struct {
     double echo_low, half_echo_low; /* weight of the strength under the low window relative to the high window */
-    double of_echo, of_half_echo;   /* of echoes in phase with the response, as strong as in the windows */
-    double of_density, of_fifth;    /* of the density beyond 2 omega + a: omega_max^-2 and omega_max^-5 */
-    /* of the density itself, an echo with T = 0: the kink of the echoes' weight at 1 leaves O((omega_max tau)^-2) */
+    double of_echo, of_half_echo;   /* for echoes in phase with the response, as strong as the windows show */
+    double of_density, of_fifth;    /* for the density beyond 2 omega + a: terms in omega_max^-2 and omega_max^-5 */
+    /* for the density, an echo with T = 0, of which the kink of the echoes' weight at 1 leaves O((omega_max tau)^-2) */
     double of_turn;
-    /* chosen: without modes l = 0 the error of the tail is as large as the tail */
+    /* for a table without modes l = 0. Chosen: the error of the tail is as large as the tail. */
     double unknown;
 } factors = {.echo_low = 0.7,
              .half_echo_low = 0.4,

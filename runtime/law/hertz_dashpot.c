@@ -19,8 +19,8 @@ COR_INLINE const double *first_row(struct cor_inline_law_table table)
     return table.kind ? table.rows(0) : NULL;
 }
 
-/* Returns the table for the loops. A product with beta needs a smallest beta > 0. The scalar function evaluates rows
- * near 0 in a cube root of beta. */
+/* Returns the table for the loops. If its values are products with beta, it begins at a beta > 0. Rows in a cube root
+ * of beta near 0 are not in it: the scalar function evaluates them. */
 COR_INLINE struct cor_row_table table_of_quantity(struct cor_inline_law_quantity q, enum cor_row_value value)
 {
     const int has_near = q.near.root == 1, has_below = has_near && q.below.kind != 0;
@@ -45,7 +45,7 @@ COR_INLINE struct cor_row_table table_of_quantity(struct cor_inline_law_quantity
 }
 
 static const struct cor_row_table beta_rows_zero_overlap = DASHPOT_INVERSE(beta_zero_overlap, BETA_ZERO_OVERLAP),
-                                  /* for eps >= 1/2 the rows are in a cube root */
+                                  /* without the rows in a cube root, for eps >= 1/2 */
     beta_rows_zero_force = COR_ROW_TABLE_OF_OCTAVES(cor_rows_hertz_dashpot_beta_zero_force,
                                                     COR_ROWS_HERTZ_DASHPOT_BETA_ZERO_FORCE, COR_ROW_SUM);
 

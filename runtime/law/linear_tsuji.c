@@ -81,8 +81,8 @@ static double tsuji_at_duration_limited(double zeta)
     return c[0] + (c[1] + mu * ((c[2] + c[4] * u) + mu * (mu * (c[5] + u * (c[6] + u * c[7])))));
 }
 
-/* Returns the duration, beyond the rows as exp(2 pi y) (1 - zeta^2)^(-2/5) V(y), y = zeta/(10 sqrt(1 - zeta^2)). For y
- * above 6.5, (1 - zeta^2)^(-2/5) y^(-4/5) is (zeta/10)^(-4/5). For y above 112.9 the duration overflows. */
+/* Returns the duration. Beyond the rows it is exp(2 pi y) (1 - zeta^2)^(-2/5) V(y), y = zeta/(10 sqrt(1 - zeta^2)). For
+ * y above 6.5, (1 - zeta^2)^(-2/5) y^(-4/5) is (zeta/10)^(-4/5). For y above 112.9 the duration overflows. */
 static double tsuji_at_duration_zero_overlap(double zeta)
 {
     if (!(zeta >= 0))

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "runtime/number/lambert_w.h"
 
-/* Below this q the series applies. Above it the iteration does, where the subtraction in t - ln(1 + t) loses two bits
- * at most. */
+/* Below this q the series applies. Above it the iteration loses at most two bits in the subtraction t - ln(1 + t). */
 #define SERIES_END 0.1
 
 /* t - p for p = sqrt(2 q) <= sqrt(0.2): the sum of a_n p^n for n >= 2, where t dt/dp = p (1 + t) gives

@@ -82,7 +82,7 @@ COR_INLINE double cor_inline_nan(void)
     return cor_inline_from_bits(UINT64_C(0x7ff8000000000000));
 }
 
-/* Returns the float nearest to x, without FE_OVERFLOW. It uses a factor: clang would convert both sides of a choice. */
+/* Returns the float nearest to x, without FE_OVERFLOW. A conditional is not used: clang would convert both sides. */
 COR_INLINE float cor_inline_narrow(double x)
 {
     const double beyond = 3.40282356779733662e+38; /* halfway between the largest float and 2^128 */

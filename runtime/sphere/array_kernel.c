@@ -98,7 +98,7 @@ static void loop_contact(const struct cor_contact_function *f, const struct cor_
                          const double *speed, const double *eps, double *out, size_t n)
 {
     const enum cor_contact_kind kind = f->kind;
-    struct call call; /* not initialized: `root` is long */
+    struct call call; /* not initialized, because `root` is a long array */
     call.f = f;
     call.contact = contact;
     call.speed = speed;
