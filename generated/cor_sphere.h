@@ -134,7 +134,7 @@ COR_INLINE double cor_inline_nan(void)
     return cor_inline_from_bits(UINT64_C(0x7ff8000000000000));
 }
 
-/* Returns the float nearest to x, without FE_OVERFLOW. It uses a factor: clang would convert both sides of a choice. */
+/* Returns the float nearest to x, without FE_OVERFLOW. A conditional is not used: clang would convert both sides. */
 COR_INLINE float cor_inline_narrow(double x)
 {
     const double beyond = 3.40282356779733662e+38; /* halfway between the largest float and 2^128 */
@@ -532,9 +532,9 @@ COR_INLINE struct cor_inline_place cor_inline_octaves_place(struct cor_inline_oc
  *
  * For beta from 0 to 8 (eps: to 7 at zero overlap, to 16 at zero force) a row of a table gives a quantity. A row is a
  * short polynomial around the nearest node of a uniform grid. For larger beta a quantity is a power of beta times a
- * function of ln(beta). Up to beta = exp(10) rows give this function. Beyond, three orders in mu = beta^(-5/3) with
- * their logarithms give it. The first coefficient of a row is a double-double and dominates, so the final addition
- * causes nearly all of the rounding error.
+ * function of ln(beta). Rows give this function up to beta = exp(10), and three orders in mu = beta^(-5/3) with their
+ * logarithms beyond it. The first coefficient of a row is a double-double and dominates, so the final addition causes
+ * nearly all of the rounding error.
  *
  * Errors are in units of the last place (ulp) of the exact value. "Worst known" is the largest error, and its argument,
  * that tests/accuracy/test_accuracy --points 1e9 found. tests/unit/test_sphere.c tests these arguments.
@@ -559,8 +559,8 @@ COR_INLINE struct cor_inline_pair cor_inline_two_thirds(double beta)
     return cor_inline_sum(square, square * (d * (2.0 / 3 + d * (5.0 / 9))));
 }
 
-/* Returns the logarithmic factor of a tail. Up to u = end, rows in u = ln(beta) give it, with the error of u times the
- * slope. Beyond, three orders in mu = beta^(-5/3) give it. */
+/* Returns the logarithmic factor of a tail. Up to u = end, rows in u = ln(beta) give it; their error is the error of u
+ * times the slope. For larger u, three orders in mu = beta^(-5/3) give it. */
 COR_INLINE struct cor_inline_pair cor_inline_log_factor(double beta, struct cor_inline_grid grid, double end,
                                                         const double *(*rows)(int), const double *(*far)(int))
 {
