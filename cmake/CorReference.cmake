@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# cor_reference: laws and motions in long double, the truth in tests and benchmarks of the library
+# cor_reference: laws and motions in long double, the reference of the library's tests and benchmarks
 if(NOT TARGET cor_reference)
   add_library(cor_reference STATIC ${PROJECT_SOURCE_DIR}/tests/reference/laws.c)
   target_include_directories(cor_reference PRIVATE ${PROJECT_SOURCE_DIR}/include

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The collisions of the full dynamics for several figures, docs/paper/collisions.csv. The paper's two extrapolations
-from them (section 4), and their limit, a disk with all its modes at a rigid wall."""
+"""Computes the collisions of the full dynamics for several figures, docs/paper/collisions.csv, the paper's two
+extrapolations from them (section 4), and their limit, a disk with all its modes at a rigid wall."""
 import collections
 import concurrent.futures
 import ctypes
@@ -20,7 +20,7 @@ TOLERANCE = 1e-8  # absolute error allowed in eps
 # Hardness of the wall in units of 1/speed: alpha v is the growth rate of the wall's force on impact, to be compared
 # with omega of the modes. First the values for every limit, then the further ones for wall_limit
 WALLS, OTHER_WALLS = (25, 50, 100), (10, 15, 200)
-# Numbers of modes. All: PAPER_SPEEDS. FEW: the limits in the paper. LARGE: SLOW_SPEEDS and the limits of limit_of
+# Numbers of modes, all used at PAPER_SPEEDS. FEW: for the limits in the paper. LARGE: at SLOW_SPEEDS and for limit_of
 SIZES = (300, 400, 600, 940, 1300, 1800)
 FEW, LARGE = SIZES[:4], SIZES[3:]
 # Tolerances of 1 - eps^2: for a limit given as a number, and for a line in a picture
@@ -28,7 +28,7 @@ RIGID_TOLERANCE, RIGID_LINE_TOLERANCE = 2e-5, 1e-4
 
 
 def rounded(x):
-    """Returns a double as it is in the csv file."""
+    """Rounds a number to the digits of the csv file."""
     return float("%.5g" % x)
 
 
@@ -98,8 +98,8 @@ def make_table():
 
 
 def agree(old, new):
-    """True if two collisions agree. For chaotic ones, which did not converge, only the size is compared, for others
-    the printed digits. The contact time ends where a trembling load falls below its threshold, and has fewer digits."""
+    """True if two collisions agree in the printed digits. Chaotic collisions, which did not converge, only
+    agree in size. The contact time has fewer digits, because a trembling load ends it."""
     off = abs(old.one_minus_eps2 - new.one_minus_eps2)
     if not old.converged and not new.converged:
         return off <= 5e-3
@@ -134,7 +134,7 @@ def fit_line(x, y):
 
 
 def wall_line(nu, modes, speed, walls=WALLS):
-    """1 - eps^2 against 1/alpha for a number of modes; NaN, here and below, if a collision is missing"""
+    """Returns the line of 1 - eps^2 against 1/alpha, N fixed; NaN, here and below, if a collision is missing."""
     keys = [key_of(nu, modes, rate, speed) for rate in walls]
     if not all(key in table for key in keys):
         return Line(math.nan, math.nan)
@@ -142,7 +142,7 @@ def wall_line(nu, modes, speed, walls=WALLS):
 
 
 def size_line(nu, speed, sizes, walls=WALLS):
-    """The value of wall_line at alpha = inf, against 1/sqrt(N)"""
+    """Returns the line of wall_line at alpha = inf against 1/sqrt(N)."""
     return fit_line([1 / math.sqrt(n) for n in sizes], [wall_line(nu, n, speed, walls).at_zero for n in sizes])
 
 

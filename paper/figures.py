@@ -52,7 +52,7 @@ def collisions():
 
 @figure("Fig. 1", "eps against speed")
 def restitution():
-    """From the two extrapolations of section 4"""
+    """Draws eps from the two extrapolations of section 4."""
     rows, eps, worst, apart, last = ["nu,speed,eps,eps_low,eps_high,one_minus_eps2,uncertainty"], {}, 0, 0, {}
     for nu in MATERIALS:
         for v in PAPER_SPEEDS:
@@ -112,7 +112,7 @@ class Shape:
         return (self.a * a_slope + n * self.b * b) / r, -(n * self.a * a + self.b * b_slope) / r
 
     def norm(self):
-        """int (u_r^2 + u_phi^2) r dr, (26), by Simpson's rule: 1, or 1/2 for n = 0. The integrand is 0 at r = 0."""
+        """Returns int (u_r^2 + u_phi^2) r dr, (26), by Simpson's rule: 1, or 1/2 for n = 0; its integrand is 0 at 0."""
         steps = 2000
         terms = ((1 if i == steps else 4 if i % 2 else 2) * math.hypot(*self.displacement(i / steps))**2 * i / steps
                  for i in range(1, steps + 1))

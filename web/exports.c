@@ -145,7 +145,7 @@ static struct cor_scene_contact timed(int contact)
     return c;
 }
 
-/* Returns the time step in these units: the shortest duration over the number of steps. */
+/* Returns the time step in the units of timed(): the shortest duration over the number of steps. */
 static double step_of(const double *speed_m_s, size_t n)
 {
     double least = INFINITY;
@@ -188,7 +188,7 @@ static int integrator(void)
 
 #define STEPS_ON_PAGE 2e4 /* in a contact; more would block the page for seconds */
 
-/* Computes bias and scatter of eps at time_step_s. NaN: the step of the request, with at most STEPS_ON_PAGE steps.
+/* Computes bias and scatter of eps at time_step_s; NaN: at the step of the request, but not above STEPS_ON_PAGE steps.
  * y receives n of each for every curve. */
 WEB_EXPORT(web_step_errors)
 void web_step_errors(const double *speed_m_s, double *y, size_t n, double time_step_s)

@@ -162,8 +162,8 @@ function stateOf(input) {
         : `${fields.get(input.id).label} ${input.value} ${/[a-z%]$/i.test(input.value) ? "" : unitOf(input.id)}`.trim();
 }
 
-// Returns the number in SI units of a field with a unit, a percent sign or a comma; otherwise the unit of a field that
-// does not have it in its label.
+// Returns the text next to a field: its number in SI units if it has a unit, a percent sign or a comma, otherwise its
+// unit unless the label has it.
 function converted(name) {
     const { input, word, inline } = fields.get(name);
     if (word || !/[a-z%,\u00b5\u03bc]/i.test(input.value.replace(/\de[-+]?\d/gi, "")))

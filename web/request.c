@@ -200,7 +200,7 @@ static int make_contact(struct web_request *r)
            refuse("speed-max", "--speed-min %g is not below --speed-max %g", r->speed_min_m_s, r->speed_max_m_s);
 }
 
-/* Reads options, lines NAME=VALUE. Returns the number of contacts, or 0 if an option is wrong; web_now then stays. */
+/* Reads options, lines NAME=VALUE. Returns the number of contacts; 0, with web_now unchanged, for a wrong option. */
 WEB_EXPORT(web_read) int web_read(const char *options)
 {
     static struct web_request r;

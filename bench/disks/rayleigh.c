@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Rayleigh's energy: each of 1800 modes at low to high speeds, then all modes together, error against time. The
- * reference for a mode is its integral on the real axis in long double. For all modes it is a sum over many more modes,
- * with its own tail. */
+/* Measures Rayleigh's energy: each of 1800 modes at low to high speeds, then all modes together, error against time.
+ * The reference for a mode is its integral on the real axis in long double. The reference for all modes is a sum over
+ * many more modes, with its tail. */
 #include <math.h>
 #include <stdbool.h>
 

@@ -31,7 +31,7 @@ EXACT(loss_force, COR_END_ZERO_FORCE, -expm1l(-l))
 EXACT(eps_approach, COR_END_APPROACH_ONLY, expl(-l))
 EXACT(eps_limited, COR_END_LIMITED, expl(-l))
 
-/* For a = 3/2: the energy at the largest overlap is the energy of a rebound without damping. */
+/* Returns the largest overlap for a = 3/2: its energy is the energy of a rebound without damping. */
 static long double exact_overlap(long double beta)
 {
     return powl(1.25L * powl(reference_hunt_crossley_approach_eps(beta), 2), 0.4L);
@@ -51,7 +51,7 @@ static double formula_eps_overlap(double zeta)
     return zeta < 1 ? exp(-pi * zeta / sqrt(1 - zeta * zeta)) : 0;
 }
 
-/* Schwager and Poeschel's three cases, as in the code of Kratos and others */
+/* Returns eps by Schwager and Poeschel's three cases, as Kratos and others do. */
 static double formula_eps_force(double zeta)
 {
     if (zeta < 0.70710678118654752440) {
@@ -113,8 +113,7 @@ static double formula_tsuji_2026(double e)
     return sqrt(0.4) * cor_tsuji_alpha(e);
 }
 
-/* Newton's method on the [1/4] Pade approximant of Mueller and Poeschel in v* = sqrt(beta); simulators solve for A this
- * way. */
+/* Inverts Mueller and Poeschel's [1/4] Pade approximant in v* = sqrt(beta) by Newton's method, as simulators do. */
 static double formula_sphere_newton(double e)
 {
     static const double a1 = 0.501086, b1 = 0.501086, b2 = 1.15345, b3 = 0.577977, b4 = 0.532178;
@@ -130,7 +129,7 @@ static double formula_sphere_newton(double e)
     return v * v;
 }
 
-/* Newton's method for f(-h) = f(beta), f(z) = z - ln(1 + z) */
+/* Solves f(-h) = f(beta), f(z) = z - ln(1 + z), by Newton's method. */
 static double formula_crossley(double beta)
 {
     const double wanted = beta - log1p(beta);
@@ -164,7 +163,7 @@ static double duration_by_quadrature(double beta)
     return cor_hunt_crossley_duration(beta, 1.25);
 }
 
-/* u'/u of elastic spheres whose tangential displacement is remembered, with friction 0.3 */
+/* Returns u'/u of elastic spheres with friction 0.3, whose contact remembers its displacement. */
 static double oblique(double tangent)
 {
     static const struct cor_scene_contact contact = {.law = {3, 1, 2}, .mass_kg = 1, .stiffness = 1, .radius_m = 1};

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Prints a header with the truncated series, Padés and two-point Padés of growing order that the report compares. Each
-# is a function of z, with z = beta at zero overlap and sqrt(beta) at zero force. Also prints a list of all.
+# is a function of z, with z = beta at zero overlap and sqrt(beta) at zero force. Also prints their list.
 #     bench/spheres/approximants.sh CORGEN >HEADER
 # Omits Padés with a pole on beta > 0.
 set -eu

@@ -53,7 +53,7 @@ static double *doubles(size_t n)
 }
 
 /* Returns the largest |eps/truth - 1|; NaN if an eps is not a number. For floats the truth is the library's double
- * function of the float. Its error is negligible here. */
+ * function, whose error is negligible here. */
 static double worst_error(const struct truth *truth, const struct scene *scene, const struct method *method)
 {
     static double eps[CHECKED];

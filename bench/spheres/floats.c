@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The arrays in float arithmetic next to those in double, by instruction set. Every row has a time, its fraction of the
- * double time, and an error. For floats this is the largest error of all arguments against the double function, in ulp
- * of a float. For doubles it is the stated bound, in ulp of a double.
+/* Measures arrays in float arithmetic next to arrays in double, by instruction set. Every row has a time, its fraction
+ * of the double time, and an error. For floats this is the largest error of all arguments against the double function,
+ * in ulp of a float. For doubles it is the stated bound, in ulp of a double.
  *
  *     cor_bench_floats DIRECTORY [--quick]        writes DIRECTORY/floats.csv */
 #include <math.h>

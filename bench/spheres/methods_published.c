@@ -7,27 +7,27 @@
 
 #include "methods.h"
 
-/* (35) with Table I of Phys. Rev. E 60, 4465 (1999), x = (g/g*)^(1/5); zero overlap. */
+/* Returns (35) with Table I of Phys. Rev. E 60, 4465 (1999), x = (g/g*)^(1/5); zero overlap. */
 static double published(double x)
 {
     return (1 + 2.5839 * x) / (1 + x * (3.5839 + x * (2.9839 + x * (1.1487 + x * 0.3265))));
 }
 
-/* The [1/4] approximant of Mueller and Poeschel, Phys. Rev. E 84, 021302 (2011), v = sqrt(beta); zero force. */
+/* Returns the [1/4] approximant of Mueller and Poeschel, Phys. Rev. E 84, 021302 (2011), v = sqrt(beta); zero force. */
 static double mueller_poeschel(double v)
 {
     return (1 + 0.501086 * v) / (1 + v * (0.501086 + v * (1.15345 + v * (0.577977 + v * 0.532178))));
 }
 
-/* Their [3/6] approximant, which YADE evaluates for en. */
+/* Returns their [3/6] approximant, which YADE evaluates for en. */
 static double mueller_poeschel_of_yade(double v)
 {
     return (1 + v * (1.07232 + v * (0.574198 + v * 0.141552))) /
            (1 + v * (1.07232 + v * (1.72765 + v * (1.37842 + v * (1.19449 + v * (0.467273 + v * 0.235585))))));
 }
 
-/* Velocity Verlet with a fixed step. steps: number in a contact without dissipation. The damping uses the velocity at
- * the half-step. The contact ends at the first step that finds its end exceeded. */
+/* Returns eps by velocity Verlet with a fixed step. steps: number of steps in a contact without dissipation. The
+ * damping uses the velocity at the half-step. The contact ends at the first step after its exact end. */
 static double verlet(double beta, enum end end, int steps)
 {
     static const double elastic_contact = 3.2180654597190431, longest = 1e4; /* elastic contacts */
