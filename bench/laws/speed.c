@@ -44,11 +44,9 @@ static long double exact_sphere_force(long double beta)
 
 /* ---- formulas in use ---- */
 
-static const double pi = 3.14159265358979323846;
-
 static double formula_eps_overlap(double zeta)
 {
-    return zeta < 1 ? exp(-pi * zeta / sqrt(1 - zeta * zeta)) : 0;
+    return zeta < 1 ? exp(-COR_PI * zeta / sqrt(1 - zeta * zeta)) : 0;
 }
 
 /* Returns eps by Schwager and Poeschel's three cases, as Kratos and others do. */
@@ -56,7 +54,7 @@ static double formula_eps_force(double zeta)
 {
     if (zeta < 0.70710678118654752440) {
         const double om = sqrt(1 - zeta * zeta);
-        return exp(-zeta / om * (pi - atan(2 * zeta * om / (1 - 2 * zeta * zeta))));
+        return exp(-zeta / om * (COR_PI - atan(2 * zeta * om / (1 - 2 * zeta * zeta))));
     }
     if (zeta < 1) {
         const double om = sqrt(1 - zeta * zeta);
@@ -74,7 +72,7 @@ static double formula_loss_force(double zeta)
 static double formula_zeta_overlap(double e)
 {
     const double l = log(e);
-    return -l / sqrt(pi * pi + l * l);
+    return -l / sqrt(COR_PI * COR_PI + l * l);
 }
 
 static double formula_lankarani(double e)

@@ -159,7 +159,7 @@ enum cor_collision_outcome cor_collision_run(struct cor_motion *m, struct cor_co
 /* ---- the runs of a call: collision_runs.c ---- */
 
 /* Ratio of the step of a run to the step of the next run */
-#define COR_COLLISION_RATIO 1.4142135623730951
+#define COR_COLLISION_RATIO COR_ROOT_2
 
 /* Extrapolates runs with steps h, h/sqrt(2), h/2, ... to h = 0. Sets all fields of *out except error_estimate, and
  * energy_after unless it is NULL, from runs whose mode energies are in m->after. Returns the sum of negative

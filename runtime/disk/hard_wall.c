@@ -69,7 +69,7 @@ static double fineness_of(double tolerance)
 
 static double omega_of(size_t level)
 {
-    return COR_DISK_HARD_WALL_FIRST_OMEGA * ldexp(level % 2 == 0 ? 1 : 1.4142135623730951, (int)(level / 2));
+    return COR_DISK_HARD_WALL_FIRST_OMEGA * ldexp(level % 2 == 0 ? 1 : COR_ROOT_2, (int)(level / 2));
 }
 
 static struct cor_hard_wall_settings settings_of(size_t level, double speed, double tolerance)

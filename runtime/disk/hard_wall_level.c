@@ -12,8 +12,6 @@
 #include "runtime/disk/collision_parts.h"
 #include "runtime/disk/hard_wall_parts.h"
 
-#define LN_2 0.69314718055994531
-
 /* The first kick follows the first touch after this fraction of a step, so that it represents the step around it. */
 #define FIRST_KICK 0.5
 /* Smaller reaches, in units of the speed, are rounding errors. */
@@ -513,7 +511,7 @@ int cor_hard_wall_level(void *workspace, const struct cor_disk_modes *modes, dou
     set_modes(&level, settings);
     if (level.size.points > 0)
         set_angles(&level);
-    level.point_constant += -2 * LN_2 - 0.25 * (1 + modes->nu);
+    level.point_constant += -2 * COR_LN2 - 0.25 * (1 + modes->nu);
     COR_CLEAR_DOUBLES(COR_HARD_WALL_BATCH * level.size.lanes, level.sum_c, level.sum_s);
     if (detail != NULL)
         clear_detail(modes, detail);

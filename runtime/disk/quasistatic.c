@@ -16,9 +16,9 @@
 
 typedef struct cor_inline_pair pair;
 
-static const pair pi = {3.14159265358979312, 1.22464679914735321e-16};
-static const pair half_pi = {1.57079632679489656, 6.12323399573676604e-17};
-static const pair four_pi = {12.5663706143591725, 4.89858719658941283e-16};
+static const pair pi = {COR_PI, COR_PI_TAIL};
+static const pair half_pi = {COR_PI / 2, COR_PI_TAIL / 2};
+static const pair four_pi = {4 * COR_PI, 4 * COR_PI_TAIL};
 static const pair one_over_pi = {0.318309886183790691, -1.96786766751824859e-17};
 static const pair one_over_two_pi = {0.159154943091895346, -9.83933833759124294e-18};
 static const pair root_2 = {1.41421356237309515, -9.66729331345291345e-17};
@@ -32,9 +32,8 @@ static pair pair_sqrt(pair x)
 {
     if (x.hi == 0)
         return x;
-    const double root = sqrt(x.hi);
-    const pair square = cor_inline_product(root, root);
-    return cor_inline_sum(root, (((x.hi - square.hi) - square.lo) + x.lo) / (2 * root));
+    const pair root = cor_pair_root(x);
+    return cor_inline_sum(root.hi, root.lo);
 }
 
 /* Returns exp(x), |x| < 2, with relative error 2^-101. The map s -> 2 s + s^2, applied nine times to the power series
@@ -332,7 +331,7 @@ double cor_disk_contact_time_by_quadrature(double speed, double nu, enum cor_dis
 /* ---- to leading logarithm ---- */
 
 static const struct cor_logarithm four = {{4, 0}, {1.38629436111989057, 4.63809362769259912e-17}};
-static const struct cor_logarithm log_four_pi = {{12.5663706143591725, 4.89858719658941283e-16},
+static const struct cor_logarithm log_four_pi = {{4 * COR_PI, 4 * COR_PI_TAIL},
                                                  {2.53102424696929074, 5.66468874396338237e-17}};
 /* the largest double below 4 pi/e */
 static const double load_end = 4.62290939916368604;

@@ -203,7 +203,7 @@ static void kernel_octaves(const struct cor_leg *leg, double first, int octaves,
         0.88192126434835503,  0.831469612302545237, 0.773010453362736961, 0.707106781186547524, 0.634393284163645498,
         0.555570233019602225, 0.471396736825997649, 0.382683432365089772, 0.290284677254462368, 0.195090322016128268,
         0.098017140329560602, 0.000000000000000000};
-    const double half_width = 3 - 2 * 1.4142135623730951;
+    const double half_width = 3 - 2 * COR_ROOT_2;
     double e_re[COR_LEG_NODES], e_im[COR_LEG_NODES];
     for (int k = 0; k < octaves; k++)
         for (int j = 0; j < COR_SPECTRUM_TERMS; j++)
@@ -216,7 +216,7 @@ static void kernel_octaves(const struct cor_leg *leg, double first, int octaves,
             cosine[k] = up <= half / 2 ? quarter[up] : -quarter[half - up];
         }
         const double x = half_width * cosine[1];
-        double omega = first * 1.4142135623730951 * (1 + x) / (1 - x);
+        double omega = first * COR_ROOT_2 * (1 + x) / (1 - x);
         int n = leg->n;
         kernel_exponentials(n, leg->p_re, leg->p_im, omega, e_re, e_im);
         for (int octave = 0; octave < octaves; octave++, omega *= 2) {
@@ -240,7 +240,7 @@ static void kernel_lines(const struct cor_spectrum *spectrum, int octave, double
 {
     const int n = vectors_of(to - from);
     const double *const omega = frequency + from;
-    const double middle = 1.4142135623730951 * start, scale = 3 + 2 * 1.4142135623730951;
+    const double middle = COR_ROOT_2 * start, scale = 3 + 2 * COR_ROOT_2;
     const double *const c_re = spectrum->a_re[octave], *const c_im = spectrum->a_im[octave];
     for (int i = 0; i < n; i++) {
         const double x = scale * (omega[i] - middle) / (omega[i] + middle), inverse = 1 / (omega[i] * omega[i]);

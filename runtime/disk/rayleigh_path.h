@@ -116,15 +116,15 @@ COR_KERNEL double rough_log(double x)
     bits = (bits & 0x000fffffffffffff) | 0x3ff0000000000000;
     memcpy(&m, &bits, sizeof m);
     memcpy(&k, &exponent, sizeof k);
-    const double f = (m - 1.4142135623730951) / (m + 1.4142135623730951), z = f * f;
-    return (k - 4503599627370496.0 - 1022.5) * 0.69314718055994531 + 2 * f * (1 + z * (1.0 / 3 + z * (1.0 / 5)));
+    const double f = (m - COR_ROOT_2) / (m + COR_ROOT_2), z = f * f;
+    return (k - 4503599627370496.0 - 1022.5) * COR_LN2 + 2 * f * (1 + z * (1.0 / 3 + z * (1.0 / 5)));
 }
 
 COR_KERNEL double rough_argument(struct cx x)
 {
     const double a = fabs(x.re), b = fabs(x.im), r = a > b ? b / a : a / b, z = r * r;
     const double t = r * (0.9998660 + z * (-0.3302995 + z * (0.1801410 + z * (-0.0851330 + z * 0.0208351))));
-    const double first = a > b ? t : 1.5707963267948966 - t, upper = x.re < 0 ? 3.1415926535897932 - first : first;
+    const double first = a > b ? t : COR_PI / 2 - t, upper = x.re < 0 ? COR_PI - first : first;
     return x.im < 0 ? -upper : upper;
 }
 

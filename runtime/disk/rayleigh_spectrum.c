@@ -1,14 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "runtime/disk/rayleigh_parts.h"
+#include "runtime/number/elementary.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "runtime/disk/rayleigh_path.h"
 #include "runtime/number/lambert_w.h"
-
-#define PI 3.14159265358979323846
-#define LN2 0.69314718055994531
 
 /* Derived: b is neglected where its factor is below exp(-LEFT_OUT) = 2^-57. exp(LARGEST_HALF_DEPTH)^2 is a double, and
  * for q0 above 600 the remainder of Theta is below 2^-53. */
@@ -68,7 +66,7 @@ static void rule_init(struct cor_leg_rule *rule)
     double p[COR_LEG_GAUSS / 2][COR_LEG_GAUSS + 2];
     memset(rule, 0, sizeof *rule);
     for (int i = 0; i < COR_LEG_GAUSS / 2; i++) {
-        double x = cos(PI * (i + 0.75) / ((double)COR_LEG_GAUSS + 0.5)), slope = 1;
+        double x = cos(COR_PI * (i + 0.75) / ((double)COR_LEG_GAUSS + 0.5)), slope = 1;
         for (int k = 0; k < 4; k++) { /* Newton's method from a start value with error 1e-3; convergence is quadratic */
             set_legendre(p[i], x);
             slope = (double)COR_LEG_GAUSS * (x * p[i][COR_LEG_GAUSS] - p[i][COR_LEG_GAUSS - 1]) / (x * x - 1);
@@ -165,7 +163,7 @@ static struct branch_point branch_point_of(double q0)
     struct branch_point point;
     point.x = expm1(fmin(0.5 * q0, LARGEST_HALF_DEPTH));
     const double root_x = sqrt(point.x * (point.x + 2));
-    point.theta = q0 > 2 * LARGEST_HALF_DEPTH ? 0.5 * q0 + LN2 : log1p(point.x + root_x);
+    point.theta = q0 > 2 * LARGEST_HALF_DEPTH ? 0.5 * q0 + COR_LN2 : log1p(point.x + root_x);
     point.tanh_theta = root_x / (1 + point.x);
     return point;
 }
@@ -223,7 +221,7 @@ static void spectrum_init(struct cor_spectrum *spectrum, const struct cor_raylei
     struct cor_leg leg;
     const struct branch_point point = branch_point_of(q0);
     const double tilt = 1 / (1 + LEG_TILT * q0);
-    const struct cor_leg_path path = {1, tilt, q0, PI, point.tanh_theta, 1};
+    const struct cor_leg_path path = {1, tilt, q0, COR_PI, point.tanh_theta, 1};
     const double enough = LEG_ENOUGH / first, nearest = LEG_NEAREST / (high * sqrt(0.5 * q0 + LEG_DEPTH));
 
     spectrum->set = set;
@@ -253,7 +251,7 @@ size_t cor_spectrum_piece_size(double first, double high)
 /* Returns the place of node k of a piece in ln(q0), from -1 to 1. */
 static double piece_place(int k)
 {
-    return -cos(PI * (k + 0.5) / (double)COR_PIECE_NODES);
+    return -cos(COR_PI * (k + 0.5) / (double)COR_PIECE_NODES);
 }
 
 static double piece_q0(const struct cor_spectrum_piece *piece, double x)
@@ -299,7 +297,7 @@ void cor_spectrum_of_piece(struct cor_spectrum *spectrum, const struct cor_spect
     double weight[COR_PIECE_NODES], sum = 0, decay = 0;
     /* barycentric weights; at a node its own weight is 1 */
     for (int k = 0; k < COR_PIECE_NODES; k++) {
-        const double distance = x - piece_place(k), angle = PI * (k + 0.5) / (double)COR_PIECE_NODES;
+        const double distance = x - piece_place(k), angle = COR_PI * (k + 0.5) / (double)COR_PIECE_NODES;
         weight[k] = (k % 2 ? -1 : 1) * sin(angle) / (distance == 0 ? 1e-30 : distance);
         sum += weight[k];
         im[k] = piece->node[k] + of_a;

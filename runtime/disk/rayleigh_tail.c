@@ -16,6 +16,7 @@
  *   to 1 (kernel_echo_weight), predicts part of the oscillation beyond the table. The rest is estimated from the echo
  *   strength at T = tau, measured on the modes of the table. */
 #include "runtime/disk/rayleigh_parts.h"
+#include "runtime/number/elementary.h"
 #include "runtime/number/root.h"
 
 #include <math.h>
@@ -261,7 +262,7 @@ static struct integrals tail_integrate(const struct cor_spectrum *spectrum, doub
     const double ends[2] = {0.5 * COR_RAYLEIGH_FAR * to, COR_RAYLEIGH_FAR * to}, end = ends[1];
     struct cor_lines lines;
     cor_spectrum_lines(spectrum, 2, ends, &lines);
-    const double g = mean_response(&lines, 1), r = 0.5 * log(16 * g / mean_response(&lines, 0)) / 0.69314718055994531;
+    const double g = mean_response(&lines, 1), r = 0.5 * log(16 * g / mean_response(&lines, 0)) / COR_LN2;
     sum.mean += end * end * g * (1 + r * (1 + 1.5 * r));
     return sum;
 }

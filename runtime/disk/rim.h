@@ -14,9 +14,9 @@
 #include <string.h>
 
 #include "cor/disk.h"
+#include "runtime/number/elementary.h"
 #include "runtime/number/sets.h"
 
-#define COR_PI 3.14159265358979323846
 #define COR_DISK_MASS COR_PI
 
 /* Returns COR_OK, or the status of the first error in the lowest n_modes modes of a table. */

@@ -14,11 +14,6 @@
 
 #include "runtime/number/elementary.h"
 
-/* pi and pi/2, each as a pair */
-#define COR_RATIO_PI 3.14159265358979311600
-#define COR_RATIO_PI_TAIL 1.22464679914735317723e-16
-#define COR_RATIO_HALF_PI 1.57079632679489655800
-#define COR_RATIO_HALF_PI_TAIL 6.12323399573676588613e-17
 /* 1/(2 sqrt(2)) as a pair */
 #define COR_RATIO_FAR_LIMITED 3.53553390593273786369e-01
 #define COR_RATIO_FAR_LIMITED_TAIL (-2.41682332836322825930e-17)
@@ -162,8 +157,8 @@ COR_KERNEL struct cor_inline_pair cor_ratio_overlap_near(double zeta)
     const double less = 1 - square.hi;
     struct cor_inline_pair rest = cor_inline_sum(less, ((1 - less) - square.hi) - square.lo), phase;
     rest.hi = cor_kernel_max(rest.hi, 1.0 / 262144);
-    phase = cor_inline_product(COR_RATIO_PI, zeta);
-    phase.lo += COR_RATIO_PI_TAIL * zeta;
+    phase = cor_inline_product(COR_PI, zeta);
+    phase.lo += COR_PI_TAIL * zeta;
     struct cor_inline_pair exponent = cor_ratio_over_root(phase, rest);
     exponent.hi = cor_kernel_min(exponent.hi, 1400);
     return exponent;
@@ -179,7 +174,7 @@ COR_INLINE double cor_ratio_eps_beyond_zero_overlap(double zeta)
 /* Returns L/sqrt(pi^2 + L^2). */
 COR_KERNEL double cor_ratio_of_overlap(struct cor_inline_pair exponent)
 {
-    const struct cor_inline_pair pi = cor_pair(COR_RATIO_PI, COR_RATIO_PI_TAIL);
+    const struct cor_inline_pair pi = cor_pair(COR_PI, COR_PI_TAIL);
     const struct cor_inline_pair square =
         cor_pair_plus(cor_inline_pair_times(pi, pi), cor_inline_pair_times(exponent, exponent));
     const double root = sqrt(square.hi), inverse = 1 / root;
@@ -313,7 +308,7 @@ COR_INLINE double cor_ratio_zeta_beyond_zero_force(double eps)
     const int tiny = eps < COR_RATIO_TINY;
     const struct cor_inline_pair e = cor_pair(tiny ? eps * (COR_INLINE_2_100 * COR_INLINE_2_100) : eps, 0);
     struct cor_inline_pair x = cor_kernel_minus_log(e);
-    x.hi += tiny ? 200 * 0.69314718055994531 : 0;
+    x.hi += tiny ? 200 * COR_LN2 : 0;
     const struct cor_inline_pair root = cor_pair_scaled(cor_pair_root(e), tiny ? 1 / COR_INLINE_2_100 : 1);
     return cor_ratio_of_phase_far(0.5 * x.hi, root);
 }

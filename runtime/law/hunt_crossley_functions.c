@@ -26,7 +26,7 @@ static struct crossley_tables crossley_tables_of(double a)
         t.far_max = cor_rows_crossley_far_time_of_max_overlap_1;
         t.far_rebound = cor_rows_crossley_far_rebound_1;
         t.exponent = cor_pair(0.5, 0);
-        t.elastic = 1.57079632679489655800;
+        t.elastic = COR_PI / 2;
         t.elastic_tail = 6.12323399573676588613e-17;
     } else {
         t.max_rows = cor_rows_crossley_time_of_max_overlap_3_2;

@@ -30,13 +30,13 @@ COR_INLINE double cor_linear_inline_duration_approach_only(double zeta)
 {
     if (!(zeta >= 0))
         return (double)NAN;
-    const struct cor_inline_pair rebound = cor_pair(COR_RATIO_HALF_PI, COR_RATIO_HALF_PI_TAIL);
+    const struct cor_inline_pair rebound = cor_pair(COR_PI / 2, COR_PI_TAIL / 2);
     return cor_pair_plus(rebound, cor_ratio_phase_time(zeta)).hi;
 }
 
 COR_KERNEL double cor_linear_inline_duration_zero_overlap_near(double zeta)
 {
-    return cor_ratio_over_omega(zeta, cor_pair(COR_RATIO_PI, COR_RATIO_PI_TAIL)).hi;
+    return cor_ratio_over_omega(zeta, cor_pair(COR_PI, COR_PI_TAIL)).hi;
 }
 
 COR_INLINE double cor_linear_inline_duration_zero_overlap(double zeta)

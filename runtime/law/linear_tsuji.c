@@ -96,7 +96,7 @@ static double tsuji_at_duration_zero_overlap(double zeta)
     const struct cor_inline_pair ratio = cor_ratio_over_omega(zeta, cor_pair(zeta, 0)), y = cor_pair_over(ratio, ten);
     if (y.hi > 112.9)
         return INFINITY;
-    const struct cor_inline_pair two_pi = cor_pair(2 * COR_RATIO_PI, 2 * COR_RATIO_PI_TAIL);
+    const struct cor_inline_pair two_pi = cor_pair(2 * COR_PI, 2 * COR_PI_TAIL);
     const struct cor_inline_pair growth = cor_inline_pair_times(two_pi, y);
     struct cor_inline_pair factor, exponent;
     if (y.hi < COR_ROWS_TSUJI_OVERLAP_FACTOR_END) {

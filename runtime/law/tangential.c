@@ -61,7 +61,7 @@ static struct cor_inline_pair tangential_polynomial(double kappa, double a, doub
 static struct cor_inline_pair tangential_sine(struct cor_inline_pair t)
 {
     const struct cor_inline_pair one = cor_pair(1, 0);
-    const struct cor_inline_pair x = cor_inline_pair_times(t, cor_pair(COR_RATIO_PI, COR_RATIO_PI_TAIL));
+    const struct cor_inline_pair x = cor_inline_pair_times(t, cor_pair(COR_PI, COR_PI_TAIL));
     const struct cor_inline_pair minus_square = cor_inline_pair_times(cor_pair(-x.hi, -x.lo), x);
     struct cor_inline_pair sum = one;
     for (int k = SINE_TERMS; k > 0; k--) {

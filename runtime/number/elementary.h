@@ -9,6 +9,12 @@
 /* For |x| < 2^51, x + 1.5 2^52 - 1.5 2^52 is x rounded to an integer k. The last bits of k + 1.5 2^52 are k. */
 #define COR_KERNEL_INTEGER 6755399441055744.0
 
+/* The nearest doubles, and the rest of pi */
+#define COR_PI 3.14159265358979312
+#define COR_PI_TAIL 1.22464679914735321e-16
+#define COR_LN2 0.69314718055994531
+#define COR_ROOT_2 1.4142135623730951
+
 /* ln(2) in two parts. The head has 32 bits, so that its product with an integer below 2^20 is exact. With the tail the
  * error is 2^-87. */
 #define COR_KERNEL_LN2_HEAD 6.93147180369123816490e-01

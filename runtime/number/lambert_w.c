@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "runtime/number/lambert_w.h"
 
+#include "runtime/number/elementary.h"
+
 /* Below this q the series applies. Above it the iteration loses at most two bits in the subtraction t - ln(1 + t). */
 #define SERIES_END 0.1
 
@@ -37,7 +39,7 @@ static double rough_log(double x)
 {
     const double two52 = 4503599627370496.0;
     const double top = cor_inline_from_bits((cor_inline_bits(x) >> 32) | UINT64_C(0x4330000000000000)) - two52;
-    return (top * (1 / 1048576.0) - (1023 - 0.043)) * 0.693147180559945309;
+    return (top * (1 / 1048576.0) - (1023 - 0.043)) * COR_LN2;
 }
 
 /* Returns 1 + t with a relative error of 0.6 %; p = sqrt(2 q). */
@@ -51,15 +53,15 @@ struct cor_inline_pair cor_lambert_t_pair(struct cor_inline_pair q)
     struct cor_inline_pair t = {NAN, 0};
     if (cor_inline_is_refused(q.hi))
         return t;
-    const double p = sqrt(2 * q.hi);
+    const struct cor_inline_pair twice = cor_pair(2 * q.hi, 2 * q.lo);
+    const double p = sqrt(twice.hi);
     if (q.hi < SERIES_END) {
         t.hi = p;
         if (q.hi < COR_INLINE_2_M500) { /* and 0: the square of p may underflow */
             t.lo = q.hi * (2.0 / 3);
             return t;
         }
-        const struct cor_inline_pair square = cor_inline_product(p, p);
-        t.lo = (((2 * q.hi - square.hi) - square.lo) + 2 * q.lo) / (2 * p) + series_rest(p);
+        t.lo = cor_pair_root_with(twice, p, 1 / p).lo + series_rest(p);
         return t;
     }
     /* y = 1 + t, and the next y is y (1 + e). With r = q - (t - ln(1 + t)), e solves t e + e - ln(1 + e) = r. The

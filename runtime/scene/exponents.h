@@ -4,10 +4,8 @@
 #define COR_RUNTIME_SCENE_EXPONENTS_H
 
 #include "cor/scene.h"
-#include "runtime/number/inline.h"
+#include "runtime/number/elementary.h"
 #include "runtime/number/si_range.h"
-
-#define COR_PI 3.14159265358979323846
 
 COR_INLINE double cor_elastic(const struct cor_exponents *law)
 {

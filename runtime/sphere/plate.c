@@ -4,6 +4,7 @@
 
 #include "cor/contact.h"
 #include "cor/status.h"
+#include "runtime/number/elementary.h"
 #include "runtime/number/si_range.h"
 #include "runtime/sphere/contact_parts.h"
 
@@ -133,8 +134,8 @@ double cor_plate_least_half_width_m(const struct cor_sphere_contact *contact, co
 {
     if (plate_status(plate) != COR_OK)
         return NAN;
-    const double pi = 3.14159265358979311600;
     const double modulus = plane_modulus(plate->young_modulus_pa, plate->poisson_ratio),
                  square = cor_si_quotient(modulus, 12 * plate->density_kg_m3);
-    return 2 * sqrt(pi * plate_duration(contact, speed_m_s)) * sqrt(cor_si_product(plate->thickness_m, sqrt(square)));
+    return 2 * sqrt(COR_PI * plate_duration(contact, speed_m_s)) *
+           sqrt(cor_si_product(plate->thickness_m, sqrt(square)));
 }

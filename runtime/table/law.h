@@ -286,7 +286,7 @@ COR_KERNEL struct cor_inline_pair cor_inline_law_below(struct cor_inline_law_qua
  * is 2^-90 where eps is not 0. Next to beta_c the result is 1e9. */
 COR_KERNEL struct cor_inline_pair cor_inline_law_linear(struct cor_inline_law_quantity q, double beta)
 {
-    const struct cor_inline_pair pi = cor_pair(3.141592653589793116, 1.2246467991473532e-16);
+    const struct cor_inline_pair pi = cor_pair(COR_PI, COR_PI_TAIL);
     const struct cor_inline_pair square = cor_inline_product(beta, beta);
     const struct cor_inline_pair difference = cor_pair_two_sum(q.critical.hi, -square.hi);
     const struct cor_inline_pair om2 = cor_inline_sum(difference.hi, difference.lo + (q.critical.lo - square.lo));
@@ -457,7 +457,7 @@ COR_KERNEL double cor_inline_law_beta_far(struct cor_inline_law_quantity q, doub
     const struct cor_inline_pair root = cor_inline_law_beta_of_power(q, eps, &exponent);
     if (q.far_kind == 2)
         return cor_inline_pair_scaled(root, exponent);
-    const double s = (double)q.power.den / -q.power.num, log_root = log(root.hi) + exponent * 0.6931471805599453;
+    const double s = (double)q.power.den / -q.power.num, log_root = log(root.hi) + exponent * COR_LN2;
     double x = 0;
     for (int k = 0; k < 3; k++)
         x = cor_inline_law_orders(q, log_root + s * x) / q.far(0)[0];
@@ -500,7 +500,7 @@ COR_KERNEL double cor_inline_law_beta_near(struct cor_inline_law_inverse inverse
 /* Returns beta_c loss/pi for a loss that may be subnormal. */
 COR_KERNEL double cor_inline_law_linear_slope(struct cor_inline_law_quantity q, double loss)
 {
-    const struct cor_inline_pair pi = cor_pair(3.141592653589793116, 1.2246467991473532e-16);
+    const struct cor_inline_pair pi = cor_pair(COR_PI, COR_PI_TAIL);
     const struct cor_inline_pair slope = cor_pair_over(q.threshold, pi);
     const struct cor_inline_pair beta = cor_inline_pair_times(slope, cor_pair(loss * COR_INLINE_2_200, 0));
     return (beta.hi + beta.lo) * COR_INLINE_2_M200;

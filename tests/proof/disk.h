@@ -108,8 +108,9 @@ static void write_log_near(void)
 
 /* ---- t of q ---- */
 
-/* A rounded root p of the double t, and its correction c = (t + tl - p^2)/(2 p); h and low are the square of p. c is
- * within 2^-70 for p from [1, 2]. Powers of four in t scale every operation. */
+/* A rounded root p of the double t, and the correction c = (t + tl - p^2)/(2 p) of cor_pair_root; h and low are the
+ * square of p. c is within 2^-70 for p from [1, 2]. Powers of four in t scale every operation. */
+#define ROOT_CORRECTION "c:((0.5*s:(((t-h)-low)+tl))*r:(1/p))"
 static void write_root_correction(const std::string &name, gappa g)
 {
     g.cut("p", "[1, 2]");
@@ -121,10 +122,10 @@ static void write_root_correction(const std::string &name, gappa g)
     g.assume("$t - $p * $p in [-1b-50, 1b-50]");
     g.say("R = ($t - $p * $p) + $tl;");
     g.hint("$t - $h -> ($t - $p * $p) - ($h - $p * $p)");
-    g.hint("$c.a - R -> ($c.a - ($c.aa + $tl)) + ($c.aa - ($c.aaa - $low)) + ($c.aaa - ($t - $h)) - " + product);
-    g.hint("$c.a -> R + ($c.a - R)");
-    g.hint("$c - R / (2 * $p) -> ($c - $c.a / $c.b) + ($c.a - R) / (2 * $p) + $c.a * (2 * $p - $c.b) / ($c.b * (2 * "
-           "$p)) { $p <> 0, $c.b <> 0 }");
+    g.hint("$s - R -> ($s - ($s.a + $tl)) + ($s.a - ($s.aa - $low)) + ($s.aa - ($t - $h)) - " + product);
+    g.hint("$s -> R + ($s - R)");
+    g.hint("$c - R / (2 * $p) -> ($c - $c.a * $r) + ($c.a - 0.5 * $s) * $r + 0.5 * ($s - R) * $r + 0.5 * R * ($r - 1 / "
+           "$p) { $p <> 0 }");
     g.write(name, {}, "|$c - R / (2 * $p)| in [0, 1b-70]");
 }
 
@@ -142,7 +143,7 @@ static void write_series(void)
     const struct cor_inline_pair q = {variable("q", 0.04), variable("q_lo", 1e-19)}, t = cor_lambert_t_pair(q);
     gappa shape;
     shape.match(t.hi, "p:sqrt(t)");
-    shape.match(t.lo, "(c:((((t-h)-low)+tl)/(2*p))+rest)");
+    shape.match(t.lo, "(" ROOT_CORRECTION "+rest)");
     check_formula("the series of cor_lambert_t_pair", {shape["rest"]}, [&](assignment &known) {
         const mpq_class z = known[shape["p"]] = arbitrary();
         mpq_class series = 0;
@@ -295,7 +296,7 @@ static void write_pair_sqrt(void)
     const struct cor_inline_pair x = pair_variable("x", 1.3), root = pair_sqrt(x);
     gappa shape;
     shape.call({{"t", x.hi}, {"tl", x.lo}});
-    shape.match(root.hi, "(p:sqrt(t)+c:((((t-h)-low)+tl)/(2*p)))");
+    shape.match(root.hi, "(p:sqrt(t)+" ROOT_CORRECTION ")");
     write_root_correction("disk_pair_sqrt", shape);
 }
 
