@@ -207,7 +207,7 @@ int ellipse_bound_make(struct ellipse_bound *bound, const struct interval *inter
     struct cover work = {
         .interval = interval, .bound = bound, .set = ellipse_bound_set(interval), .stored = stored_of_sphere};
     return cover_ellipse(&work, rho) ? STATUS_OK
-                                     : fail("the collision has no bound in the ellipse rho = %g around [%g, %g]", rho,
+                                     : fail("cannot bound the collision in the ellipse rho = %g around [%g, %g]", rho,
                                             interval->lo, interval->hi);
 }
 

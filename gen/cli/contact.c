@@ -11,8 +11,8 @@
 #include "support/console.h"
 #include "support/gnuplot.h"
 
-_Static_assert(OPTIONS_NOT_GIVEN == COR_BOTH_ENDS, "--end that is not given stands for both ends");
-_Static_assert(OPTIONS_NOT_GIVEN == COR_NO_INTEGRATOR, "--integrator that is not given is that of the simulator");
+_Static_assert(OPTIONS_NOT_GIVEN == COR_BOTH_ENDS, "an --end that is not given means both ends");
+_Static_assert(OPTIONS_NOT_GIVEN == COR_NO_INTEGRATOR, "an --integrator that is not given means the simulator's own");
 
 #define DEFAULT_STEPS "50"
 
@@ -52,7 +52,7 @@ static int check_options(const struct contact_arguments *o, const struct contact
         return usage_error("--angle and --tangential-speed need --speed LIST, the normal component of the velocity");
     const struct values *const given = o->angle.count > 0 ? &o->angle : &o->tangential_speed;
     if (o->walton && (given->count < 3 || given->least == given->largest))
-        return usage_error("--walton needs three different angles or more, for example --angle 1:89:lin:89");
+        return usage_error("--walton needs at least three different angles, for example --angle 1:89:lin:89");
     if (o->walton && o->simulator)
         return usage_error("--walton and --for exclude each other; leave out --for");
     if (slides && (isnan(c->mass_kg) || contacts->scene.plate || c->adhesion_j_m2 > 0))
@@ -67,7 +67,7 @@ static int check_options(const struct contact_arguments *o, const struct contact
     double spring, dashpot;
     const int end = contact_end(contacts, 0);
     if (o->tangential.text && !slides && (o->speed.count > 0 || o->simulator))
-        return usage_error("--tangential-restitution with --for needs --friction MU, with --speed also --angle LIST");
+        return usage_error("--tangential-restitution needs --friction MU, and with --speed also --angle LIST");
     if (o->tangential.text && end == COR_BOTH_ENDS)
         return usage_error(
             "--tangential-restitution needs --end zero-overlap or zero-force, because the duration depends on the end");
@@ -85,8 +85,8 @@ static int check_options(const struct contact_arguments *o, const struct contact
     if (o->integrator == COR_IMPLICIT_EULER && !(c->law.elastic == c->law.denominator && c->law.damping == 0))
         return usage_error("--integrator implicit-euler needs --law linear, the spring and dashpot of physics engines");
     if (contacts->scene.end == COR_END_APPROACH_ONLY && (!cor_scene_has_end(c, COR_END_APPROACH_ONLY) || o->plot))
-        return usage_error("--end approach-only needs the law viscoelastic, linear, tsuji, hertz-dashpot or "
-                           "hunt-crossley, without force, yield and liquid, and without --plot");
+        return usage_error("--end approach-only needs --law viscoelastic, linear, tsuji, hertz-dashpot or "
+                           "hunt-crossley; leave out --gravity, --adhesion, --viscosity-liquid and --plot");
     const bool refused = c->adhesion_j_m2 > 0 || c->liquid_speed_m_s > 0;
     if ((c->plastic || (!o->simulator && (refused || contacts->scene.end == COR_END_APPROACH_ONLY))) &&
         request_of(o, NULL).step_errors)
@@ -200,7 +200,7 @@ static int print_own(const struct contact_arguments *o, const struct own_law *la
     struct table table;
     struct output out;
     if (speed->count == 0)
-        return usage_error("--law %s needs --speed, as --speed 0.1,1,10", embed_law_names[law->law]);
+        return usage_error("--law %s needs --speed, for example --speed 0.1,1,10", embed_law_names[law->law]);
     int status = own_law_check(law, speed->least, speed->largest);
     if (o->simulator && status == STATUS_OK) {
         char *const text = contact_own_lines(law, &o->scene, o->simulator, speed->nearest, speed->count);
@@ -319,16 +319,16 @@ static const char help[] =
     "Output:\n"
     "  --speed LIST     impact speeds, m/s, as values and ranges such as 0.1,1,10 or 0.01:10:log:7, or\n"
     "                   @FILE to read them from a file\n"
-    "  --end E          end at which eps was measured, and which --plot shows: zero-overlap, zero-force,\n"
-    "                   approach-only, or under a constant force zero-overlap or surface (default both)\n"
+    "  --end E          end of contact of a measured eps and of --plot: zero-overlap, zero-force or\n"
+    "                   approach-only; under a constant force zero-overlap or surface (default both)\n"
     "  --steps N        time steps in the shortest duration, 1 to 1e9, for time_step_s (default " DEFAULT_STEPS ")\n"
     "  --time-step DT   time step, s, instead of --steps\n"
-    "  --step-tolerance T   largest step_bias and step_scatter, 1e-5 to 1, instead of --steps. The\n"
-    "                   three options add both columns, mean and standard deviation of the error of eps\n"
-    "                   over the phases of the first step\n"
-    "  --step-corrected   print also the damping that makes step_bias 0, and the factor to it\n"
-    "  --integrator I   integrator, verlet-half-step (as LAMMPS), leapfrog, symplectic-euler (both like\n"
-    "                   the first), verlet-full-step, or with --law linear implicit-euler\n"
+    "  --step-tolerance T   largest step_bias and step_scatter, 1e-5 to 1, instead of --steps.\n"
+    "                   The three options add these columns, mean and standard deviation of the error of\n"
+    "                   eps over the phases of the first step\n"
+    "  --step-corrected   also print the damping that makes step_bias 0, and its ratio\n"
+    "  --integrator I   integrator, verlet-half-step (used by LAMMPS), leapfrog, symplectic-euler (both\n"
+    "                   give the same), verlet-full-step, or with --law linear implicit-euler\n"
     "                   (default verlet-half-step; with --for the simulator's)\n"
     "  --erp E --cfm C  ERP and CFM of an engine with implicit steps, such as ODE; need --time-step and\n"
     "                   --effective-mass\n"
@@ -339,11 +339,11 @@ static const char help[] =
     "                   velocities of an elastic impact without slip, and the largest angle of sticking\n"
     "  --angle LIST | --tangential-speed LIST   oblique impacts with --friction and --speed (the normal\n"
     "                   component): angles, degrees, 0 to below 90, or tangential speeds, m/s\n"
-    "  --tangential MODEL   tangential force, displacement, force, rescaled, viscous, or a name such as\n"
-    "                   mindlin_rescale, history or yade in a simulator (default displacement)\n"
+    "  --tangential MODEL   model of the tangential force: displacement, force, rescaled, viscous, or a\n"
+    "                   simulator's name, such as mindlin_rescale or history (default displacement)\n"
     "  --tangential-stiffness KT, --tangential-damping X   tangential stiffness (default Mindlin's), and\n"
     "                   ratio of tangential to normal damping (default 0; viscous 1)\n"
-    "  --walton         print the best friction and beta_0 of Walton over the angles\n"
+    "  --walton         print friction and beta_0 of Walton's model that fit the angles best\n"
     "  --tangential-restitution E   tangential e of --law linear; sets its tangential spring and dashpot\n"
     "  --equivalent Q   quantity, energy or duration, at which a linear spring equals Hertz's contact at\n"
     "                   the speed --at; adds columns hertz_ of Hertz's contact at each --speed\n"
@@ -351,11 +351,11 @@ static const char help[] =
     "  --format F       output format, text, csv or json (default text)\n" HELP_COMMON "\n"
     "Columns: speed_m_s,beta,eps_zero_overlap,eps_zero_force,duration_s_zero_overlap,\n"
     "duration_s_zero_force,max_overlap_m,max_force_n,time_step_s (surface for zero_force under a\n"
-    "force); step_bias,step_scatter of the end, or of both; damping_correction and that damping;\n"
+    "force); step_bias,step_scatter for each end; damping_correction and the corrected damping;\n"
     "measured_end without --end; contact_radius_m,max_pressure_pa. Without --speed quantity,value,unit.\n"
     "With angles speed_m_s,angle_degrees,tangential_speed_m_s,tangential_restitution (-u'/u),\n"
     "rebound_angle_degrees,spin_rad_s (of body 1),regime (stick, slip, both); with --walton\n"
-    "speed_m_s,eps,friction,beta_0,largest_error; end, where it matters and is not given.\n\n"
+    "speed_m_s,eps,friction,beta_0,largest_error; also end, if it matters and is not given.\n\n"
     "Example: corgen contact --young 7e10 --poisson 0.2 --radius 5e-3 --density 2500 --restitution 0.9 \\\n"
     "             --at 1 --end zero-force --speed 0.1,1,10\n";
 

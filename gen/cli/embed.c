@@ -21,8 +21,8 @@ static int run_embed(const void *arguments)
         status = contacts_without_jkr(&contacts, &o->scene);
     if (status == STATUS_OK && !own && contacts.contact[0].force_n > 0 && law_is_linear(&contacts.scene.law) &&
         contacts.contact[0].damping > 0)
-        status = usage_error("headers with --gravity or --adhesion are not possible for the laws linear and tsuji, "
-                             "whose eps does not depend on the speed without them; use corgen sample for a table");
+        status = usage_error("headers with --gravity or --adhesion are not possible for the laws linear and tsuji; use "
+                             "corgen sample, which writes a table");
     if (status != STATUS_OK)
         return status;
     if (!own)
@@ -57,7 +57,7 @@ static const char help[] =
     "Usage: corgen embed --speed-min G --speed-max G --tolerance T BODIES DISSIPATION [OPTION]...\n\n"
     "Writes a self-contained header (C99, C++11, CUDA and HIP) with one function from the impact speed\n"
     "to eps: the cheapest form that meets the tolerance between the two speeds. With --gravity or\n"
-    "--adhesion it is 0 up to the sticking speed.\n\n"
+    "--adhesion eps is 0 up to the sticking speed.\n\n"
     "  --speed-min G, --speed-max G   range of speeds, m/s; other speeds give the value of the nearer end\n"
     "  --tolerance T    largest relative error of eps, 1e-15 (float: 4e-7) to 0.1\n" HELP_END_PRESSED
     "  --type T         type of the numbers, double or float (default double)\n"

@@ -201,9 +201,9 @@ static const char help[] =
     "and of sqrt(beta) at zero force.\n\n"
     "  --numerator M    degree of the numerator, 0 to 2000\n"
     "  --denominator N  degree of the denominator, 0 to 2000\n"
-    "  --two-point      match the limit of large beta, too; needs zero overlap and N = M + 5\n"
+    "  --two-point      also match the limit of large beta; needs zero overlap and N = M + 5\n"
     "  --as-published   reproduce the published [1/4] from its printed coefficients\n" HELP_DIGITS HELP_END
-    "  --header FILE    write also C functions of eps and 1 - eps, with their errors up to beta = 2\n"
+    "  --header FILE    also write C functions of eps and 1 - eps, with their errors up to beta = 2\n"
     "                   (two-point: 1000), unless the approximant has a pole or a zero at beta > 0\n"
     "  --force          write the header also if the approximant has a pole or a zero at beta > 0\n"
     "  --format F       text (default), csv or json\n" HELP_JSON_STRINGS HELP_LAW HELP_COMMON "\n"

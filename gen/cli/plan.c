@@ -40,8 +40,8 @@ static int plan_of_spheres(struct plan *plan, const struct plan_arguments *o)
     if (status == STATUS_OK)
         status = contacts_of_request(&contacts, &scene);
     if (status == STATUS_OK && (contacts.contact[0].plastic || contacts.contact[0].liquid_speed_m_s > 0))
-        status = usage_error("corgen plan has models only of dry contacts that do not yield; use corgen contact, "
-                             "sample or embed with --law elastic-plastic and --viscosity-liquid");
+        status = usage_error("corgen plan has models only of dry contacts that do not yield; for --law elastic-plastic "
+                             "and --viscosity-liquid use corgen contact, sample or embed");
     if (status == STATUS_OK) {
         contact_warn_yield(&contacts, embed_number(&scene, EMBED_SPEED_MAX));
         status = plan_spheres(plan, &scene, contacts.contact, &o->scene, pressed.contact, o->points);
@@ -94,8 +94,8 @@ static const char help[] =
     "Disks that collide with a rigid wall, with all their modes: speeds in sqrt(E/rho), 0.001 to 0.5.\n"
     "  --disks          use disks instead of spheres; disks lose energy to their vibrations\n"
     "  --poisson NU     Poisson's ratio in plane stress, between -1 and 1, such as 0.33 or 1/3\n"
-    "  --quantity Q     quantity to compare, eps (T is its error), or contact-time or compression, the\n"
-    "                   largest (T is the relative error) (default eps)\n\n"
+    "  --quantity Q     quantity to compare: eps (T is its error), or contact-time or compression, the\n"
+    "                   largest compression (T is the relative error) (default eps)\n\n"
     "  --points N       number of speeds at which models are compared, 2 to 1000 (default 33, disks 9)\n"
     "  --format F       output format, text, csv or json (default text)\n" HELP_COMMON "\n"
     "Columns of csv and json: model,beta (speed of disks),value,error,cost,uncertainty,verdict;\n"

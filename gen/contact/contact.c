@@ -65,8 +65,8 @@ int contacts_of_request(struct contacts *contacts, const struct embed_request *r
     if (status <= 0)
         return status == COR_FAULT_NONE ? STATUS_OK : STATUS_FAILED;
     if (fault.fault == COR_FAULT_NO_DAMPING && contacts->scene.end == COR_END_APPROACH_ONLY)
-        return usage_error("--end approach-only with --restitution needs the law viscoelastic, linear, tsuji, "
-                           "hertz-dashpot or hunt-crossley, without force, yield and liquid");
+        return usage_error("--end approach-only with --restitution needs --law viscoelastic, linear, tsuji, "
+                           "hertz-dashpot or hunt-crossley; leave out --gravity, --adhesion and --viscosity-liquid");
     const struct cor_scene_contact *const c = &contacts->contact[0];
     const double at_m_s = isnan(contacts->at_m_s) ? 1 : contacts->at_m_s,
                  elastic_s = cor_scene_elastic_duration_s(c, at_m_s), duration_s = sphere.number[COR_SCENE_DURATION];

@@ -74,9 +74,8 @@ static int impact_of(struct cor_oblique_impact *impact, const struct contacts *c
     if (model->damper_in_cap && !model->constant_stiffness && ratio * tangent > request->friction &&
         (model->memory == COR_REMEMBERS_DISPLACEMENT || model->memory == COR_REMEMBERS_DISPLACEMENT_RESCALED) &&
         c->law.damping < c->law.elastic - c->law.denominator)
-        request->remark =
-            "The tangential damper exceeds the friction at the first touch: a simulation with a usual time "
-            "step rebounds otherwise. Reduce --tangential-damping.";
+        request->remark = "The tangential damper exceeds the friction at the first touch, so the rebound in a "
+                          "simulation depends on its time step. Reduce --tangential-damping.";
     return status == COR_FAULT_NONE ? STATUS_OK
                                     : fail("cannot integrate the oblique impact at %g m/s with the tangential speed %g "
                                            "m/s: its numbers are out of range",
@@ -181,8 +180,8 @@ int contact_oblique(struct table *table, const struct contacts *contacts, struct
                     bounded = bounded || 1 - slip / tangent[j] < -beta_0;
                 if (!bounded) {
                     beta_0 = NAN;
-                    request->remark =
-                        "No beta_0: the contact slips to its end at every angle, so that beta_0 does not matter.";
+                    request->remark = "No beta_0: the contact slips to its end at every angle, so the result does not "
+                                      "depend on beta_0.";
                 }
                 const double value[] = {impact.eps, slip / factor, beta_0, error};
                 table_add_text(table, decimal_text(text, speed));

@@ -207,8 +207,8 @@ int embed_contact_numbers(arb_t beta_per_root, arb_t force, arb_t yield_speed, a
     else if (embed_given(request, COR_SCENE_BETA))
         LET(beta_per_root, prec, law_is_linear(law) ? "beta" : "beta/at^q", beta, at, q);
     else if (embed_given(request, COR_SCENE_DURATION))
-        return usage_error("--duration does not give the damping exactly enough for a header; instead of it give "
-                           "--beta B --at G, --zeta Z or --restitution E --at G, which corgen contact prints");
+        return usage_error("the damping from --duration is not exact enough for a header; replace --duration by --beta "
+                           "B --at G, --zeta Z or --restitution E --at G, which corgen contact prints");
     else { /* force K x^a + C x^b x': beta g^-q = (C/m) (m/K)^((b+1)/(a+1)); C is given or (3/2) A K */
         LET(A, prec, embed_given(request, COR_SCENE_DAMPING_COEFFICIENT) ? "C" : "A*K*3/2", C, A, K);
         LET(beta_per_root, prec, "(m/K)^((b + 1)/(a + 1))*A/m", m, K, a, b, A);

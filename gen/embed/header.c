@@ -333,8 +333,8 @@ void embed_header_write(FILE *file, const struct embed_request *request, const s
     e.single = s->single;
     if (!request->name)
         fprintf(file,
-                "#ifdef COR_SCENE_H\n#error \"cor/scene.h has another %s: corgen embed --name gives this one a "
-                "name of its own\"\n#endif\n",
+                "#ifdef COR_SCENE_H\n#error \"cor/scene.h has another %s: choose another name for this function by "
+                "corgen embed --name\"\n#endif\n",
                 name);
     fprintf(file, "\n%s\n", evaluator_inline);
     for (int i = 0; i < 3; i++) {

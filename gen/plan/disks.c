@@ -13,8 +13,8 @@
 #include "sweep/hard_wall.h"
 
 /* Collisions with a soft wall of alpha = hardness/v; hardness 0: alpha is PAPER_ALPHA */
-#define SOME "higher modes; some hardness of the wall"
-#define MUCH "higher modes; much hardness of the wall"
+#define SOME "higher modes; the wall is a little too soft"
+#define MUCH "higher modes; the wall is much too soft"
 static const struct {
     size_t modes;
     double hardness;
@@ -22,7 +22,7 @@ static const struct {
 } dynamics[] = {{10, 56, SOME},   {30, 56, SOME},   {100, 56, SOME},
                 {300, 56, SOME},  {940, 56, SOME},  {1800, 56, SOME},
                 {3600, 56, SOME}, {300, 11, MUCH},  {300, 22, MUCH},
-                {1800, 11, MUCH}, {1800, 22, MUCH}, {940, 0, "higher modes; the wall is soft to slow disks"}};
+                {1800, 11, MUCH}, {1800, 22, MUCH}, {940, 0, "higher modes; the wall is too soft for slow disks"}};
 #define PAPER_ALPHA 500.0
 /* Rigid wall: tolerances of 1 - eps^2, and nanoseconds of a collision, including its modes: the median of 60 scenes of
  * bench/run, measured once (docs/speed) */
@@ -197,7 +197,7 @@ static void add_rayleigh(const struct disks *d)
         }
         char *table = modes_text(d, taken[k]);
         plan_model_is(
-            plan, m, NS_RAYLEIGH + NS_RAYLEIGH_MODE * (double)taken[k], "that vibrations act back on the load",
+            plan, m, NS_RAYLEIGH + NS_RAYLEIGH_MODE * (double)taken[k], "the effect of the vibrations on the load",
             xprintf("%sstruct cor_disk_modes cut = {modes->nu, %zu, modes->mode};\nstruct cor_disk_rayleigh out;\n"
                     "int status = cor_disk_rayleigh(&cut, %zu, COR_DISK_DATUM_CENTRE_OF_MASS, v, &out, NULL);\n"
                     "double eps = sqrt(1 - (out.fraction + out.tail));\n",
@@ -225,7 +225,7 @@ static void add_models_of_eps(const struct disks *d)
     char middle[32];
     snprintf(middle, sizeof middle, "%.6f", (low + high) / 2);
     add_constant(plan, "eps = 1", "1", "vibrations");
-    add_constant(plan, "constant eps", middle, "how eps goes with the speed");
+    add_constant(plan, "constant eps", middle, "the dependence of eps on the speed");
     add_rayleigh(d);
 
     /* the error is the promised uncertainty, because the reference comes from the same collisions as the table */
@@ -309,7 +309,7 @@ static int disks_fill(struct disks *d)
     for (slong i = 0; i < plan->points; i++)
         uncertainty = fmax(uncertainty, plan->uncertainty[i]);
     plan->title = xprintf("Disks of nu = %s at %s to %s sqrt(E/rho): %s from %.4g to %.4g,\n"
-                          "of a disk of all its modes at a rigid wall, uncertain by %.1e%s.\n",
+                          "for a disk with all its modes at a rigid wall, uncertain by %.1e%s.\n",
                           d->number[COR_SCENE_POISSON].text, d->number[EMBED_SPEED_MIN].text,
                           d->number[EMBED_SPEED_MAX].text, plan->quantity, plan->truth[0],
                           plan->truth[plan->points - 1], uncertainty, plan->relative ? ", relative" : "");

@@ -206,9 +206,9 @@ static void add_constants(const struct spheres *s)
             m->value[i] = eps;
         model_takes_force(s, m, cost_constant,
                           constant                            ? "nothing; eps is the same at every speed"
-                          : is_pressed(s) || s->scene.own.law ? "that eps depends on the speed"
-                          : speed_exponent(s) < 0             ? "that eps rises with the speed"
-                                                              : "that eps falls with the speed",
+                          : is_pressed(s) || s->scene.own.law ? "the dependence of eps on the speed"
+                          : speed_exponent(s) < 0             ? "the rise of eps with the speed"
+                                                              : "the fall of eps with the speed",
                           xprintf(constant ? "double eps = %.17g;\n" : "double eps = %.10g;\n", eps));
     }
 }
@@ -233,8 +233,9 @@ static void add_power_law(const struct spheres *s)
     for (slong i = 0; i <= last; i++)
         m->value[i] = fmin(1, a * pow(plan->speed[i], -b));
     model_takes_force(s, m, cost_power,
-                      speed_exponent(s) < 0 || is_pressed(s) || s->scene.own.law ? "how ln(eps) bends"
-                                                                                 : "how ln(eps) bends; eps = 1 at rest",
+                      speed_exponent(s) < 0 || is_pressed(s) || s->scene.own.law
+                          ? "the curvature of ln(eps)"
+                          : "the curvature of ln(eps); eps = 1 at rest",
                       xprintf("double eps = fmin(1, %.10g * pow(speed, %.10g));\n", a, -b));
 }
 
@@ -285,13 +286,13 @@ static void add_published(const struct spheres *s)
         const char *name, *leaves_out, *call, *after;
         double (*eps)(double beta);
         const double *cost;
-    } published[] = {{"simple theory (27)", "C_3 and all after it",
+    } published[] = {{"simple theory (27)", "C_3 and all later terms",
                       "cor_sphere_eps_simple(cor_contact_beta(&contact, speed))", "", cor_sphere_eps_simple,
                       cost_simple},
-                     {"Pade [1/4] as printed in 1999 (35)", "a_3 and all after it; zero force",
+                     {"Pade [1/4] as printed in 1999 (35)", "a_3 and all later terms; zero force",
                       "cor_sphere_eps_published_pade(cor_contact_beta(&contact, speed))", "",
                       cor_sphere_eps_published_pade, cost_published},
-                     {"Pade [1/4] as printed in 2011", "what follows beta^(5/2); zero overlap",
+                     {"Pade [1/4] as printed in 2011", "all terms above beta^(5/2); zero overlap",
                       "(1 + 0.501086*v)/(1 + v*(0.501086 + v*(1.15345 + v*(0.577977 + v*0.532178))))",
                       "/* v = sqrt(cor_contact_beta(&contact, speed)) */\n", eps_mueller_poeschel, cost_mueller}};
     for (size_t i = 0; i < sizeof published / sizeof *published; i++) {
@@ -331,7 +332,7 @@ static void add_pade(const struct spheres *s, const struct pade *f, slong root, 
     free(c);
     model_is(s, model, form.cost,
              two_point ? "terms between series and limit"
-                       : (root == 2 ? "all after sqrt(beta)^(m+n)" : "C_(m+n+1) and all after it"),
+                       : (root == 2 ? "all after sqrt(beta)^(m+n)" : "C_(m+n+1) and all later terms"),
              xprintf("corgen pade --numerator %ld --denominator %ld%s --end %s --force --header pade.h\n"
                      "/* arrays cor_sphere_pade_%s%s_%ld_%ld_p and _q: eps = P(z)/Q(z), z = %s */\n",
                      (long)m, (long)n, two_point ? " --two-point" : "", contact_end_options[s->scene.end],
@@ -452,7 +453,7 @@ static void add_other_end(const struct spheres *s)
     const int end = contact_end_named(other_end(s), is_pressed(s));
     struct plan_model *m = plan_add(plan, "the other end: %s", contact_end_options_pressed[end]);
     memcpy(m->value, s->other, (size_t)plan->points * sizeof *m->value);
-    model_takes_force(s, m, is_pressed(s) ? cost_pressed : cost_library, "which end the contact has", NULL);
+    model_takes_force(s, m, is_pressed(s) ? cost_pressed : cost_library, "the end of contact", NULL);
     m->shown = true;
 }
 

@@ -280,7 +280,7 @@ int tables_run(const struct tables_request *request)
     if (status == STATUS_OK && request->check && !material && disk_limits_known(NULL))
         status = check_limits(request);
     if (status == STATUS_OK && !request->check && !request->digits && !request->all && !material)
-        fprintf(out.file, "kept the collisions of " DISK_LIMITS_FILE "; --all makes them anew\n");
+        fprintf(out.file, "left the collisions of " DISK_LIMITS_FILE " unchanged; --all computes them again\n");
     if (output_commit(&out) != STATUS_OK)
         status = STATUS_FAILED;
     for (int i = 0; i < CONTENTS; i++)

@@ -106,7 +106,7 @@ class Contact:
         if erp is not None or cfm is not None or time_step is not None:
             spring = _spring_of_engine(law, erp, cfm, time_step)
             if spring.keys() & numbers.keys():
-                raise ValueError(f"erp, cfm, time_step: {', '.join(spring)} follow from them; leave these out")
+                raise ValueError(f"erp, cfm, time_step: they determine {', '.join(spring)}; leave these out")
             law, numbers = "linear", {**spring, **numbers}
         self._bodies = bodies
         self._scene = scene = ffi.new("struct cor_scene *")

@@ -537,7 +537,7 @@ static int fill_block(struct block *block, struct task *task, const struct cor_s
     const double requested = cor_simulator_damping(model, target, task->has_law), number = block->number[PAIR];
     if (status == COR_SIMULATOR_NO_CLOSED_FORM && task->pressed && !task->has_law) {
         snprintf(block->reason, SENTENCE,
-                 "under gravity it needs mass and stiffness: give bodies, or --stiffness and --effective-mass");
+                 "under gravity this model needs mass and stiffness: give bodies, or --stiffness and --effective-mass");
     } else if (status == COR_SIMULATOR_NO_CLOSED_FORM) {
         snprintf(
             block->reason, SENTENCE,
@@ -888,9 +888,9 @@ static void put_mass(struct text *t, const struct block *block, const struct tas
         snprintf(power_text, sizeof power_text, " is proportional to m^%s", number_text(power, 3).text);
     put_comment(t, "For this %s only, effective mass m = %s kg: %s%s. %s", wall ? "mass at the wall" : "pair of masses",
                 TEXT(task->contact[PAIR][0].mass_kg), name, power_text,
-                differ ? "Each pair of types has its own."
-                : wall ? "Where masses differ, each group of one mass needs a wall of its own."
-                       : "Where masses differ, each pair of types needs its own.");
+                differ ? "Each pair of types has its own number."
+                : wall ? "If masses differ, each group of one mass needs its own wall."
+                       : "If masses differ, each pair of types needs its own number.");
 }
 
 /* States the pairs of different bodies for which the lines hold, and the replacements for other pairs. */
@@ -898,28 +898,26 @@ static void put_pairs(struct text *t, const struct block *block, const struct ta
 {
     const enum cor_simulator_pairs pairs = block->model->pairs;
     const struct cor_scene *const scene = task->request->scene;
-    const char *const numbers = has_own_damping(scene)
-                                    ? "the damping of their materials, as given"
-                                    : "the damping of the pair 1 2, which is theirs only if both are of one material";
+    const char *const numbers =
+        has_own_damping(scene) ? "the damping of their materials, as given"
+                               : "the damping of the pair 1 2, which is right only if both bodies are of one material";
     if (task->types == 1 || scene->wall || block->model->has_function)
         return;
     if (pairs == COR_PAIRS_LINES)
-        put_comment(
-            t,
-            "Only 1 2 is active: your lines for 1 1 and 2 2 stay as they are. Where you have none, use those in the "
-            "comments. They have %s.",
-            numbers);
+        put_comment(t,
+                    "Only the line for 1 2 is active: your lines for 1 1 and 2 2 do not change. If you have none, use "
+                    "the lines in the comments. They have %s.",
+                    numbers);
     else if (pairs == COR_PAIRS_MATRIX)
-        put_comment(
-            t,
-            "The first and the last number of a matrix are of 1 1 and 2 2. They have %s: replace them by your own. "
-            "Leave out your own lines of the same properties.",
-            numbers);
+        put_comment(t,
+                    "The first and the last number of a matrix belong to 1 1 and 2 2. They have %s: replace them by "
+                    "your own numbers. Leave out your own lines of the same properties.",
+                    numbers);
     else if (pairs == COR_PAIRS_ONE_LAW)
         put_comment(
             t,
-            "One law for all contacts: 1 1, 2 2 and walls get the %.*s of 1 2. Where theirs is N, replace the number "
-            "by MatchMaker(matches=((i, j, N), ...)), with i and j the ids of the materials.",
+            "One law for all contacts: 1 1, 2 2 and walls get the %.*s of 1 2. If a pair needs another number N, "
+            "replace the number by MatchMaker(matches=((i, j, N), ...)), with i and j the ids of the materials.",
             (int)strcspn(block->model->parameter, ","), block->model->parameter);
     else
         put_comment(t, "Numbers of the pair 1 2, densities %s and %s kg/m^3. 1 1 and 2 2 need their own lines.",
@@ -970,7 +968,7 @@ static void put_realised(struct text *t, const struct block *block, const struct
         put_comment(t, "Right only at %s m/s: %s does not have the law of the contact.", TEXT(block->speed_m_s),
                     task->simulator->title);
     else if (speeds == 0)
-        put_comment(t, "eps depends on the impact speed as that of the contact does: --speed LIST prints it here");
+        put_comment(t, "eps depends on the impact speed, like the contact's own eps; --speed LIST prints eps here");
 }
 
 /* Writes the tangential restitution at each angle or tangential speed of the request. */
@@ -1001,8 +999,8 @@ static void put_own_e(struct text *t, const struct block *block, const struct ta
         return;
     const double back = cor_simulator_realised(block->model, eps);
     put_comment(t,
-                isnan(back) ? "%s takes e = %s for it, and refuses e = %s."
-                            : "%s takes e = %s for it: its e = %s realises %s.",
+                isnan(back) ? "In %s this eps needs e = %s; the simulator refuses e = %s."
+                            : "In %s this eps needs e = %s; there e = %s realises %s.",
                 task->simulator->title, TEXT(block->number[PAIR]), TEXT(eps), TEXT(back));
 }
 
@@ -1013,7 +1011,7 @@ static void put_setup(struct text *t, const struct block *block, const struct ta
     put_template(t, s->setup, block, task);
     t->commented--;
     if (!task->request->version && !cor_model_has_version(block->model, s->packaged))
-        put_comment(t, "%s %s, which Debian 12 has, lacks this model; --simulator-version %s asks for another one.",
+        put_comment(t, "%s %s of Debian 12 lacks this model; --simulator-version %s selects a model that it has.",
                     s->title, s->version, s->version);
 }
 
@@ -1073,9 +1071,10 @@ static void put_luding(struct text *t, struct task *task, double speed_m_s, doub
     put_comment(
         t, "eps = sqrt(k_1/k_2). These numbers of the pair realise eps = %s and the largest overlap, %s m, at %s m/s.",
         TEXT(eps), TEXT(x), TEXT(speed_m_s));
-    put_comment(
-        t, "At g m/s, up to twice that speed, eps = (1 + %s g)^(-1/2), which falls faster than eps of the spheres.",
-        TEXT(cor_quiet_quotient(cor_quiet_quotient(1, eps * eps) - 1, speed_m_s)));
+    put_comment(t,
+                "At g m/s, up to twice that speed, eps = (1 + %s g)^(-1/2), which falls faster with the speed than eps "
+                "of the spheres.",
+                TEXT(cor_quiet_quotient(cor_quiet_quotient(1, eps * eps) - 1, speed_m_s)));
     t->commented++;
     put_template(t, task->simulator->luding_lines, &block, task);
     t->commented--;
@@ -1113,7 +1112,7 @@ static void put_other_end(struct text *t, const struct block *active, struct tas
     double eps, speed;
     if (!ends_elsewhere(active->model, task))
         return;
-    put_comment(t, "%s has no contacts of this law that end at %s%s: those above have %s.", task->simulator->title,
+    put_comment(t, "%s has no contacts of this law that end at %s%s; the lines above have %s.", task->simulator->title,
                 cor_end_names[request->scene->end], request->version ? " in this version" : "",
                 active->same_eps ? "the requested eps at their own end" : "the damping of the contact");
     if (active->same_eps || !meet_eps(&met, &eps, &speed, task, active->model))
@@ -1176,9 +1175,9 @@ static int put_all(struct text *t, struct task *task)
                   other_end = !other_version && model->end != active.model->end;
         snprintf(instead, sizeof instead, "Instead, %s%s: ",
                  other_version                                      ? "in another version"
-                 : other_end                                        ? "where contacts are to end at "
-                 : model->damping_of_e && needs_mass(&active, task) ? "where masses differ"
-                                                                    : "the same by another parameter",
+                 : other_end                                        ? "if contacts must end at "
+                 : model->damping_of_e && needs_mass(&active, task) ? "if masses differ"
+                                                                    : "the same damping, set by another parameter",
                  other_end ? cor_end_names[model->end] : "");
         if (!fill_block(&block, task, model)) {
             put_comment(t, "Not possible: %s: %s.", model->model, block.reason);
@@ -1447,19 +1446,20 @@ static int find_contact(struct task *task, size_t i, size_t j)
             number[COR_SCENE_DISSIPATION_TIME] = dissipation_time(r, i, end, &ends);
             number[COR_SCENE_DISSIPATION_TIME_2] = dissipation_time(r, j, end, &ends);
             if (isnan(number[COR_SCENE_DISSIPATION_TIME] + number[COR_SCENE_DISSIPATION_TIME_2]))
-                return refuse_contact(task, i, j,
-                                      "the damping of their contact is missing; give a row of pairs for both, or, for "
-                                      "each of them, a dissipation time or a row of viscoelastic pairs with itself");
+                return refuse_contact(
+                    task, i, j,
+                    "the damping of their contact is missing; give a row of --pairs for these two, or give each "
+                    "material a dissipation time or a viscoelastic row of --pairs with itself");
         }
         const int status = cor_scene_contacts(found, &c->count, &fault, &c->scene);
         if (status != COR_FAULT_NONE) {
             cor_scene_fault_text(text, sizeof text, &fault, "of the request", NULL);
             return refuse_contact(task, i, j,
-                                  status < 0                           ? "not solved"
-                                  : fault.fault != COR_FAULT_NOT_HERTZ ? text
-                                                                       : "materials have Hertz's force; allowed: "
-                                                                         "the laws viscoelastic, tsuji, "
-                                                                         "hertz-dashpot and hunt-crossley");
+                                  status < 0 ? "not solved"
+                                  : fault.fault != COR_FAULT_NOT_HERTZ
+                                      ? text
+                                      : "the law of materials must have Hertz's force; allowed: viscoelastic, tsuji, "
+                                        "hertz-dashpot, hunt-crossley");
         }
         memcpy(c->contact + end, found, sizeof *found * (size_t)c->count);
     }
@@ -1516,7 +1516,7 @@ static int check_materials(struct task *task)
                            material_of(r, balls + 1)->name);
     for (const struct cor_material_pair *p = r->pairs; p < r->pairs + r->pair_count; p++) {
         if (p->a >= types || p->b >= types)
-            return refuse_task(task, "a pair has a material that is not in the list of materials");
+            return refuse_task(task, "a pair names a material that is not in the list of materials");
         const struct cor_material *const a = &r->materials[p->a], *const b = &r->materials[p->b];
         if (is_wall(a) && is_wall(b))
             return refuse_task(task, "%s and %s: two walls never touch; leave out this pair", a->name, b->name);
@@ -1594,8 +1594,8 @@ static void put_largest(struct text *t, const struct block *block, const struct 
                              model->damping_of_number(block->number[PAIR], &made, speed), speed);
     if (cor_scene_eps(&eps, &made, speed, (int)model->end) == 0 &&
         cor_scene_eps(&wanted, &c, speed, (int)model->end) == 0)
-        put_comment(t, "between the largest balls it realises eps = %s at %s m/s; the materials have %s", TEXT(eps),
-                    TEXT(speed), TEXT(wanted));
+        put_comment(t, "between the largest balls this line realises eps = %s at %s m/s; the materials have %s",
+                    TEXT(eps), TEXT(speed), TEXT(wanted));
 }
 
 /* Prints the source of a contact's damping, and the resulting eps. */
@@ -1708,7 +1708,7 @@ static int put_materials(struct text *t, struct task *task)
         if (k % types >= k / types && start_contact(&own, task, k / types, k % types)) {
             fill_block(&block, &own, model);
             if (k == 0 && needs_mass(&block, &own))
-                put_comment(t, "%.*s depends on the masses: each line is for the radii of its types.",
+                put_comment(t, "%.*s depends on the masses: each line holds for the radii of its two types.",
                             (int)strcspn(model->parameter, ","), model->parameter);
             put_contact(t, &block, &own);
         }
@@ -1739,7 +1739,7 @@ long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_req
         if (!found && !*task.refusal && !(request->friction > 0) && replace_law(&linear, &scene, spring, &task)) {
             put_comment(&t,
                         "%s has no model for the law %s. A linear spring takes its place, of the same duration at %s "
-                        "m/s without damping: eps and duration of the contact are right at this speed only.",
+                        "m/s without damping; eps and duration of the contact are right only at this speed.",
                         task.simulator->title, task.law, TEXT(task.target[PAIR].speed_m_s));
             task = (struct task){.request = &linear};
             found = check_task(&task) && find_speed(&task) && put_all(&t, &task);

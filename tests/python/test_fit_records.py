@@ -112,7 +112,7 @@ REFUSED = [
     ("line 3: longer than 65536 characters", POINTS + "1,1\n" + "x" * 200000, {}),
     ("line 1: 'x{40}': no such column", "x" * 65536, {}),
     ("line 1: more than 256 cells", POINTS.strip() + ",a" * 255, {}),
-    ("line 4, column t_s: 0.5 is not after the bounce before", TIMES + "0\n1\n0.5\n", {}),
+    ("line 4, column t_s: 0.5 is not after the previous bounce", TIMES + "0\n1\n0.5\n", {}),
     ("line 3, column t_s: '-1' is not allowed; allowed: a time from 0 to", TIMES + "0\n-1\n", {}),
     ("line 2, column h1_cm: '-64' is not allowed; allowed: a height from 0", "h0_cm,h1_cm\n100,-64\n", {}),
     ("line 3, column h_cm: '-64' is not allowed; allowed: a height above 0", "h_cm\n100\n-64\n", {}),

@@ -137,7 +137,7 @@ def test_kept_and_late(tmp_path, monkeypatch):
     assert "create_atoms 1 single" in (folder / "1/2/3/cor-sent").read_text()
     Path(late).write_text("#!/bin/sh\nexec sleep 100\n")
     os.chmod(late, 0o755)
-    limits = {"RUN_S": (process, "no answer within 0 s"), "ALL_S": (measure, "the 10 minutes are over")}
+    limits = {"RUN_S": (process, "no answer within 0 s"), "ALL_S": (measure, "the runs took 10 minutes")}
     for name, (module, reason) in limits.items():
         with monkeypatch.context() as limit:
             limit.setattr(module, name, 0.2)

@@ -502,7 +502,7 @@ def several(host, work, seed):
                       "--friction=0.05", "--for", host, "--steps=%d" % UNLIKE_STEPS] + ["--simulator-version=2023.02"] * (host == "yade"))
     paste, dt = written(work, "several", text), float(re.search(r"^(?:timestep|O\.dt =) (\S+)", text, re.M)[1])
     kinds = [(*pair, 1, float(eps)) for pair, eps in e.items()] + [
-        (0, 0, 1.3, float(eps)) for eps in re.findall(r"between the largest balls it realises eps = (\S+) at", text)[:1]]
+        (0, 0, 1.3, float(eps)) for eps in re.findall(r"largest balls this line realises eps = (\S+) at", text)[:1]]
     commands, n = [], 12000
     for i, j, factor, _ in kinds:
         radii = [factor * float(balls[k % 2][2]) for k in (i, j)]

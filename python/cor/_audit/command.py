@@ -55,7 +55,7 @@ def add_arguments(parser: Parser) -> None:
         help="impact angle, degrees, 0 to below 90; fills tangential_restitution (-u'/u) for pair styles granular "
         "and gran/*/history of LAMMPS, and hertz tangential history of LIGGGHTS, without rolling")  # fmt: skip
     add("--tolerance", type=positive, metavar="T", default=0.01,
-        help="largest relative difference of eps and e, and scatter, of a contact as asked (default 0.01)")  # fmt: skip
+        help="largest relative error of eps, and largest scatter, of a contact as asked (default 0.01)")  # fmt: skip
     add(
         "--for",
         dest="simulator",

@@ -807,8 +807,8 @@ class Granular(System):
         reasons = {
             "superquadric": "The particles are superquadrics, which cor does not support.",
             "cohesion": "The cohesion changes eps.",
-            "viscous": "With viscous on the Stokes number of each impact sets the damping.",
-            "absolute_damping": "With absolute_damping on gamman is replaced by gamman_abs, which is not read.",
+            "viscous": "With 'viscous on', the Stokes number of each impact sets the damping.",
+            "absolute_damping": "With 'absolute_damping on', LIGGGHTS uses gamman_abs, which cor does not read.",
         }
         if math.isnan(contact.number):
             contact.unknown = f"A value is not known here: {name}."

@@ -133,7 +133,7 @@ def by_script(words: List[str], folder: str, path: str, options: Options, rows: 
         message(f"{path}: the script ended: {reason}")
     for row, c in zip(rows, todo):
         if math.isnan(c.eps_small_step):
-            refuse(row, c.reason or reason or "the script does not come to its run")
+            refuse(row, c.reason or reason or "the script ends before its first run")
         else:
             enter(row, c.eps, c.eps_small_step, version)
 

@@ -165,8 +165,8 @@ class _Audit:
             ratio = (overlaps[0] / overlaps[1]) ** power * math.sqrt((1 - d) / (1 + d))
             ratio *= lib.cor_law_eps(law, end, way_out)
         without, row.realised, row.duration_s = row.realised, ratio, NAN
-        row.advice += f" The damping of all forces, {d:.6g}, changes eps from {without:.6g}: set it to 0. The number "
-        row.advice += "holds on a fixed body, and for two bodies of opposite momenta."
+        row.advice += f" The damping of all forces, {d:.6g}, changes eps from {without:.6g}: set it to 0. This eps "
+        row.advice += "holds for a fixed partner, and for two bodies of opposite momenta."
 
     def add_surface(self, row: Row, contact: Contact, scene: Any, speed: float, end: int) -> None:
         """Sets eps at the surface under gravity that presses the sphere against a wall."""
@@ -425,9 +425,9 @@ class _Audit:
             if contact.global_damping != 0 or row.realised == 0 < contact.threshold:
                 continue
             if wrong and math.isnan(e):
-                row.advice = f"{row.advice} No e realises it here.".strip()
+                row.advice = f"{row.advice} No e gives the asked eps here.".strip()
             elif wrong and (contact.repair is None or not contact.slots):
-                row.advice = f"{row.advice} It needs e = {e:.6g}.".strip()
+                row.advice = f"{row.advice} This contact needs e = {e:.6g}.".strip()
             elif contact.repair is not None and contact.slots and not math.isnan(e):
                 groups.setdefault(id(contact.repair), []).append((row, contact, e))
         for group in groups.values():
@@ -447,7 +447,7 @@ class _Audit:
             if abs(row.realised - row.asked) <= self.options.tolerance * row.asked:
                 continue
             if any(len(values) > 1 for values in wanted.values()):
-                row.advice += f" It needs e = {e:.6g}, but contacts that share the number need another one."
+                row.advice += f" This contact needs e = {e:.6g}, but contacts that share this number need another e."
                 continue
             row.instead, row.instead_file, row.instead_line, row.instead_last = (
                 text,

@@ -85,7 +85,7 @@ class Process:
             except OSError:  # the program has ended
                 block = b""
             if not block:
-                late = f"no answer within {RUN_S:.0f} s" if time.monotonic() < self.end else "the 10 minutes are over"
+                late = f"no answer within {RUN_S:.0f} s" if time.monotonic() < self.end else "the runs took 10 minutes"
                 text = late if block is None else _reason(found + [self.rest.decode(errors="replace")])
                 self.close()
                 raise Failed(text)

@@ -212,7 +212,7 @@ def read_mfix(text: str, name: str, options: Options) -> Deck:
         if cohesion:
             c.unknown = "The cohesion changes eps."
         elif math.isnan(c.number):
-            c.unknown = "Its number could not be read."
+            c.unknown = "The number of this contact could not be read."
         deck.contacts.append(c)
     if not hertz:
         with contextlib.suppress(ArithmeticError):
@@ -421,15 +421,15 @@ def read_mercurydpm(text: str, name: str, options: Options) -> Deck:
             c.time_step = arithmetic(constants.get(step[1].strip(), step[1])) if step else NAN
             if mass is not None:
                 c.zeta_factor = math.sqrt(0.5) if wall else 1.0
-                c.notes.append("Holds for particles of the mass that is given to the setter.")
+                c.notes.append("This e holds only for particles of the mass that the setter receives.")
             start = at + sum(len(w) + 1 for w in words[:k])
             if k < len(words):
                 source.place(c, start + len(words[k]) - len(words[k].lstrip()), start + len(words[k].rstrip()))
             if math.isnan(c.number):
-                c.unknown = f"{m[2]} has no literal number."
+                c.unknown = f"{m[2]} is called without a literal number."
             deck.contacts.append(c)
     if not deck.contacts:
-        deck.remarks.append(Remark(name, 1, "no species gets a restitution coefficient by a setter that cor reads"))
+        deck.remarks.append(Remark(name, 1, "the text calls no setter of a restitution coefficient that cor supports"))
     return deck
 
 
@@ -455,5 +455,5 @@ def _mercury_dashpot(
     )
     c.time_step = arithmetic(constants.get(step[1].strip(), step[1])) if step else NAN
     if "Hertzian" in plain or math.isnan(c.stiffness) or math.isnan(c.number):
-        c.unknown = "Its stiffness or dissipation is not a literal number, or is not linear."
+        c.unknown = "The stiffness or dissipation of this species is not a literal number, or its law is not linear."
     return c

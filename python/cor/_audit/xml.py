@@ -266,11 +266,11 @@ class _Model:
                 "dmin and dmax of solimp differ: stiffness and damping depend on the overlap, and eps on the speed."
             )
         if any(map(math.isnan, imp)) or imp[4] < 1:
-            c.unknown = "Its solimp could not be read."
+            c.unknown = "The solimp of this contact could not be read."
         elif not (0 <= c.number < 1e24 and 1e-48 < c.stiffness < 1e48):
-            c.unknown = "Its solref is not a pair of numbers, or out of range."
+            c.unknown = "The solref of this contact is not a pair of numbers, or a number is out of range."
         elif condim > 3 and self.option.get("cone") != "elliptic":
-            c.unknown = "With condim 4 or 6 pyramidal cones of friction change eps: use elliptic ones."
+            c.unknown = "With condim 4 or 6, pyramidal friction cones change eps: use elliptic cones."
 
 
 def read_mujoco(text: str, name: str, options: Options) -> Deck:
@@ -309,6 +309,6 @@ def read_gazebo(text: str, name: str, options: Options) -> Deck:
     for one in found if not deck.contacts else []:  # a model without a world
         a, b = Body(one[0]), Body("any")
         c = Contact(name, one[2], "gazebo", (a, b), "GAZEBO_BOUNCE", number=one[3], threshold=one[4], time_step=step)
-        c.notes.append("A smaller e or threshold of the other body counts.")
+        c.notes.append("If the other body has a smaller e or threshold, the simulator uses that one.")
         deck.contacts.append(c)
     return deck

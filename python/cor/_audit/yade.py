@@ -665,10 +665,10 @@ class _Reader:
         if en or betan:
             self.set_number(c, functor, "en" if en else "betan", a, b)
         if en and betan:
-            c.unknown = "It has en and betan."
+            c.unknown = "The functor has both en and betan; cor supports one of them."
         elif "vn" in functor.values:
             c.model = "YADE_EN_VN"
-            c.unknown = "" if functor.number("vn") == 1 else "Its en holds at vn, and cor supports only vn = 1."
+            c.unknown = "" if functor.number("vn") == 1 else "The en holds at the speed vn; cor supports only vn = 1."
         elif "gamma" in functor.values:
             c.unknown = "The adhesion changes eps."
 
@@ -736,7 +736,7 @@ class _Reader:
         keys = ("en", "tc") if by_time else ("en",) if by_young else ("cn", "kn")
         c.model = "YADE_TC_EN" if by_time else "YADE_YOUNG_EN" if by_young else "YADE_KN_CN"
         if by_time and "kn" in a.values:
-            c.unknown = "The material has tc and kn."
+            c.unknown = "The material has both tc and kn; cor supports one of them."
         numbers = []
         for key in keys:
             values = [m.number(key) for m in (a, b)]

@@ -407,8 +407,8 @@ def _times(table: Table, ball: Ints, run: List[str], key: str) -> Times:
     flight, inside = np.diff(time), np.ones(len(time), dtype=bool)  # inside: flights that end at a bounce
     inside[start[:-1]] = False
     for at in np.flatnonzero(inside[1:] & (flight <= 0)) + 1:
-        text = f"{table.cell(row[at], key)} is not after the bounce before"
-        allowed = "ascending times, and another text in the column run for another drop"
+        text = f"{table.cell(row[at], key)} is not after the previous bounce"
+        allowed = "ascending times within a drop; each drop needs its own text in the column run"
         table.refuse_row(row[at], key, f"{text}; allowed: {allowed}")
     _refuse_waveform(table, key, flight[inside[1:]])
     counts, needed = np.diff(start), np.where(np.isnan(height), 3, 2)
@@ -447,8 +447,8 @@ def _track(table: Table, ball: Ints, run: List[str]) -> Times:
     parts, lines = [], []
     for a, b in zip(start[:-1], start[1:]):
         for at in a + 1 + np.flatnonzero(np.diff(time[a:b]) <= 0):
-            allowed = "ascending times, and another text in the column run for another drop"
-            table.refuse_row(at, "t", f"{table.cell(at, 't')} is not after the row before; allowed: {allowed}")
+            allowed = "ascending times within a drop; each drop needs its own text in the column run"
+            table.refuse_row(at, "t", f"{table.cell(at, 't')} is not after the previous row; allowed: {allowed}")
         try:
             parts.append(find_bounces(time[a:b], height[a:b]))
         except ValueError as error:

@@ -123,12 +123,12 @@ class Result:
         if not judged:
             return f"The points are too few to judge any of these models. Of them, {least} has the least AIC."
         if not best:
-            limit = ", of those that the points are enough to judge" if len(judged) < len(c.fits) else ""
+            limit = ", among the models that these points are enough to judge" if len(judged) < len(c.fits) else ""
             return f"None of these models fits the data{limit}."
         contacts = [fit for fit in judged if fit[0].is_contact]
         if contacts and not any(e.fits for _, e in contacts):
             named = f"The model {best[0].title}".replace("The model power-law", "The power law")
-            return f"None of these laws of contact fits the data. {named} does; it is a formula without a contact."
+            return f"None of these laws of contact fits the data. {named} fits, but it is not a law of contact."
         first = next(fit for fit in judged if fit[1].fits)
         if best[1] is not first[1]:
             return (
