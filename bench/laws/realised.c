@@ -123,21 +123,34 @@ static void print_cell(const char *separator, const char *text)
     printf("\"");
 }
 
+/* Writes the number over the damping as a product of powers. */
+static void write_factor(char *text, size_t size, const struct cor_simulator_model *m)
+{
+    const struct cor_scene_contact one = {.mass_kg = 1, .stiffness = 1, .radius_m = 1};
+    const double number = m->number_of_damping(m, 1, &one, 1);
+    int length = snprintf(text, size, "%.6g", number);
+    for (int i = 0; i < 4; i++) {
+        struct cor_scene_contact two = one;
+        *(i == 0 ? &two.mass_kg : i == 1 ? &two.stiffness : &two.radius_m) = i == 3 ? 1 : 2;
+        const double power = log2(m->number_of_damping(m, 1, &two, i == 3 ? 2 : 1) / number);
+        if (fabs(power) > 1e-9)
+            length += snprintf(text + length, size - (size_t)length, " %c^%.6g", "MKRG"[i], power);
+    }
+}
+
 static void print_models(void)
 {
     printf("simulator,version,model,number,over_the_damping,law,end,remark,file,known\n");
     for (int i = 0; i < COR_SIMULATOR_MODELS; i++) {
         const struct cor_simulator_model *const m = model_at(i);
-        const char *const cell[] = {cor_simulator_of(m->id)->name,
-                                    m->version,
-                                    m->model,
-                                    m->parameter,
-                                    m->scale ? m->scale : "",
-                                    cor_law_name(m->law),
-                                    cor_end_names[m->end],
-                                    m->advice,
-                                    m->file,
-                                    m->known};
+        char factor[80] = "";
+        if (m->id == COR_YADE_EN_VN)
+            snprintf(factor, sizeof factor, "P(v)/v^2, v^2 = beta/G^0.2");
+        else if (m->number_of_damping)
+            write_factor(factor, sizeof factor, m);
+        const char *const cell[] = {
+            cor_simulator_of(m->id)->name, m->version, m->model, m->parameter, factor, cor_law_name(m->law),
+            cor_end_names[m->end],         m->advice,  m->file,  m->known};
         for (size_t k = 0; k < sizeof cell / sizeof *cell; k++)
             print_cell(k ? "," : "", cell[k]);
         printf("\n");

@@ -581,9 +581,11 @@ struct cor_simulator_model {
 
     /* Convert the damping at a speed to the number that the user sets, and back; NULL if the user sets e. Both need
      * only mass, stiffness or radius of the contact. */
-    double (*number_of_damping)(double damping, const struct cor_scene_contact *contact, double speed_m_s);
-    double (*damping_of_number)(double number, const struct cor_scene_contact *contact, double speed_m_s);
-    const char *scale; /* formula: the number over the damping, in mass M, stiffness K, radius R, speed G */
+    double (*number_of_damping)(const struct cor_simulator_model *model, double damping,
+                                const struct cor_scene_contact *contact, double speed_m_s);
+    double (*damping_of_number)(const struct cor_simulator_model *model, double number,
+                                const struct cor_scene_contact *contact, double speed_m_s);
+    int number; /* selects their factor (runtime/scene/simulators.c) */
 
     const char *file;    /* its source file in the simulator */
     const char *known;   /* "run", "source" or "documentation" */

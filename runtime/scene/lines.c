@@ -364,7 +364,7 @@ static double damping_of(const struct block *block, const struct task *task, int
     return model->has_function ? NAN
            : model->damping_of_e
                ? model->damping_of_e(block->number[pair])
-               : model->damping_of_number(block->number[pair], task->target[pair].contacts, block->speed_m_s);
+               : model->damping_of_number(model, block->number[pair], task->target[pair].contacts, block->speed_m_s);
 }
 
 /* Returns the contact that the model makes, for durations and eps. */
@@ -858,7 +858,7 @@ static double mass_factor(const struct block *block, const struct task *task, do
     const double power = (cor_damping(law) + 1) / (cor_elastic(law) + 1) - 1;
     c.mass_kg *= masses;
     const double damping = block->damping * (cor_law_is_constant(law) ? 1 : pow(masses, power));
-    return cor_quiet_quotient(model->number_of_damping(damping, &c, block->speed_m_s), block->number[PAIR]);
+    return cor_quiet_quotient(model->number_of_damping(model, damping, &c, block->speed_m_s), block->number[PAIR]);
 }
 
 static int needs_mass(const struct block *block, const struct task *task)
@@ -1591,7 +1591,7 @@ static void put_largest(struct text *t, const struct block *block, const struct 
         made.radius_m = small.radius_m;
     }
     made = cor_model_contact(made, own->has_law ? NULL : &cor_law_exponents[model->law],
-                             model->damping_of_number(block->number[PAIR], &made, speed), speed);
+                             model->damping_of_number(model, block->number[PAIR], &made, speed), speed);
     if (cor_scene_eps(&eps, &made, speed, (int)model->end) == 0 &&
         cor_scene_eps(&wanted, &c, speed, (int)model->end) == 0)
         put_comment(t, "between the largest balls this line realises eps = %s at %s m/s; the materials have %s",

@@ -122,41 +122,48 @@ static double kratos_linear(double e)
 
 /* ---- numbers from the damping, and back ---- */
 
-#define SCALED(name, factor)                                                                                           \
-    static const char scale_of_##name[] = #factor;                                                                     \
-    static double name##_of_damping(double damping, const struct cor_scene_contact *c, double g)                       \
-    {                                                                                                                  \
-        (void)c, (void)g;                                                                                              \
-        return damping * (factor);                                                                                     \
-    }                                                                                                                  \
-    static double damping_of_##name(double number, const struct cor_scene_contact *c, double g)                        \
-    {                                                                                                                  \
-        (void)c, (void)g;                                                                                              \
-        return number / (factor);                                                                                      \
-    }
+/* Numbers that are the damping times a factor */
+/* clang-format off */
+enum number {
+    DAMPING, DASHPOT, DASHPOT_PER_MASS, PAIR_DASHPOT, RELAXATION_TIME, TANGENT_RATIO, TSUJI_BETA, CROSSLEY_PER_SPEED,
+    SIMBODY, AREA_ROOT, AREA_HERTZ, DISSIPATION_TIME, DISSIPATION_TIME_ESYS, HERTZ_VELOCITY, HERTZ_MASS_VELOCITY,
+    CHRONO_HERTZ
+};
+/* clang-format on */
 
-#define M c->mass_kg
-#define K c->stiffness
-#define R c->radius_m
-#define G g
+/* Returns the factor at the speed g. */
+static double factor_of(int number, const struct cor_scene_contact *c, double g)
+{
+    const double m = c->mass_kg, k = c->stiffness, r = c->radius_m;
+    return number == DASHPOT              ? 2 * sqrt(k * m) /* C = 2 zeta sqrt(K m), kg/s */
+           : number == DASHPOT_PER_MASS   ? 2 * sqrt(k / m) /* C/m, 1/s; per unit of mass */
+           : number == PAIR_DASHPOT       ? 4 * sqrt(k * m) /* two equal dashpots in series: each has twice C */
+           : number == RELAXATION_TIME    ? 2 * sqrt(m / k) /* tau of F = k x + k tau x' */
+           : number == TANGENT_RATIO      ? sqrt(5.0 / 6)   /* gamma of 2 gamma sqrt(m k_tangent) */
+           : number == TSUJI_BETA         ? sqrt(5)         /* alpha of alpha sqrt(m K) x^(1/4) x' */
+           : number == CROSSLEY_PER_SPEED ? 1 / g           /* d = beta/g, s/m */
+           : number == SIMBODY            ? 2 / (3 * g)     /* c of (3/2) c x' */
+           : number == AREA_ROOT          ? pow(k / m, 0.75) / sqrt(r * g) /* eta m sqrt(R x) x' on a linear spring */
+           : number == AREA_HERTZ         ? pow(k / m, 0.6) / (sqrt(r) * pow(g, 0.2)) /* likewise on Hertz's force */
+           : number == DISSIPATION_TIME   ? 2.0 / 3 * pow(m / k, 0.4) / pow(g, 0.2)
+           : number == DISSIPATION_TIME_ESYS ? pow(m / k, 0.4) / pow(g, 0.2)
+           : number == HERTZ_VELOCITY        ? pow(m, 0.6) * pow(k, 0.4) * pow(g, 0.2)
+           : number == HERTZ_MASS_VELOCITY   ? pow(k / m, 0.4) * pow(g, 0.2)
+           : number == CHRONO_HERTZ          ? pow(k / m, 0.6) / (r * pow(g, 0.2))
+                                             : 1;
+}
 
-SCALED(damping_ratio, 1.0)
-SCALED(dashpot, 2 * sqrt(K * M))          /* C = 2 zeta sqrt(K m), kg/s */
-SCALED(dashpot_per_mass, 2 * sqrt(K / M)) /* C/m, 1/s; per unit of mass */
-SCALED(pair_dashpot, 4 * sqrt(K * M))     /* two equal dashpots in series: each has twice C */
-SCALED(relaxation_time, 2 * sqrt(M / K))  /* tau of F = k x + k tau x' */
-SCALED(tangent_ratio, sqrt(5.0 / 6))      /* gamma of 2 gamma sqrt(m k_tangent) */
-SCALED(tsuji_beta, sqrt(5))               /* alpha of alpha sqrt(m K) x^(1/4) x' */
-SCALED(crossley_per_speed, 1 / G)         /* d = beta/g, s/m */
-SCALED(simbody, 2 / (3 * G))              /* c of (3/2) c x' */
-SCALED(crossley_beta, 1.0)
-SCALED(area_root, pow(K / M, 0.75) / sqrt(R * G))             /* eta m sqrt(R x) x' on a linear spring */
-SCALED(area_hertz, pow(K / M, 0.6) / (sqrt(R) * pow(G, 0.2))) /* likewise on Hertz's force */
-SCALED(dissipation_time, 2.0 / 3 * pow(M / K, 0.4) / pow(G, 0.2))
-SCALED(dissipation_time_esys, pow(M / K, 0.4) / pow(G, 0.2))
-SCALED(hertz_velocity, pow(M, 0.6) * pow(K, 0.4) * pow(G, 0.2))
-SCALED(hertz_mass_velocity, pow(K / M, 0.4) * pow(G, 0.2))
-SCALED(chrono_hertz, pow(K / M, 0.6) / (R * pow(G, 0.2)))
+static double scale_damping(const struct cor_simulator_model *model, double damping, const struct cor_scene_contact *c,
+                            double g)
+{
+    return damping * factor_of(model->number, c, g);
+}
+
+static double unscale_number(const struct cor_simulator_model *model, double number, const struct cor_scene_contact *c,
+                             double g)
+{
+    return number / factor_of(model->number, c, g);
+}
 
 /* Returns P, the Padé approximant of order [3/6] of eps at zero force in v = sqrt(beta) (Müller and Pöschel, Phys. Rev.
  * E 84, 021302 (2011)). YADE since 2025 sets en to P, with beta at the speed vn = 1 m/s. */
@@ -174,17 +181,17 @@ static double yade_pade(double v)
     return p / q;
 }
 
-static const char scale_of_yade_en[] = "P(v)/v^2, v^2 = beta/G^0.2";
-
-static double yade_en_of_damping(double damping, const struct cor_scene_contact *c, double g)
+static double yade_en_of_damping(const struct cor_simulator_model *model, double damping,
+                                 const struct cor_scene_contact *c, double g)
 {
-    (void)c;
+    (void)model, (void)c;
     return yade_pade(sqrt(damping * pow(g, -0.2)));
 }
 
-static double damping_of_yade_en(double en, const struct cor_scene_contact *c, double g)
+static double damping_of_yade_en(const struct cor_simulator_model *model, double en, const struct cor_scene_contact *c,
+                                 double g)
 {
-    (void)c;
+    (void)model, (void)c;
     double low = 0, high = 1, middle;
     if (!(isgreater(en, 1e-60) && en <= 1))
         return NAN;
@@ -200,8 +207,8 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
 #define SPHERE(parameter) "The viscoelastic sphere: " parameter " = (3/2) A k_n/m for every speed."
 #define NOT_SLOW "Slow impacts lose more, and below a threshold speed the bodies never part: use limit_damping."
 #define ASKED(map, from, to) .damping_of_e = map, .least = from, .most = to
-#define NUMBER(name)                                                                                                   \
-    .most = 1, .number_of_damping = name##_of_damping, .damping_of_number = damping_of_##name, .scale = scale_of_##name
+#define NUMBER(of_damping, to_damping) .most = 1, .number_of_damping = of_damping, .damping_of_number = to_damping
+#define SCALED(name) NUMBER(scale_damping, unscale_number), .number = name
 #define OPEN 0x1p-1022 /* e > 0 */
 #define IMPLICIT "As the time step goes to zero: its method is implicit, and longer steps damp more."
 #define PFC(mode) EVERYWHERE("contact cmat default model linear property kn {K} dp_nratio {n} dp_mode " mode "\n")
@@ -322,29 +329,29 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
 #define CPP COMMENT("// ", "")
 static const struct cor_simulator_model lammps[] = {
     ROW(LAMMPS_HOOKE_VELOCITY, OF_LAMMPS_RUN, "granular hooke, damping velocity", "eta_n, kg/s", LINEAR, ZERO_OVERLAP,
-        NUMBER(dashpot), "eta_n is the dashpot itself.", LAMMPS("hooke {K}", "velocity")),
+        SCALED(DASHPOT), "eta_n is the dashpot itself.", LAMMPS("hooke {K}", "velocity")),
     ROW(LAMMPS_HOOKE_VELOCITY_LIMIT, OF_LAMMPS_RUN, "granular hooke, damping velocity, limit_damping", "eta_n, kg/s",
-        LINEAR, ZERO_FORCE, NUMBER(dashpot), "Exact.", LAMMPS("hooke {K}", "velocity limit_damping")),
+        LINEAR, ZERO_FORCE, SCALED(DASHPOT), "Exact.", LAMMPS("hooke {K}", "velocity limit_damping")),
     ROW(LAMMPS_HOOKE_MASS_VELOCITY, OF_LAMMPS_RUN, "granular hooke, damping mass_velocity; gran/hooke",
-        "eta_n or gamma_n, 1/s", LINEAR, ZERO_OVERLAP, NUMBER(dashpot_per_mass), "Exact.",
+        "eta_n or gamma_n, 1/s", LINEAR, ZERO_OVERLAP, SCALED(DASHPOT_PER_MASS), "Exact.",
         LAMMPS("hooke {K}", "mass_velocity")),
     ROW(LAMMPS_HOOKE_MASS_VELOCITY_LIMIT, OF_LAMMPS_RUN, "granular hooke, damping mass_velocity, limit_damping",
-        "eta_n, 1/s", LINEAR, ZERO_FORCE, NUMBER(dashpot_per_mass), "Exact.",
+        "eta_n, 1/s", LINEAR, ZERO_FORCE, SCALED(DASHPOT_PER_MASS), "Exact.",
         LAMMPS("hooke {K}", "mass_velocity limit_damping")),
     ROW(LAMMPS_HOOKE_VISCOELASTIC, OF_LAMMPS_RUN, "granular hooke, damping viscoelastic (the default)",
-        "eta_n, 1/(m s)", LINEAR_ROOT, ZERO_OVERLAP, NUMBER(area_root),
+        "eta_n, 1/(m s)", LINEAR_ROOT, ZERO_OVERLAP, SCALED(AREA_ROOT),
         "The restitution depends on the impact speed: the number holds at one speed.",
         LAMMPS("hooke {K}", "viscoelastic")),
     ROW(LAMMPS_HERTZ_VISCOELASTIC, OF_LAMMPS_RUN,
         "granular hertz, damping viscoelastic (the default); gran/hertz/history", "eta_n, 1/(m s)", VISCOELASTIC,
-        ZERO_OVERLAP, NUMBER(area_hertz), SPHERE("eta_n"), LAMMPS("hertz {kn}", "viscoelastic")),
+        ZERO_OVERLAP, SCALED(AREA_HERTZ), SPHERE("eta_n"), LAMMPS("hertz {kn}", "viscoelastic")),
     ROW(LAMMPS_HERTZ_VISCOELASTIC_LIMIT, OF_LAMMPS_RUN, "granular hertz, damping viscoelastic, limit_damping",
-        "eta_n, 1/(m s)", VISCOELASTIC, ZERO_FORCE, NUMBER(area_hertz), SPHERE("eta_n"),
+        "eta_n, 1/(m s)", VISCOELASTIC, ZERO_FORCE, SCALED(AREA_HERTZ), SPHERE("eta_n"),
         LAMMPS("hertz {kn}", "viscoelastic limit_damping")),
     ROW(LAMMPS_HERTZ_VELOCITY, OF_LAMMPS_RUN, "granular hertz, damping velocity", "eta_n, kg/s", HERTZ_DASHPOT,
-        ZERO_OVERLAP, NUMBER(hertz_velocity), NOT_SLOW, LAMMPS("hertz {kn}", "velocity")),
+        ZERO_OVERLAP, SCALED(HERTZ_VELOCITY), NOT_SLOW, LAMMPS("hertz {kn}", "velocity")),
     ROW(LAMMPS_HERTZ_MASS_VELOCITY, OF_LAMMPS_RUN, "granular hertz, damping mass_velocity", "eta_n, 1/s", HERTZ_DASHPOT,
-        ZERO_OVERLAP, NUMBER(hertz_mass_velocity), NOT_SLOW, LAMMPS("hertz {kn}", "mass_velocity")),
+        ZERO_OVERLAP, SCALED(HERTZ_MASS_VELOCITY), NOT_SLOW, LAMMPS("hertz {kn}", "mass_velocity")),
     ROW(LAMMPS_COEFF_RESTITUTION, OF_LAMMPS_SOURCE, "granular hertz or hooke, damping coeff_restitution", "e", TSUJI,
         ZERO_OVERLAP, ASKED(exact_at_zero_overlap, OPEN, 1), "Exact.",
         LAMMPS("{model} {stiffness}", "coeff_restitution"), .any_spring = 1, .since = 20250205),
@@ -376,10 +383,10 @@ static const struct cor_simulator_model lammps[] = {
 
 static const struct cor_simulator_model liggghts[] = {
     ROW(LIGGGHTS_HOOKE_GAMMAN, OF_LIGGGHTS("normal_model_hooke_stiffness.h"), "hooke/stiffness, gamman", "gamman, 1/s",
-        LINEAR, ZERO_OVERLAP, NUMBER(dashpot_per_mass), "Exact.",
+        LINEAR, ZERO_OVERLAP, SCALED(DASHPOT_PER_MASS), "Exact.",
         LIGGGHTS("hooke/stiffness", "", LIGGGHTS_STIFFNESS("{K[]}"))),
     ROW(LIGGGHTS_HOOKE_GAMMAN_LIMIT, OF_LIGGGHTS("normal_model_hooke_stiffness.h"),
-        "hooke/stiffness, gamman, limitForce on", "gamman, 1/s", LINEAR, ZERO_FORCE, NUMBER(dashpot_per_mass), "Exact.",
+        "hooke/stiffness, gamman, limitForce on", "gamman, 1/s", LINEAR, ZERO_FORCE, SCALED(DASHPOT_PER_MASS), "Exact.",
         LIGGGHTS("hooke/stiffness", " limitForce on", LIGGGHTS_STIFFNESS("{K[]}"))),
     ROW(LIGGGHTS_RESTITUTION, OF_LIGGGHTS("normal_model_hertz.h"), "hertz or hooke, coefficientRestitution", "e", TSUJI,
         ZERO_OVERLAP, ASKED(exact_at_zero_overlap, 0.05, 1), "Exact; it refuses e <= 0.05.",
@@ -390,15 +397,15 @@ static const struct cor_simulator_model liggghts[] = {
         "LIGGGHTS computes its damping for contacts that end at zero overlap: these realise more than its e.",
         LIGGGHTS("{model}", " limitForce on", LIGGGHTS_E), .any_spring = 1),
     ROW(LIGGGHTS_HERTZ_GAMMAN, OF_LIGGGHTS("normal_model_hertz_stiffness.h"), "hertz/stiffness, gamman",
-        "gamman, 1/(m s)", VISCOELASTIC, ZERO_OVERLAP, NUMBER(area_hertz), SPHERE("gamman"),
+        "gamman, 1/(m s)", VISCOELASTIC, ZERO_OVERLAP, SCALED(AREA_HERTZ), SPHERE("gamman"),
         LIGGGHTS("hertz/stiffness", "", LIGGGHTS_STIFFNESS("{kn[]}"))),
     ROW(LIGGGHTS_HERTZ_GAMMAN_LIMIT, OF_LIGGGHTS("normal_model_hertz_stiffness.h"),
-        "hertz/stiffness, gamman, limitForce on", "gamman, 1/(m s)", VISCOELASTIC, ZERO_FORCE, NUMBER(area_hertz),
+        "hertz/stiffness, gamman, limitForce on", "gamman, 1/(m s)", VISCOELASTIC, ZERO_FORCE, SCALED(AREA_HERTZ),
         SPHERE("gamman"), LIGGGHTS("hertz/stiffness", " limitForce on", LIGGGHTS_STIFFNESS("{kn[]}"))),
 };
 
 static const struct cor_simulator_model yade[] = {
-    ROW(YADE_BETAN, OF_YADE("HertzMindlin.cpp"), "Mindlin, betan", "betan", TSUJI, ZERO_FORCE, NUMBER(tangent_ratio),
+    ROW(YADE_BETAN, OF_YADE("HertzMindlin.cpp"), "Mindlin, betan", "betan", TSUJI, ZERO_FORCE, SCALED(TANGENT_RATIO),
         "Exact.", YADE_MINDLIN("betan", "betas=0")),
     ROW(YADE_EN, OF_YADE("HertzMindlin.cpp"), "Mindlin, en (2023 and later)", "e", TSUJI, ZERO_FORCE,
         ASKED(thornton_yade, 0.001, 1), "Within 0.0003 for 0.02 < e < 0.9; above, set betan instead.",
@@ -407,11 +414,11 @@ static const struct cor_simulator_model yade[] = {
         "Mindlin, en (before 2023); SudoDEM", "e", TSUJI, ZERO_FORCE, ASKED(exact_at_zero_overlap, OPEN, 1),
         "YADE realises more than its e; betan is exact.", NO_LINES),
     ROW(YADE_EN_VN, OF("pkg/dem/HertzMindlin.cpp", "run", "2025.2.0"), "Mindlin, en at vn = 1 m/s (2025)", "en",
-        VISCOELASTIC, ZERO_FORCE, NUMBER(yade_en),
+        VISCOELASTIC, ZERO_FORCE, NUMBER(yade_en_of_damping, damping_of_yade_en),
         "The viscoelastic sphere: en is the Padé approximant of eps at vn, and A holds at every speed.",
         YADE_MINDLIN("en", "vn=1.0"), .since = 20250200),
     ROW(YADE_KN_CN, OF_YADE("ViscoelasticPM.cpp"), "ViscElMat, kn and cn", "cn of each of two equal bodies, kg/s",
-        LINEAR, ZERO_FORCE, NUMBER(pair_dashpot),
+        LINEAR, ZERO_FORCE, SCALED(PAIR_DASHPOT),
         "K is kn/2 of two equal bodies: the numbers of two bodies are in series.",
         YADE(EVERYWHERE, "cor_material = ViscElMat({density}kn={2K}, cn={n}, ks={2kt}, cs=0, frictionAngle={phi})\n",
              "Ip2_ViscElMat_ViscElMat_ViscElPhys()", "Law2_ScGeom_ViscElPhys_Basic()")),
@@ -439,12 +446,12 @@ static const struct cor_simulator_model mercurydpm[] = {
         MERCURYDPM_MANY("HertzianViscoelastic",
                         "ccor_{contact}->setEffectiveElasticModulusAndRestitutionCoefficient({E}, {n});\n")),
     ROW(MERCURYDPM_HERTZIAN_DISSIPATION, OF_MERCURYDPM("HertzianViscoelasticNormalSpecies.cc"),
-        "HertzianViscoelastic, dissipation", "dissipation", TSUJI, ZERO_OVERLAP, NUMBER(tsuji_beta), "Exact.",
+        "HertzianViscoelastic, dissipation", "dissipation", TSUJI, ZERO_OVERLAP, SCALED(TSUJI_BETA), "Exact.",
         EVERYWHERE(MERCURYDPM_DENSITY "species->setEffectiveElasticModulus({E});\n"
                                       "species->setDissipation({n});\n"),
         MERCURYDPM_MANY("HertzianViscoelastic", MERCURYDPM_DISSIPATION)),
     ROW(MERCURYDPM_BSHP, OF_MERCURYDPM("HertzianBSHPViscoelasticNormalSpecies.cc"), "HertzianBSHPViscoelastic",
-        "dissipation A, s", VISCOELASTIC, ZERO_FORCE, NUMBER(dissipation_time),
+        "dissipation A, s", VISCOELASTIC, ZERO_FORCE, SCALED(DISSIPATION_TIME),
         "The viscoelastic sphere: A holds at every speed.",
         EVERYWHERE(MERCURYDPM_DENSITY "species->setEffectiveElasticModulus({E});\n"
                                       "species->setDissipation({n});\n"),
@@ -474,14 +481,14 @@ static const struct cor_simulator_model chrono[] = {
                     "mcor_{i}->SetYoungModulus({young});\nmcor_{i}->SetPoissonRatio({poisson});\n"
                     "mcor_{i}->SetRestitution({i});\n"),
         .any_spring = 1),
-    ROW(CHRONO_HOOKE, OF_CHRONO, "SMC Hooke, kn and gn", "gn, 1/s", LINEAR, ZERO_FORCE, NUMBER(dashpot_per_mass),
+    ROW(CHRONO_HOOKE, OF_CHRONO, "SMC Hooke, kn and gn", "gn, 1/s", LINEAR, ZERO_FORCE, SCALED(DASHPOT_PER_MASS),
         "Exact.",
         PAIRS("system.UseMaterialProperties(false);\n"
               "system.SetContactForceModel(ChSystemSMC::ContactForceModel::Hooke);\n"
               "material->SetKn({K});\n"
               "material->SetGn({n});\n")),
     ROW(CHRONO_HERTZ, OF_CHRONO, "SMC Hertz, kn and gn", "gn, 1/s per m", VISCOELASTIC, ZERO_FORCE,
-        NUMBER(chrono_hertz), "K is kn R. The viscoelastic sphere: one gn for every speed.",
+        SCALED(CHRONO_HERTZ), "K is kn R. The viscoelastic sphere: one gn for every speed.",
         PAIRS("// Type::BULLET finds no R and takes this one for every contact; Type::MULTICORE finds that of each "
               "pair of spheres\n"
               "ChCollisionInfo::SetDefaultEffectiveCurvatureRadius({R});\n"
@@ -526,7 +533,7 @@ static const struct cor_simulator_model mfix[] = {
 static const struct cor_simulator_model openfoam[] = {
     ROW(OPENFOAM_PAIR,
         OF("src/lagrangian/intermediate/submodels/Kinematic/CollisionModel/PairCollision", "source", "source 446e5777"),
-        "pairSpringSliderDashpot, b = 1.5", "alpha", TSUJI, ZERO_OVERLAP, NUMBER(tsuji_beta),
+        "pairSpringSliderDashpot, b = 1.5", "alpha", TSUJI, ZERO_OVERLAP, SCALED(TSUJI_BETA),
         "The usual alpha = 0.12 is e = 0.84465.",
         BOTH("pairModel pairSpringSliderDashpot;\n"
              "pairSpringSliderDashpotCoeffs\n"
@@ -544,12 +551,12 @@ static const struct cor_simulator_model kratos[] = {
     ROW(KRATOS_HERTZ, OF_KRATOS("python_scripts"), "DEM Hertz, COEFFICIENT_OF_RESTITUTION", "e", TSUJI, ZERO_FORCE,
         ASKED(thornton_kratos, 0, 1), "Above 0.9 set DAMPING_GAMMA instead; above 0.999 nothing is damped.", NO_LINES),
     ROW(KRATOS_HERTZ_GAMMA, OF_KRATOS("custom_constitutive"), "DEM Hertz, DAMPING_GAMMA", "DAMPING_GAMMA", TSUJI,
-        ZERO_FORCE, NUMBER(tangent_ratio), "Exact.", NO_LINES),
+        ZERO_FORCE, SCALED(TANGENT_RATIO), "Exact.", NO_LINES),
     ROW(KRATOS_LINEAR, OF_KRATOS("python_scripts"), "DEM linear, COEFFICIENT_OF_RESTITUTION", "e", LINEAR, ZERO_FORCE,
         ASKED(kratos_linear, 0, 1),
         "The exact formula, bisected to 0.0001 in gamma: at e = 0.99 the loss is off by some percent.", NO_LINES),
     ROW(KRATOS_LINEAR_GAMMA, OF_KRATOS("custom_constitutive"), "DEM linear, DAMPING_GAMMA", "DAMPING_GAMMA", LINEAR,
-        ZERO_FORCE, NUMBER(damping_ratio), "Exact.", NO_LINES),
+        ZERO_FORCE, SCALED(DAMPING), "Exact.", NO_LINES),
 };
 
 static const struct cor_simulator_model granulars_jl[] = {
@@ -559,7 +566,7 @@ static const struct cor_simulator_model granulars_jl[] = {
 
 static const struct cor_simulator_model esys_particle[] = {
     ROW(ESYS_HERTZIAN, OF_ESYS_PARTICLE, "HertzianViscoElastic", "A, s", VISCOELASTIC, ZERO_FORCE,
-        NUMBER(dissipation_time_esys), "Its A is (3/2) of the dissipation time.",
+        SCALED(DISSIPATION_TIME_ESYS), "Its A is (3/2) of the dissipation time.",
         PAIRS("HertzianViscoElasticPrms(name=\"contact\", A={n}, E={youngpair}, nu={poisson})\n")),
     ROW(ESYS_HERTZ_MINDLIN, OF_ESYS_PARTICLE, "HertzMindlinVisco, COR", "e", TSUJI, ZERO_OVERLAP, ASKED(esys, OPEN, 1),
         "Right to 1e-8.",
@@ -577,24 +584,24 @@ static const struct cor_simulator_model dem_engine[] = {
 
 static const struct cor_simulator_model exadem[] = {
     ROW(EXADEM_DAMP_RATE, OF("src/contact", "source", "source 0d0dc656"), "damp_rate", "damp_rate", LINEAR, ZERO_FORCE,
-        NUMBER(damping_ratio), "Exact.",
+        SCALED(DAMPING), "Exact.",
         PAIRS("-- contact_sphere:\n    symetric: true\n    config: {\n"
               "      kn: {K}, kt: 0, kr: 0, mu: 0, damp_rate: {n} }\n")),
 };
 
 static const struct cor_simulator_model mujoco[] = {
     ROW(MUJOCO_TIME_CONSTANT, OF_MUJOCO, "solref (timeconst, dampratio), dmin = dmax", "dampratio", LINEAR, ZERO_FORCE,
-        NUMBER(damping_ratio), "The default 1 realises exp(-2) = 0.1353; step at most timeconst/2.",
+        SCALED(DAMPING), "The default 1 realises exp(-2) = 0.1353; step at most timeconst/2.",
         EVERYWHERE("<default><geom solref=\"{timeconst} {n}\" solimp=\"0.99 0.99 0.001\" condim=\"1\"/></default>\n")),
     ROW(MUJOCO_STIFFNESS, OF_MUJOCO, "solref (-stiffness, -damping), dmin = dmax", "damping, 1/s", LINEAR, ZERO_FORCE,
-        NUMBER(dashpot_per_mass), "Stiffness and damping are per unit of mass.",
+        SCALED(DASHPOT_PER_MASS), "Stiffness and damping are per unit of mass.",
         EVERYWHERE("<default><geom solref=\"-{K/m} -{n}\" solimp=\"0.99 0.99 0.001\" condim=\"1\"/></default>\n"),
         .mass = COR_MASS_PER_UNIT),
 };
 
 static const struct cor_simulator_model newton[] = {
     ROW(NEWTON_SEMI_IMPLICIT, OF("newton/_src/solvers/semi_implicit/kernels_contact.py", "source", "source 41a5392c"),
-        "SolverSemiImplicit, Featherstone; warp example_dem", "kd, kg/s", LINEAR, APPROACH_ONLY, NUMBER(dashpot),
+        "SolverSemiImplicit, Featherstone; warp example_dem", "kd, kg/s", LINEAR, APPROACH_ONLY, SCALED(DASHPOT),
         "The damper works while the bodies approach only.",
         EVERYWHERE("cor_shape = newton.ModelBuilder.ShapeConfig(ke={K}, kd={n}, kf=0.0, mu=0.0) # of both shapes\n"
                    "# particles: model.particle_ke = {K}; model.particle_kd = {n}; model.particle_kf = 0.0\n")),
@@ -602,13 +609,13 @@ static const struct cor_simulator_model newton[] = {
 
 static const struct cor_simulator_model drake[] = {
     ROW(DRAKE_HUNT_CROSSLEY, OF_DRAKE("plant"), "point contact or hydroelastic, hunt_crossley_dissipation",
-        "d of the pair, s/m", HUNT_CROSSLEY, ZERO_FORCE, NUMBER(crossley_per_speed),
+        "d of the pair, s/m", HUNT_CROSSLEY, ZERO_FORCE, SCALED(CROSSLEY_PER_SPEED),
         "One d holds at one speed; the rebound is never faster than 1/d.",
         EVERYWHERE("<drake:proximity_properties>\n"
                    "  <drake:hunt_crossley_dissipation>{n}</drake:hunt_crossley_dissipation>\n"
                    "</drake:proximity_properties>\n")),
     ROW(DRAKE_SAP, OF_DRAKE("contact_solvers"), "SAP, relaxation_time", "tau of the pair, s", LINEAR, ZERO_FORCE,
-        NUMBER(relaxation_time), "As the step goes to zero; 0.1 s each if nothing is set.",
+        SCALED(RELAXATION_TIME), "As the step goes to zero; 0.1 s each if nothing is set.",
         EVERYWHERE("<drake:proximity_properties>\n"
                    "  <drake:point_contact_stiffness>{2K}</drake:point_contact_stiffness>\n"
                    "  <drake:relaxation_time>{n/2}</drake:relaxation_time>\n"
@@ -617,7 +624,7 @@ static const struct cor_simulator_model drake[] = {
 
 static const struct cor_simulator_model simbody[] = {
     ROW(SIMBODY_HUNT_CROSSLEY, OF("Simbody/src/HuntCrossleyForce.cpp", "run", "3.7, source f312d0dd"),
-        "HuntCrossleyForce; OpenSim", "c, s/m", HUNT_CROSSLEY, ZERO_FORCE, NUMBER(simbody),
+        "HuntCrossleyForce; OpenSim", "c, s/m", HUNT_CROSSLEY, ZERO_FORCE, SCALED(SIMBODY),
         "e = 1 - c v is first order only: c v = 0.5 gives 0.663.",
         EVERYWHERE("?const double stiffness = {simbody}; // Pa, of both bodies\n"
                    "const double dissipation = {n}; // s/m, of both bodies\n"
@@ -626,7 +633,7 @@ static const struct cor_simulator_model simbody[] = {
 
 static const struct cor_simulator_model opensees[] = {
     ROW(OPENSEES_HERTZ_DAMP, OF("HertzDamp material", "documentation", "its documentation of 2026"), "HertzDamp, xi",
-        "xi", HUNT_CROSSLEY, ZERO_FORCE, NUMBER(crossley_beta), "The recommended 8 (1 - e)/(5 e) realises less than e.",
+        "xi", HUNT_CROSSLEY, ZERO_FORCE, SCALED(DAMPING), "The recommended 8 (1 - e)/(5 e) realises less than e.",
         NO_LINES),
 };
 
@@ -668,7 +675,7 @@ static const struct cor_simulator_model bullet[] = {
             "// each body: body->setContactProcessingThreshold(0);\n"),
         .has_function = 1),
     ROW(BULLET_STIFFNESS, OF_BULLET("BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.cpp"),
-        "setContactStiffnessAndDamping", "damping of the pair, kg/s", LINEAR, ZERO_FORCE, NUMBER(dashpot),
+        "setContactStiffnessAndDamping", "damping of the pair, kg/s", LINEAR, ZERO_FORCE, SCALED(DASHPOT),
         IMPLICIT " A face that touches at four points has four times K and damping.",
         EVERYWHERE("body->setContactStiffnessAndDamping({2K}, {n/2}); // each of two bodies, or of a body and a "
                    "wall\n" BULLET_TOUCH)),
@@ -679,7 +686,7 @@ static const struct cor_simulator_model gazebo[] = {
         "e", IMPULSE, INSTANT, ASKED(loss_of_impulse, 0, 1),
         "The smaller e of both; eps is 0 up to the smaller threshold, 100000 m/s if none is set.", NO_LINES),
     ROW(GAZEBO_KP_KD, OF("gazebo/physics/ode/ODEPhysics.cc", "source", "gazebo 11"),
-        "ODE, kp and kd; soft_erp, soft_cfm", "kd of the pair, kg/s", LINEAR, ZERO_FORCE, NUMBER(dashpot), IMPLICIT,
+        "ODE, kp and kd; soft_erp, soft_cfm", "kd of the pair, kg/s", LINEAR, ZERO_FORCE, SCALED(DASHPOT), IMPLICIT,
         EVERYWHERE("<surface><contact><ode> <!-- of both collisions; ODE puts kp in series and adds kd -->\n"
                    "  <kp>{2K}</kp><kd>{n/2}</kd><min_depth>0</min_depth><max_vel>1e6</max_vel>\n"
                    "</ode></contact></surface>\n"
@@ -689,7 +696,7 @@ static const struct cor_simulator_model gazebo[] = {
 #define PHYSX_TGS " That is ePGS; eTGS divides the step, and with 50 steps was within 0.02 of eps with short steps."
 static const struct cor_simulator_model physx[] = {
     ROW(PHYSX_COMPLIANT, OF("lowleveldynamics/src/DyContactPrepShared.h", "run", "5.6.1"), "compliant contact",
-        "damping, kg/s", LINEAR, ZERO_FORCE, NUMBER(dashpot), IMPLICIT PHYSX_TGS,
+        "damping, kg/s", LINEAR, ZERO_FORCE, SCALED(DASHPOT), IMPLICIT PHYSX_TGS,
         EVERYWHERE("material->setRestitution(-{K}); // of both bodies; up to PhysX 5.3 with eCOMPLIANT_CONTACT\n"
                    "material->setDamping({n});\n"
                    "shape->setContactOffset(1e-9f); // of both bodies: no force before they touch\n"
@@ -698,7 +705,7 @@ static const struct cor_simulator_model physx[] = {
 
 static const struct cor_simulator_model isaac[] = {
     ROW(ISAAC_COMPLIANT, OF("PhysxMaterialAPI", "documentation", "its USD schema of 2026"), "compliant contact",
-        "compliantContactDamping, kg/s", LINEAR, ZERO_FORCE, NUMBER(dashpot), IMPLICIT PHYSX_TGS,
+        "compliantContactDamping, kg/s", LINEAR, ZERO_FORCE, SCALED(DASHPOT), IMPLICIT PHYSX_TGS,
         EVERYWHERE(
             "cor_material = PhysxSchema.PhysxMaterialAPI.Apply(material.GetPrim()) # of both bodies\n"
             "cor_material.CreateCompliantContactAccelerationSpringAttr().Set(False)\n"
@@ -718,10 +725,9 @@ static const struct cor_simulator_model lethe[] = {
 
 static const struct cor_simulator_model pfc[] = {
     ROW(PFC_LINEAR, OF("linear model", "documentation", "its documentation of PFC 5 and later"), "linear, dp_nratio",
-        "dp_nratio", LINEAR, ZERO_OVERLAP, NUMBER(damping_ratio), "Exact; dp_mode 1 and 3 end it at zero force.",
-        PFC("0")),
+        "dp_nratio", LINEAR, ZERO_OVERLAP, SCALED(DAMPING), "Exact; dp_mode 1 and 3 end it at zero force.", PFC("0")),
     ROW(PFC_LINEAR_PUSHES, OF("linear model", "documentation", "its documentation of PFC 5 and later"),
-        "linear, dp_nratio, dp_mode 1", "dp_nratio", LINEAR, ZERO_FORCE, NUMBER(damping_ratio), "Exact.", PFC("1")),
+        "linear, dp_nratio, dp_mode 1", "dp_nratio", LINEAR, ZERO_FORCE, SCALED(DAMPING), "Exact.", PFC("1")),
 };
 
 static const struct cor_simulator_model edem[] = {
@@ -738,10 +744,10 @@ static const struct cor_simulator_model edem[] = {
                "cor_damping = {n}; % contact damping at the bound, N/(m/s)\n")
 static const struct cor_simulator_model simscape[] = {
     ROW(SIMSCAPE_DAMPED, OF("Translational Hard Stop", "documentation", "its documentation of 2026"),
-        "hard stop, damped rebound", "damping, kg/s", LINEAR, ZERO_OVERLAP, NUMBER(dashpot),
+        "hard stop, damped rebound", "damping, kg/s", LINEAR, ZERO_OVERLAP, SCALED(DASHPOT),
         "The stop pulls before the bodies part.", SIMSCAPE("damped rebound")),
     ROW(SIMSCAPE_UNDAMPED, OF("Translational Hard Stop", "documentation", "its documentation of 2026"),
-        "hard stop, undamped rebound", "damping, kg/s", LINEAR, APPROACH_ONLY, NUMBER(dashpot),
+        "hard stop, undamped rebound", "damping, kg/s", LINEAR, APPROACH_ONLY, SCALED(DASHPOT),
         "The damper works while the bodies approach only.", SIMSCAPE("undamped rebound")),
 };
 
@@ -766,10 +772,10 @@ static const struct cor_simulator_model rebound[] = {
 };
 
 static const struct cor_simulator_model modelica[] = {
-    ROW(MODELICA_LINEAR, OF_MODELICA, "ElastoGap, n = 1", "d, kg/s", LINEAR, LIMITED, NUMBER(dashpot),
+    ROW(MODELICA_LINEAR, OF_MODELICA, "ElastoGap, n = 1", "d, kg/s", LINEAR, LIMITED, SCALED(DASHPOT),
         "The damping force is limited to the spring's.",
         EVERYWHERE("Modelica.Mechanics.Translational.Components.ElastoGap gap(c={K}, d={n}, n=1, s_rel0=0);\n")),
-    ROW(MODELICA_HERTZ, OF_MODELICA, "ElastoGap, n = 1.5", "d, kg/s", HERTZ_DASHPOT, LIMITED, NUMBER(hertz_velocity),
+    ROW(MODELICA_HERTZ, OF_MODELICA, "ElastoGap, n = 1.5", "d, kg/s", HERTZ_DASHPOT, LIMITED, SCALED(HERTZ_VELOCITY),
         "The damping force is limited to the spring's; slow impacts lose more.",
         EVERYWHERE("Modelica.Mechanics.Translational.Components.ElastoGap gap(c={K}, d={n}, n=1.5, s_rel0=0);\n")),
 };
@@ -1057,7 +1063,7 @@ double cor_simulator_number(const struct cor_simulator_model *model, const struc
     if (!model->number_of_damping)
         return cor_simulator_e(model, cor_law_eps(model->law, model->end, damping), status);
     const double number = isless(damping, 1e100) || cor_is_infinity(damping)
-                              ? model->number_of_damping(damping, target->contacts, speed_of(target))
+                              ? model->number_of_damping(model, damping, target->contacts, speed_of(target))
                               : (double)NAN;
     if (isnan(number))
         *status = COR_SIMULATOR_NO_SCALES;

@@ -511,7 +511,7 @@ static size_t host_realises(const char *host, int law, const struct given *bodie
             is_printed = is_printed || (at && at < strstr(lines, "\n\n"));
         }
         const double damping =
-            m->damping_of_e ? m->damping_of_e(number) : m->damping_of_number(number, contacts.contact, speed);
+            m->damping_of_e ? m->damping_of_e(number) : m->damping_of_number(m, number, contacts.contact, speed);
         const double got = m->law == COR_LAW_IMPULSE ? 1 - damping : cor_law_value(m->law, m->end, COR_EPS, damping);
         check(is_printed && fabs(got - eps) < 1e-9, "%s, %s: %.12g gives eps %.12g, not %g, in %s", host, m->model,
               number, got, eps, heading);

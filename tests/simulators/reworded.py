@@ -32,7 +32,7 @@ int main(void)
             const struct cor_scene_contact contact = {.mass_kg = 2e-3, .stiffness = 1e5, .radius_m = 3e-3};
             enum cor_simulator_status status;
             printf("%d %.17g %.17g ", id, cor_simulator_realised(m, e), cor_simulator_e(m, e, &status));
-            printf("%.17g\n", m->number_of_damping ? m->number_of_damping(e, &contact, 0.3) : 0);
+            printf("%.17g\n", m->number_of_damping ? m->number_of_damping(m, e, &contact, 0.3) : 0);
         }
     while (fgets(options, sizeof options, stdin)) {
         for (char *c = options; *c; c++)

@@ -55,7 +55,8 @@ TEST(realised)
     assert_true(cor_simulator_realised(cor_simulator_model(COR_YADE_EN), 1) == 1);
     /* beta = sqrt(5) zeta, 0.12 in OpenFOAM's tutorials */
     const struct cor_scene_contact contact = {.mass_kg = 1, .stiffness = 1, .radius_m = 1};
-    const double zeta = cor_simulator_model(COR_OPENFOAM_PAIR)->damping_of_number(0.12, &contact, 1);
+    const struct cor_simulator_model *const openfoam = cor_simulator_model(COR_OPENFOAM_PAIR);
+    const double zeta = openfoam->damping_of_number(openfoam, 0.12, &contact, 1);
     check_near(cor_law_eps(COR_LAW_TSUJI, COR_END_ZERO_OVERLAP, zeta), 0.84465, 1e-5);
     /* MuJoCo's default */
     check_near(cor_law_eps(COR_LAW_LINEAR, COR_END_ZERO_FORCE, 1), exp(-2), 1e-15);
@@ -274,15 +275,15 @@ TEST(units)
                                    a};
             const struct cor_scene_contact contact = {
                 .mass_kg = s.mass, .stiffness = s.stiffness, .radius_m = s.radius};
-            const double number = m->number_of_damping(damping, &contact, s.speed);
-            check_near(m->damping_of_number(number, &contact, s.speed), damping, 1e-14);
+            const double number = m->number_of_damping(m, damping, &contact, s.speed);
+            check_near(m->damping_of_number(m, number, &contact, s.speed), damping, 1e-14);
             const double of_number = m->id == COR_YADE_EN_VN ? yade_damping(number) : number;
             const double coefficient = d->factor * of_number * pow(s.mass, d->mass) * pow(s.stiffness, d->stiffness) *
                                        pow(s.radius, d->radius) * pow(s.speed, d->speed);
             const double si = integrated_eps(&s, m->end, coefficient, d->b);
             check(fabs(si - eps) < 2e-5, "%s: %g, not %g", m->model, si, eps);
             /* at another speed, an equal number gives an equal eps only if the law has a damping ratio */
-            const double other = m->damping_of_number(number, &contact, 3 * s.speed);
+            const double other = m->damping_of_number(m, number, &contact, 3 * s.speed);
             const int constant = ratio || m->id == COR_OPENSEES_HERTZ_DAMP;
             assert_true(constant ? fabs(other / damping - 1) < 1e-14 : fabs(other / damping - 1) > 0.1);
         }

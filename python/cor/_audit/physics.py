@@ -119,7 +119,7 @@ class _Audit:
         row.end, row.law = string(lib.cor_end_names[end]), string(lib.cor_law_name(model.law))
         if not model.damping_of_e:
             number = contact.number  # 0 means no damping at any scale
-            damping = model.damping_of_number(number, scene, speed) if number != 0 else 0.0
+            damping = model.damping_of_number(model, number, scene, speed) if number != 0 else 0.0
         elif model.least <= contact.number <= model.most:
             damping = model.damping_of_e(contact.number) * contact.zeta_factor
         else:
@@ -183,7 +183,8 @@ class _Audit:
                 self.say_surface(row, math.sqrt(max(square, 0.0)))
             return
         if contact.solimp is not None:
-            zeta = model_of(contact.model).damping_of_number(contact.number, scene, speed)
+            model = model_of(contact.model)
+            zeta = model.damping_of_number(model, contact.number, scene, speed)
             self.say_surface(row, self.mujoco(contact, scene, zeta, speed, gravity))
             return
         if end >= lib.COR_SCENE_ENDS or math.isnan(scene.mass_kg):
