@@ -126,7 +126,7 @@ msvc_reads() {
         -isystem "$(clang -print-resource-dir)/include" -isystem /usr/share/mingw-w64/include "$1"
 }
 
-# turn_of N: prints the number of the part, of N parts of a long test, that a short run does (tests/run --turn K).
+# turn_of N: prints which of the N parts of a long test a short run does (tests/run --turn K).
 turn_of() {
     echo $((${COR_TEST_TURN:-0} % $1))
 }

@@ -41,7 +41,7 @@ static struct relaxed_disk *relaxed_disk_new(double alpha, size_t points)
 static void add_compliance(struct relaxed_disk *disk, int n, double a, double b, double d)
 {
     const size_t points = disk->points;
-    double *p = disk->u, *q = disk->newton; /* not needed yet */
+    double *p = disk->u, *q = disk->newton; /* scratch, until these arrays are needed */
     for (size_t i = 0; i < points; i++) {
         const double phi = ((double)i + 0.5) * disk->step;
         p[i] = cos(n * phi) * cos(phi);

@@ -34,7 +34,7 @@ static void clear_text(void)
 static void put_number(double x, int digits)
 {
     if (isnan(x))
-        put("nan"); /* of either sign */
+        put("nan"); /* without its sign */
     else
         put("%.*g", digits, x);
 }

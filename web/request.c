@@ -170,7 +170,7 @@ static int read_option(struct web_request *r, const char *name, const char *valu
     return refuse(name, "'%s' is not an option; allowed: the options of corgen contact, for example young", name);
 }
 
-/* Returns the option at which the page shows a fault: the wrong or the missing one. */
+/* Returns the option at which the page shows a fault: the wrong or the missing option. */
 static const char *option_of(const struct cor_scene_fault *fault)
 {
     static const char *const options[] = {

@@ -23,8 +23,8 @@ struct web_request {
     double speed_m_s[WEB_SPEEDS];
     size_t speeds;
     int steps_given, at_surface;                    /* at_surface: the given end is "surface" */
-    double steps;                                   /* in the shortest contact */
-    double speed_min_m_s, speed_max_m_s, tolerance; /* of the header */
+    double steps;                                   /* number of time steps in the shortest contact */
+    double speed_min_m_s, speed_max_m_s, tolerance; /* for the header */
     const struct cor_simulator *simulator;          /* NULL: none is chosen */
     char version[WEB_VALUE];                        /* of the simulator */
 };

@@ -19,7 +19,7 @@ enum {
 struct method {
     const char *curve;        /* methods of one curve differ by their setting and instructions */
     char setting[32];         /* degrees, a tolerance, steps; empty: none */
-    const char *instructions; /* of loops and arrays; NULL: not selected */
+    const char *instructions; /* instruction set of loops and arrays; NULL: not selected */
     const char *scene;        /* the only scene that it supports, or NULL */
     enum end end;
     enum input input;

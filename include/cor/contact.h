@@ -183,7 +183,7 @@ COR_API void cor_contact_dissipation_time_s_zero_force_array(const struct cor_sp
  *
  * A is the derivative of ln(Y/(1 - nu^2)) along (eta_1/2, eta_2) in the space of shear modulus mu and bulk modulus k.
  * docs/laws.md derives the formula from the contact of a rigid body with a Kelvin-Voigt half-space. The formula is
- * exact where eta_1 : eta_2 is 2 mu : k, and agrees with (4) there. Otherwise it is of first order in A over the
+ * exact where eta_1 : eta_2 is 2 mu : k, and agrees with (4) there. Otherwise it holds to first order in A over the
  * duration. The derivation holds while the contact grows. To first order in the rate, A is also valid while the contact
  * shrinks. Unlike (4), this A is finite and positive for every nu. It agrees with the correction of (4) by Goldobin,
  * Susloparov, Pimenova and Brilliantov, Eur. Phys. J. E 38, 55 (2015), whose eta_1 is the shear viscosity.

@@ -195,8 +195,8 @@ COR_API double cor_disk_contact_time_leading_log(double speed);
  *     s(theta) = int_theta^(pi/2) sqrt(-w/2) dtheta',     w as in the contact time above
  *
  * First order neglects the force of the vibrations on the contact. At nu = 0.33 the energy that all modes keep
- * (cor_disk_hard_wall) is 3.3, 0.75 and 0.59 times this energy at v = 1e-2, 1e-3 and 1e-4. It still differs by a tenth
- * at 1e-30: docs/disks.md. */
+ * (cor_disk_hard_wall) is 3.3, 0.75 and 0.59 times this energy at v = 1e-2, 1e-3 and 1e-4. At v = 1e-30 the two
+ * energies still differ by a tenth (docs/disks.md). */
 struct cor_disk_rayleigh {
     double fraction;       /* sum over the n_modes modes */
     double tail;           /* sum over all higher modes */
@@ -273,7 +273,7 @@ struct cor_disk_collision {
     double contact_time;    /* from the first to the last moment at which the load is 1/1000 of its largest value */
     double max_compression; /* largest x_0 + 1 */
     double energy_drift;    /* energy after minus energy before, relative to (pi/2) v^2 */
-    size_t steps;           /* of the run that these numbers come from */
+    size_t steps;           /* number of steps in the run that gave these results */
     double error_estimate;  /* absolute error of eps; 1 after a single run, which gives no estimate */
 };
 
@@ -335,7 +335,7 @@ struct cor_disk_moment {
 /* Optional results. Every pointer may be NULL. Arrays have n_modes elements in the order of the table. */
 struct cor_disk_collision_detail {
     double *energy_after;   /* energy left in each mode, as a fraction of (pi/2) v^2 */
-    double *energy_average; /* its mean over the contact time; NaN if the budget ended before three runs */
+    double *energy_average; /* mean of this energy over the contact time; NaN if the budget ended before three runs */
     /* The function repeats its last run and calls observe at every step, from before the contact until after it. q and
      * q_dot then hold the amplitudes Q and dQ/dt. */
     void (*observe)(void *context, const struct cor_disk_moment *moment);
@@ -379,7 +379,7 @@ struct cor_disk_hard_wall {
     double eps;             /* speed after over speed before */
     double contact_time;    /* from the first to the last touch, at the highest level */
     double max_compression; /* largest x_0 + 1 */
-    double error_estimate;  /* of one_minus_eps2, absolute */
+    double error_estimate;  /* absolute error of one_minus_eps2 */
     size_t omega_levels;    /* number of computed levels of Omega */
 };
 
@@ -412,7 +412,7 @@ COR_API int cor_disk_hard_wall_nu(double nu, const struct cor_disk_hard_wall_opt
 
 /* A moment of a collision with a rigid wall */
 struct cor_disk_hard_wall_moment {
-    double time;          /* from the first touch */
+    double time;          /* since the first touch */
     double position;      /* x_0; the compression is x_0 + 1 */
     double velocity;      /* of the centre of mass, positive towards the wall */
     double load;          /* force of the wall */
@@ -423,7 +423,7 @@ struct cor_disk_hard_wall_moment {
  * the table, 0 for modes above Omega. */
 struct cor_disk_hard_wall_detail {
     double *energy_after;   /* energy left in each mode, as a fraction of (pi/2) v^2 */
-    double *energy_average; /* its mean over the contact time, in the same unit */
+    double *energy_average; /* mean of this energy over the contact time, in the same unit */
     /* The function calls observe at every step, from the first touch until after the last. q and q_dot then hold the
      * amplitudes Q and dQ/dt. */
     void (*observe)(void *context, const struct cor_disk_hard_wall_moment *moment);

@@ -70,7 +70,7 @@ enum cor_end {
     /* only in simulators */
     COR_END_LIMITED,       /* the damping force is limited to the spring force */
     COR_END_APPROACH_ONLY, /* damped only while the bodies approach */
-    COR_END_INSTANT,       /* of an impulse */
+    COR_END_INSTANT,       /* an impulse, which takes no time */
     COR_ENDS,
     COR_BOTH_ENDS = -1
 };

@@ -31,7 +31,7 @@ extern "C" {
 
 /* ---- laws and ends of contact ---- */
 
-extern const struct cor_exponents cor_law_exponents[COR_LAW_IMPULSE]; /* of the laws before COR_LAW_IMPULSE */
+extern const struct cor_exponents cor_law_exponents[COR_LAW_IMPULSE]; /* by enum cor_law */
 
 enum { COR_SCENE_ENDS = 2 };                      /* zero overlap, and zero force or the surface */
 extern const char *const cor_end_names[COR_ENDS]; /* "zero overlap" */
@@ -202,14 +202,14 @@ enum cor_integrator {
     COR_VERLET_FULL_STEP,
     COR_IMPLICIT_EULER, /* ODE */
     COR_INTEGRATORS,
-    COR_NO_INTEGRATOR = -1 /* of simulators with impulses, implicit methods or steps of their own choice */
+    COR_NO_INTEGRATOR = -1 /* the simulator uses impulses or implicit methods, or chooses its own steps */
 };
 extern const char *const cor_integrator_names[COR_INTEGRATORS + 1]; /* "verlet-half-step"; ends with NULL */
 
 /* Returns the elastic duration (without damping) at this speed, s. Time steps are counted per elastic duration. */
 double cor_scene_elastic_duration_s(const struct cor_scene_contact *contact, double speed_m_s);
 #define COR_SCENE_STEPS_MIN 2.0
-#define COR_SCENE_STEPS_MIN_IMPLICIT 1e-6 /* of COR_IMPLICIT_EULER, whose contacts may last for one step */
+#define COR_SCENE_STEPS_MIN_IMPLICIT 1e-6 /* for COR_IMPLICIT_EULER, whose contacts may last for one step */
 #define COR_SCENE_STEPS_MAX 1e6
 
 /* The realised eps of a simulator minus the exact eps, over all phases of the first step. The phase is the time from
@@ -219,7 +219,7 @@ double cor_scene_elastic_duration_s(const struct cor_scene_contact *contact, dou
 struct cor_step_error {
     double bias;           /* mean */
     double scatter;        /* standard deviation */
-    double least, largest; /* of the phases that were tried */
+    double least, largest; /* over the phases that were tried */
 };
 
 /* Computes the error of eps at an impact speed, with `steps` time steps in an elastic duration. The simulator damps the
@@ -399,8 +399,8 @@ struct cor_scene {
     struct cor_exponents law;
     int plate;                /* body 2 is a large plate; its density may be COR_SCENE_DENSITY_2 */
     int wall;                 /* body 2 is flat and held fast */
-    int end;                  /* at which restitution and duration were measured, or COR_BOTH_ENDS */
-    cor_scene_solver *solver; /* of the contact, may be NULL */
+    int end;                  /* the end at which restitution and duration were measured, or COR_BOTH_ENDS */
+    cor_scene_solver *solver; /* the solver for the contact; may be NULL */
     int adhesion_model;       /* enum cor_adhesion; goes with COR_SCENE_ADHESION */
     int plastic;              /* elastic-plastic spheres, with a yield stress, or a restitution that gives v_y */
 };
@@ -587,8 +587,8 @@ struct cor_simulator_model {
                                 const struct cor_scene_contact *contact, double speed_m_s);
     int number; /* selects their factor (runtime/scene/simulators.c) */
 
-    const char *file;    /* its source file in the simulator */
-    const char *known;   /* "run", "source" or "documentation" */
+    const char *file;    /* the source file in the simulator */
+    const char *known;   /* how the model is known: "run", "source" or "documentation" */
     const char *version; /* the version that was run or read */
     const char *advice;  /* a sentence for the user */
 
@@ -617,7 +617,7 @@ struct cor_simulator {
     const char *setup;     /* a sentence about the rest of the input */
     const char *time_step; /* template of lines that set the time step; NULL: none */
     const char *version;   /* the version of Debian 12, whose models come first; NULL: none */
-    long packaged;         /* this version by cor_simulator_version; 0: none */
+    long packaged;         /* the same version as a number, by cor_simulator_version; 0: none */
 
     /* At a wall the simulator divides the stiffness of two bodies with Hertz's force by this number; 0: it does not. */
     double wall_divides;
@@ -627,7 +627,7 @@ struct cor_simulator {
 
     /* For spheres that yield: a sentence; the name of Luding's model with a template of its lines; or NULL */
     const char *yielding, *luding, *luding_lines;
-    unsigned tangential; /* its tangential models, bits 1 << id of enum cor_tangential_id; 0: not known */
+    unsigned tangential; /* the tangential models, bits 1 << id of enum cor_tangential_id; 0: not known */
 };
 extern const struct cor_simulator cor_simulators[];
 extern const size_t cor_simulator_count;
@@ -701,8 +701,8 @@ struct cor_material_contact {
  * the contact of a sphere and a wall. */
 struct cor_simulator_request {
     const char *simulator, *version;          /* a name of cor_simulator_named; NULL: any version */
-    const struct cor_scene *scene;            /* with the contacts that cor_scene_contacts makes of it */
-    const struct cor_scene_contact *contacts; /* one, or one for each end */
+    const struct cor_scene *scene;            /* the scene of `contacts` */
+    const struct cor_scene_contact *contacts; /* from cor_scene_contacts: one, or one for each end */
     int count;
     const double *speed_m_s; /* impact speeds, for which the text states the realised e */
     size_t speeds;
@@ -716,12 +716,12 @@ struct cor_simulator_request {
     /* Several materials, instead of contacts. The scene then has no numbers, only law, end and solver. NULL: two
      * bodies. memory: material_count^2 elements for the function */
     const struct cor_material *materials;
-    const struct cor_material_pair *pairs; /* the measured ones */
+    const struct cor_material_pair *pairs; /* the measured pairs */
     size_t material_count, pair_count;
     struct cor_material_contact *memory;
     /* Friction of two bodies of one material, at a wall, or of pairs of materials that have none of their own; 0: none.
      * tangential: a model that the simulator must have; with materials COR_TANGENTIAL_DISPLACEMENT selects its first
-     * one. Spring and damper are as in cor_scene_tangential_scaled; with materials the spring is Mindlin's. oblique:
+     * model. Spring and damper are as in cor_scene_tangential_scaled; with materials the spring is Mindlin's. oblique:
      * angles in degrees, or tangential speeds in m/s, for which the text states the tangential restitution */
     double friction, tangential_stiffness, tangential_damping;
     enum cor_tangential_id tangential;

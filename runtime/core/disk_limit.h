@@ -12,7 +12,7 @@
 
 #include "runtime/number/inline.h"
 
-/* Sizes, in sides of the smallest piece, of a root (a cell that is not yet divided) and of a square */
+/* Sizes of a root, which is an undivided cell, and of a square, in sides of the smallest piece */
 enum { COR_DISK_LIMIT_SQUARE_BITS = 3, COR_DISK_LIMIT_PER_SQUARE = 8, COR_DISK_LIMIT_PER_ROOT = 16 };
 
 /* Distance beyond a side of a cell, in units of that side; less than half of the smallest neighbour */

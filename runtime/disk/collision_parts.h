@@ -21,7 +21,7 @@
 enum { COR_PANEL = 4 * COR_LANES };
 
 struct cor_rim {
-    size_t blocks; /* of modes */
+    size_t blocks; /* number of blocks of modes */
     const struct cor_mode_block *block;
     const double *c, *s;    /* placed like the modes */
     size_t used_terms;      /* the largest k with a cosine, plus 1 */
@@ -74,10 +74,10 @@ struct cor_motion {
     size_t *place;                   /* cell of each mode */
     struct cor_mode_block *block;
     double *c, *s, *q, *p, *cosine, *sine;
-    double *force_c, *force_s, *sum_c, *sum_s; /* of each n */
-    double *cc, *cs, *ss;                      /* of each n: sums of C^2, C S and S^2 over the mass */
+    double *force_c, *force_s, *sum_c, *sum_s; /* one number for each n */
+    double *cc, *cs, *ss;                      /* for each n, sums of C^2, C S and S^2, divided by the mass */
     double *d, *e, *shape, *flat, *weight, *reach, *pressure, *response, *by_point, *by_term, *table;
-    double *after[COR_COLLISION_LEVELS], *average[COR_COLLISION_LEVELS]; /* of each mode, of each run */
+    double *after[COR_COLLISION_LEVELS], *average[COR_COLLISION_LEVELS]; /* [run][mode] */
 };
 
 /* Returns the largest number of angles that a call with these options may use. */
@@ -109,7 +109,7 @@ struct cor_collision_state {
     double depth;     /* x_0 + 1; alpha x_0 would lose digits near x_0 = -1 */
     double v;         /* towards the wall, after the last kick */
     double load;      /* of the wall */
-    double force;     /* of the modified potential (15.1), which replaces the wall in the kick */
+    double force;     /* force of the modified potential (15.1), which replaces the wall in the kick */
     double stiffness; /* h^2 alpha (largest acceleration of the rim) at the last kick */
     double ripple;    /* change of the load with half the angles, at the last scan */
     size_t window;    /* angles near the contact that are evaluated between two scans */
@@ -141,12 +141,12 @@ struct cor_collision_run {
     int number;     /* 0 for the first run with the same angles */
     int all_angles; /* evaluate all angles at every step */
     size_t steps;
-    double work; /* its part of the call's budget */
+    double work; /* part of the call's budget that the run has used */
     double eps, max_compression, contact_time;
     double max_load;
     double ripple;     /* largest change of the load with half the angles */
     double stiffness;  /* largest h^2 alpha (acceleration of the rim) */
-    double start, end; /* of the contact; NaN if unknown */
+    double start, end; /* times at which the contact begins and ends; NaN if unknown */
 };
 
 /* Computes a collision with steps run->h. `before` is a run with larger steps, or NULL. Its largest load defines the
@@ -176,17 +176,17 @@ double cor_collision_difference(const struct cor_motion *m, const struct cor_col
 
 /* The parts of the error of eps; docs/theory-disks.md, 15 */
 struct cor_collision_error {
-    double step;      /* of the extrapolation to h = 0 */
-    double angles;    /* of the quadrature over the rim */
-    double round_off; /* of all operations */
-    double wall;      /* of the wall's force before the first and after the last moment */
+    double step;      /* error of the extrapolation to h = 0 */
+    double angles;    /* error of the quadrature over the rim */
+    double round_off; /* effect of the rounding of all operations */
+    double wall;      /* effect of the wall's force before the first and after the last moment */
 };
 
 /* Evidence of errors from the runs of a call */
 struct cor_collision_evidence {
-    int runs;                            /* with the same angles */
+    int runs;                            /* number of runs with the same angles */
     double movement[COR_COLLISION_RUNS]; /* change of the extrapolated result by each run except the first */
-    double amplification;                /* of errors: measured, or a bound on it */
+    double amplification;                /* factor by which the collision amplifies errors: measured, or a bound */
     int measured;
     double by_angles; /* movement by shifted angles, if it is measured */
     int angles_measured;

@@ -223,9 +223,9 @@ double cor_collision_total_error(const struct cor_collision_error *error)
 struct runs {
     struct cor_collision_run run[COR_COLLISION_LEVELS + 1]; /* the last place is for the current run */
     int levels;
-    double h; /* of the next run */
+    double h; /* step of the next run */
     int cuts;
-    enum cor_collision_outcome outcome; /* of the last run made */
+    enum cor_collision_outcome outcome; /* outcome of the last run */
     struct cor_collision_evidence evidence;
     struct cor_collision_error error;
     double left, less_than_none; /* energy in the modes; sum of the extrapolated energies below 0 */

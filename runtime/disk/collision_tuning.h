@@ -29,7 +29,8 @@ enum {
 /* Smallest number of angles in the quadrant. Chosen. */
 #define COR_TUNING_LEAST_PHI 16.0
 /* Angles for each digit of the tolerance, over alpha^(2/3): the pressure decreases over alpha^(-2/3) at the edge of the
- * contact. The offset and the powers of v/0.1 below and above 1 follow. Fitted so that they mostly suffice. */
+ * contact. Then their offset, and the powers of v/0.1 below and above 1. Fitted: this number of angles mostly
+ * suffices. */
 #define COR_TUNING_PHI_PER_DIGIT 0.2
 #define COR_TUNING_PHI_OFFSET 0.05
 #define COR_TUNING_PHI_SLOW 0.25

@@ -106,7 +106,7 @@ struct level_sequence {
     double l[MAX_LEVELS], extrapolated[MAX_LEVELS]; /* extrapolated[k]: from levels k - 1 and k */
     double max_compression[MAX_LEVELS], contact_time, error_estimate;
     double work_left, work_per_step; /* the budget, see struct cor_hard_wall_settings */
-    double last_work;                /* of the highest level */
+    double last_work;                /* work of the highest level */
     int exhausted;                   /* the budget has ended */
 };
 

@@ -25,27 +25,27 @@ struct sizes {
     size_t terms;   /* terms of the rim's cosine series, in whole panels */
     size_t points;  /* number of angles, in whole panels; 0 in a point contact */
     size_t nyquist; /* N = pi/d, a multiple of half a panel */
-    size_t bins;    /* of struct cor_hard_wall_angles */
+    size_t bins;    /* as in struct cor_hard_wall_angles */
 };
 
 struct level {
     struct sizes size;
     const struct cor_hard_wall_loops *loops;
-    const struct cor_collision_loops *rim; /* its gather and split */
+    const struct cor_collision_loops *rim; /* only gather and split are used */
     const struct cor_disk_mode *mode;
     double speed, h, spacing;
     struct cor_hard_wall_modes modes;
     struct cor_mode_block *block;
     size_t *place;                       /* cell of each mode */
-    double *turn, *c, *s;                /* of each cell */
-    double *sine, *unit;                 /* of each mode: sin(omega h); sqrt(g), the amplitude of q = 1 */
+    double *turn, *c, *s;                /* [cell] */
+    double *sine, *unit;                 /* [mode]: sin(omega h); sqrt(g), the amplitude of q = 1 */
     double *force_c, *force_s;           /* [batch][lanes] */
     double *sum_c, *sum_s;               /* likewise */
     double *echo_cc, *echo_cs, *echo_ss; /* [1 to batch - 1][lanes]: effect of a force on sums 1 to batch - 1 kicks
                                           * later */
     struct cor_hard_wall_angles angles;
     double *twice_cosine, *shape, *reach, *force, *series;
-    double *t, *q; /* T_k and Q_n of the compliance at once, k up to nyquist */
+    double *t, *q; /* T_k and Q_n of the compliance that acts at once, k up to nyquist */
     struct cor_hard_wall_contact contact;
     double work, work_per_step, most_work; /* the budget; multiplications except the contact's */
     double point_constant;                 /* constant of the contact law, (57), less the moving modes */

@@ -26,7 +26,7 @@ struct cor_mode_wave {
     double z[COR_MODE_LANES], h[COR_MODE_LANES], k[COR_MODE_LANES], zeros[COR_MODE_LANES];
 };
 
-/* Both waves at COR_MODE_LANES frequencies or n. step: a step of Halley's method in omega^2, after which omega
+/* Both waves, at COR_MODE_LANES frequencies or orders n. step: a step of Halley's method in omega^2, after which omega
  * sqrt(1 - step) is closer to a root. below: the number of roots below omega. */
 struct cor_mode_point {
     double omega[COR_MODE_LANES], g[COR_MODE_LANES], n[COR_MODE_LANES];

@@ -219,8 +219,8 @@ struct list {
     size_t asked, taken, with_surface; /* ends of the three groups */
     enum cor_disk_datum datum;
     size_t n_modes;
-    double *room;                  /* of a piece */
-    struct cor_spectrum *spectrum; /* of a speed; not on the stack, where a piece has another one */
+    double *room;                  /* memory of a piece */
+    struct cor_spectrum *spectrum; /* of one speed; allocated, because a piece already needs one on the stack */
     double *q0;                    /* q0 of every speed; NaN if the speed is finished or invalid */
 };
 

@@ -26,7 +26,7 @@
 enum {
     COR_SPECTRUM_TERMS = 16,  /* terms of a polynomial in (omega - m)/(omega + m), where m is the geometric mean of an
                                * octave */
-    COR_SPECTRUM_OCTAVES = 48 /* largest number */
+    COR_SPECTRUM_OCTAVES = 48 /* largest number of octaves */
 };
 
 /* One leg of the path, theta = base + h(rho): int sin(theta) exp(i omega s) dtheta =
@@ -123,7 +123,7 @@ struct cor_spectrum {
     const struct cor_rayleigh_set *set;
     double half_time;   /* tau/2 */
     double decay;       /* Y */
-    double first;       /* where the first octave begins */
+    double first;       /* frequency at which the first octave begins */
     int octaves, edges; /* number of octaves of a, and of b */
     double a_re[COR_SPECTRUM_OCTAVES][COR_SPECTRUM_TERMS], a_im[COR_SPECTRUM_OCTAVES][COR_SPECTRUM_TERMS];
     double b[COR_SPECTRUM_OCTAVES][COR_SPECTRUM_TERMS]; /* each times omega^2 */
@@ -185,8 +185,8 @@ struct cor_surface_modes {
     int known; /* the largest n of the table; 0 if the modes have no continuation */
     double highest;
     struct cor_surface_fit fit;
-    int n;              /* up to which they have been continued */
-    double omega, echo; /* of that mode: its frequency and its weight */
+    int n;              /* largest n up to which the modes have been continued */
+    double omega, echo; /* frequency and weight of the mode with this n */
 };
 
 /* Data for the tail of a table at every speed; the highest mode is number n_modes. */

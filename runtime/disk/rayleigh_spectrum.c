@@ -44,7 +44,7 @@ static void set_integrals(double row[][COR_LEG_STEPS], int steps, double p[][COR
         double at[COR_LEG_GAUSS + 2];
         set_legendre(at, 1 - 2.0 * k / steps);
         for (int j = 0; j < COR_LEG_GAUSS / 2; j++) {
-            double even = 1 - at[1], odd = 0; /* in x_j */
+            double even = 1 - at[1], odd = 0; /* parts that are even and odd in x_j */
             for (int l = 1; l < COR_LEG_GAUSS; l += 2) {
                 odd += p[j][l] * (at[l - 1] - at[l + 1]);
                 if (l + 1 < COR_LEG_GAUSS)

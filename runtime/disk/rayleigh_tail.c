@@ -193,7 +193,7 @@ int cor_surface_modes_next(struct cor_surface_modes *surface, const struct cor_r
     chunk_clear(chunk);
     chunk->count = 0;
     while (chunk->count < COR_LINES && (chunk->count == 0 || chunk->omega[chunk->count - 1] < end)) {
-        if (!(omega[chunk->count] > surface->highest)) /* not the table of a disk */
+        if (!(omega[chunk->count] > surface->highest)) /* the table does not belong to a disk */
             return 0;
         chunk->omega[chunk->count] = surface->omega = omega[chunk->count];
         chunk->weights.echo[chunk->count] = surface->echo = strength[chunk->count];
@@ -267,7 +267,7 @@ static struct integrals tail_integrate(const struct cor_spectrum *spectrum, doub
     return sum;
 }
 
-/* Returns the integral of the bump, 4^4 4! 4!/9! times its width. */
+/* Returns the integral of the weight in a window, 4^4 4! 4!/9! times its width. */
 static double bump_integral(const double window[2])
 {
     return (window[1] - window[0]) * (256 * 576 / 362880.0);

@@ -31,7 +31,7 @@ COR_INLINE size_t cor_whole(size_t n, size_t of)
 /* ---- modes in blocks ---- */
 
 struct cor_mode_block {
-    size_t first, rows; /* in COR_LANES doubles */
+    size_t first, rows; /* first row and number of rows, of COR_LANES doubles each */
 };
 
 /* Sets the blocks, unless block is NULL, and returns the number of their places. */

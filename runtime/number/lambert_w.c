@@ -57,7 +57,7 @@ struct cor_inline_pair cor_lambert_t_pair(struct cor_inline_pair q)
     const double p = sqrt(twice.hi);
     if (q.hi < SERIES_END) {
         t.hi = p;
-        if (q.hi < COR_INLINE_2_M500) { /* and 0: the square of p may underflow */
+        if (q.hi < COR_INLINE_2_M500) { /* p^2 may underflow; q may be 0 */
             t.lo = q.hi * (2.0 / 3);
             return t;
         }

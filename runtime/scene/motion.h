@@ -52,7 +52,7 @@ struct motion_term {
     int exponent, power; /* power: set by cor_motion_init */
 };
 
-/* One step: coefficients in s, which is at most `step` */
+/* One step of a motion: coefficients of power series in s, 0 <= s <= `step` */
 struct motion {
     struct motion_term time[2], spring[2], damper;
     double press;

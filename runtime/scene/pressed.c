@@ -155,7 +155,7 @@ static int follow_rebound(struct cor_full_impact *impact, struct motion *m, int 
 
 #define SLOW 1e-8           /* the largest speed; its square is neglected */
 #define WEAK 1e-16          /* the largest damping */
-#define EXPONENT_MOST 100.0 /* of the beta functions */
+#define EXPONENT_MOST 100.0 /* largest argument of the beta functions */
 #define RELEASE_SHARE 1e-17 /* the largest part of the energy in the spring when the force vanishes */
 
 static double beta_function(double x, double y)
@@ -169,7 +169,7 @@ static double slow_sticking_speed(const struct cor_exponents *law, double dampin
 {
     const double a = cor_elastic(law), p = (cor_damping(law) + 1.5) / a;
     if (!(p < EXPONENT_MOST))
-        return INFINITY; /* not slow */
+        return INFINITY; /* the motion is not slow */
     const double factor = cor_quiet_product(cor_quiet_product(damping * 4, sqrt(2)), cor_quiet_power(a + 1, p));
     return sqrt(cor_quiet_product(factor / a, beta_function(p, 1.5)));
 }
@@ -211,7 +211,7 @@ static struct scales motion_scales(const struct cor_exponents *law, double dampi
         damping > 0 ? cor_quiet_quotient(cor_quiet_product(damping, cor_quiet_power(length, b + 1)), speed) : 0;
     const double unit = beta > 1 ? cor_quiet_power(beta, -1 / (b + 1)) : 1;
     const double strong = damping > 1 ? cor_quiet_power(damping, -1 / (b + 0.5)) : 1;
-    *is_forced = cor_quiet_power(length, a) < unit; /* f = length^-a in units of the speed */
+    *is_forced = cor_quiet_power(length, a) < unit; /* in units of the speed the constant force is length^-a */
     return *is_forced ? (struct scales){strong, sqrt(strong), cor_quiet_quotient(speed, sqrt(strong))}
                       : (struct scales){length * unit, cor_quiet_quotient(length * unit, speed), 1};
 }

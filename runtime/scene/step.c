@@ -28,11 +28,11 @@ double cor_scene_elastic_duration_s(const struct cor_scene_contact *contact, dou
 
 enum {
     NODES = 20,     /* nodes in a smooth piece of the phases */
-    NODES_LONG = 8, /* if one collision needs LONG steps */
+    NODES_LONG = 8, /* the same if one collision needs LONG steps */
     LONG = 1 << 13,
     MOST_PIECES = 256,
     OFTEN = 1 << 10,      /* number of steps between tests for creep to rest */
-    MOST_STEPS = 1 << 22, /* of one collision */
+    MOST_STEPS = 1 << 22, /* largest number of steps of one collision */
     WHOLE_POWER = 32      /* the largest power computed by multiplication */
 };
 #define FIRST_PHASE 1e-14

@@ -262,7 +262,7 @@ double cor_tangential_kappa(double young_modulus_1_pa, double poisson_ratio_1, d
     if (!is_in_range_or_infinite(young_modulus_1_pa) || !is_in_range_or_infinite(young_modulus_2_pa) ||
         !is_poisson_ratio(nu_1) || !is_poisson_ratio(nu_2))
         return NAN;
-    /* 1/Y in units of the larger one, so that nothing overflows */
+    /* 1/Y in units of the larger 1/Y, so that nothing overflows */
     const double young = young_modulus_1_pa < young_modulus_2_pa ? young_modulus_1_pa : young_modulus_2_pa;
     if (cor_is_infinity(young))
         return NAN;

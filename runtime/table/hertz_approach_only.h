@@ -58,7 +58,7 @@ static inline double cor_hertz_eps_beyond(const void *of, double beta)
     const struct cor_hertz_law *const law = of;
     if (cor_inline_is_refused(beta))
         return NAN;
-    if (beta < 1 || isinf(beta)) /* below 2^-60, where a row that is rounded upward exceeds 1 */
+    if (beta < 1 || isinf(beta)) /* beta below 2^-60, where a row that is rounded upward may exceed 1 */
         return beta < 1;
     int fourth;
     const struct cor_inline_pair eps = cor_hertz_eps_approach_only(law->overlap(beta, &fourth));

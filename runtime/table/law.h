@@ -44,7 +44,7 @@ struct cor_inline_law_quantity {
     struct cor_inline_law_table near, middle, below, tail;
     const double *(*far)(int); /* a_0, a_0', a_1, a_1', a_2, ..., a_8; or, with far_kind 2, v_f and its remainder */
     int far_kind;              /* 0: no far part; 1: sum; 2: power */
-    struct cor_inline_law_power power, far_power; /* of the tail's rows and of the far sum */
+    struct cor_inline_law_power power, far_power; /* powers of beta for the rows of the tail and for the far sum */
     struct cor_inline_law_power mu;               /* mu = beta^(-num/den) */
     const double *(*fall)(int);                   /* a further term of the duration at zero overlap */
     int has_fall;

@@ -94,7 +94,7 @@ SHARED size_t take(double *restrict x, const struct cor_row_table *table, const 
 struct reduced {
     const double *m; /* x, or `factor` */
     double s[BLOCK], t[BLOCK], factor[BLOCK];
-    uint64_t row[BLOCK]; /* its address */
+    uint64_t row[BLOCK]; /* address of the row */
 };
 
 COR_KERNEL uint64_t address_of(const double *rows, uint64_t i)

@@ -34,7 +34,7 @@ struct cor_row_table {
     enum cor_row_value value;
     double least, end, also;
     const double *near, *middle, *below; /* first rows */
-    double step, per_unit;               /* of the grid, whose first node is 0 */
+    double step, per_unit;               /* step of the grid, whose first node is 0, and 1/step */
     double near_end, middle_end;
     struct cor_inline_octaves octaves, below_octaves;
     struct cor_inline_pair threshold;
