@@ -224,7 +224,7 @@ COR_API int cor_disk_rayleigh(const struct cor_disk_modes *modes, size_t n_modes
  * mode_fraction is not NULL, to mode k. The speeds share most of the work. If 2 ln(limit/v) is between the same two
  * powers of 4 for at least 28 speeds, the function interpolates the terms that vary slowly with v. Its results differ
  * from cor_disk_rayleigh by less than the bounds, and from another list of speeds by less than 1e-12. status is NULL,
- * or receives the status of each speed. out[i] is NaN where the speed is out of range. If n is 0, speed and out may be
+ * or receives the status of each speed. out[i] is NaN if the speed is out of range. If n is 0, speed and out may be
  * NULL. Callers may divide the speeds among threads.
  * Returns COR_OK, the first status of a speed that is not COR_OK, or, with nothing changed,
  *     COR_ERROR_NULL, COR_ERROR_MODES, COR_ERROR_DATUM, COR_ERROR_DISK_POISSON_RATIO as above, COR_ERROR_MEMORY */
@@ -314,8 +314,8 @@ COR_API int cor_disk_collision(const struct cor_disk_modes *modes, size_t n_mode
 /* Does the same at n speeds with one table, wall and tolerance: out[i] has the bits of cor_disk_collision at speed[i].
  * The speeds share the workspace and all data that depend only on the modes. Speeds with equal numbers of angles share
  * the tables of angles. status is NULL, or receives the status of each speed. The numbers of out[i] are NaN, and steps
- * is 0, where the speed is too high or NaN. If n is 0, speed and out may be NULL. max_steps holds for each speed.
- * Callers may divide the speeds among threads.
+ * is 0, if the speed is too high or NaN. If n is 0, speed and out may be NULL. max_steps holds for each speed. Callers
+ * may divide the speeds among threads.
  * Returns COR_OK, the first status of a speed that is not COR_OK, or, with nothing changed,
  *     COR_ERROR_NULL, COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_MODES, COR_ERROR_TOLERANCE, COR_ERROR_ALPHA,
  *     COR_ERROR_PHI_POINTS as above, COR_ERROR_MEMORY */

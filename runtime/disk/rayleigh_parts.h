@@ -126,7 +126,7 @@ struct cor_spectrum {
     double first;       /* frequency at which the first octave begins */
     int octaves, edges; /* number of octaves of a, and of b */
     double a_re[COR_SPECTRUM_OCTAVES][COR_SPECTRUM_TERMS], a_im[COR_SPECTRUM_OCTAVES][COR_SPECTRUM_TERMS];
-    double b[COR_SPECTRUM_OCTAVES][COR_SPECTRUM_TERMS]; /* each times omega^2 */
+    double b[COR_SPECTRUM_OCTAVES][COR_SPECTRUM_TERMS]; /* coefficients of omega^2 a and omega^2 b */
 };
 
 /* Computes the spectrum for frequencies from `first` to `high`; contact_time is tau. All sets give the same bits. */

@@ -79,7 +79,7 @@ static double time_factor(const struct cor_scene_contact *contact)
                            1 / (cor_elastic(&contact->law) + 1));
 }
 
-/* Returns beta/zeta where q = 0, otherwise 1, because the damping is then beta at 1 m/s. */
+/* Returns beta/zeta if q = 0, otherwise 1, because the damping is then beta at 1 m/s. */
 static double beta_per_damping(const struct cor_scene_contact *contact)
 {
     return cor_law_is_constant(&contact->law) ? sqrt(2 * (cor_elastic(&contact->law) + 1)) : 1;

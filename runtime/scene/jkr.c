@@ -97,7 +97,7 @@ static double sticking_speed(double kappa, int power, int end)
     if (!cor_motion_init(&m, u + start, start * sqrt(slope * pull)))
         return NAN;
     for (int k = 0, turned = 0; k < MOTION_MOST_STEPS && cor_motion_start(&m) < LARGEST; k++) {
-        if (!cor_motion_expand(&m)) /* far beyond the range */
+        if (!cor_motion_expand(&m)) /* the motion has left the range of speeds */
             break;
         const double begin =
             turned || cor_motion_v(&m, m.step, 0) > 0 ? 0 : cor_motion_root(&m, cor_motion_v, 0, m.step, 0);

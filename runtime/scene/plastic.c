@@ -216,7 +216,7 @@ double cor_scene_liquid_speed(const struct cor_scene_contact *contact, double vi
         !cor_si_in_range(gap_outer_m) || !cor_si_in_range(gap_inner_m) || gap_outer_m < gap_inner_m)
         return NAN;
     const double radius = contact->radius_m, gap = gap_outer_m - gap_inner_m;
-    /* ln(1 + z) keeps its accuracy where the gaps are nearly equal */
+    /* ln(1 + z) keeps its accuracy if the gaps are nearly equal */
     const double logarithm =
         gap < gap_inner_m ? log1p(gap / gap_inner_m) : log(cor_si_quotient(gap_outer_m, gap_inner_m));
     const double product = cor_quiet_product(cor_quiet_product(6 * COR_PI * viscosity_pa_s, radius), radius);

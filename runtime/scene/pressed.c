@@ -277,7 +277,7 @@ double cor_pressed_sticking_speed(const struct cor_exponents *law, double dampin
     m.power[1].c[0] = cor_quiet_power(x, 1.0 / order_of(&m));
     int turned = 0;
     for (int k = 0; k < MOTION_MOST_STEPS && cor_motion_start(&m) < LARGEST_OVERLAP; k++) {
-        if (!cor_motion_expand(&m)) /* far beyond the range */
+        if (!cor_motion_expand(&m)) /* the motion has left the range of speeds */
             break;
         const double begin =
             turned || cor_motion_v(&m, m.step, 0) > 0 ? 0 : cor_motion_root(&m, cor_motion_v, 0, m.step, 0);

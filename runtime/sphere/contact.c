@@ -275,7 +275,7 @@ double cor_tangential_stick_angle(double kappa, double friction)
 {
     if (!is_positive(kappa) || cor_inline_is_refused(friction) || (cor_is_infinity(kappa) && cor_is_infinity(friction)))
         return NAN;
-    /* where the quotient is above 2^60 the angle is pi/2 to the last bit */
+    /* if the quotient is above 2^60, the angle is pi/2 to the last bit */
     return friction * 0x1p-60 > kappa ? atan(INFINITY) : atan(3.5 * (friction / kappa));
 }
 
