@@ -52,9 +52,9 @@ if(FLINT_FOUND)
   file(GLOB of_corgen CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gen/enclosure/complex_*.c)
   set_source_files_properties(${of_corgen} ${PROJECT_SOURCE_DIR}/gen/support/formula.c PROPERTIES
     COMPILE_OPTIONS $<$<AND:$<CONFIG:Release>,$<C_COMPILER_ID:GNU,Clang,AppleClang>>:-O2>)
-  # FLINT's headers take half the time of a compilation, so gcc precompiles them, except for sources with other options
-  # and for sources that need more of the C library than POSIX. With clang, tools read the commands before anything is
-  # built.
+  # FLINT's headers take half the time of a compilation, so gcc precompiles them. Exceptions are sources with other
+  # options and sources that need more of the C library than POSIX. With clang, tools read the commands before the
+  # build.
   if(CMAKE_C_COMPILER_ID STREQUAL GNU)
     target_precompile_headers(corgen_core PRIVATE ${PROJECT_SOURCE_DIR}/gen/support/flint.h)
     set(other support/console.c support/formula.c support/output.c support/parallel.c tables/directory.c)
