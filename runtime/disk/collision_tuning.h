@@ -29,8 +29,7 @@ enum {
 /* Smallest number of angles in the quadrant. Chosen. */
 #define COR_TUNING_LEAST_PHI 16.0
 /* Angles for each digit of the tolerance, over alpha^(2/3): the pressure decreases over alpha^(-2/3) at the edge of the
- * contact. Then their offset, and the powers of v/0.1 below and above 1. Fitted: this number of angles mostly
- * suffices. */
+ * contact. Then their offset and the powers of v/0.1 below and above 1. Fitted: these mostly suffice. */
 #define COR_TUNING_PHI_PER_DIGIT 0.2
 #define COR_TUNING_PHI_OFFSET 0.05
 #define COR_TUNING_PHI_SLOW 0.25
