@@ -144,7 +144,7 @@ static double factor_of(int number, const struct cor_scene_contact *c, double g)
            : number == CROSSLEY_PER_SPEED ? 1 / g           /* d = beta/g, s/m */
            : number == SIMBODY            ? 2 / (3 * g)     /* c of (3/2) c x' */
            : number == AREA_ROOT          ? pow(k / m, 0.75) / sqrt(r * g) /* eta m sqrt(R x) x' on a linear spring */
-           : number == AREA_HERTZ         ? pow(k / m, 0.6) / (sqrt(r) * pow(g, 0.2)) /* likewise on Hertz's force */
+           : number == AREA_HERTZ         ? pow(k / m, 0.6) / (sqrt(r) * pow(g, 0.2)) /* the same on Hertz's force */
            : number == DISSIPATION_TIME   ? 2.0 / 3 * pow(m / k, 0.4) / pow(g, 0.2)
            : number == DISSIPATION_TIME_ESYS ? pow(m / k, 0.4) / pow(g, 0.2)
            : number == HERTZ_VELOCITY        ? pow(m, 0.6) * pow(k, 0.4) * pow(g, 0.2)
@@ -1055,7 +1055,7 @@ double cor_simulator_number(const struct cor_simulator_model *model, const struc
     const double damping = cor_simulator_damping(model, target, same_law);
     *status = COR_SIMULATOR_OK;
     if (model->has_function)
-        return 1; /* its lines have no number */
+        return 1; /* the lines of such a model have no number */
     if (isnan(damping)) {
         *status = COR_SIMULATOR_NO_CLOSED_FORM;
         return NAN;
