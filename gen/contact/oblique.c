@@ -2,6 +2,7 @@
 #include "contact/oblique.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "contact/contact.h"
