@@ -211,7 +211,7 @@ TEST(harmed_lines)
           "mode 0 0 0x0p+0 0x0p+0 0x0p+0",
           /* lines that resemble a mode line: wrong S for n = 0, trailing space, wrong word */
           "mode 0 0 0x1p+1 0x1.279a74590331cp+0 0x1p+0", "mode 0 0 0x1p+1 0x1.279a74590331cp+0 0x0p+0 ",
-          "modes 0 0 0x1p+1 0x1.279a74590331cp+0 0x0p+0"}}};
+          "modes 0 0 0x1p+1 0x1.279a74590331cp+0 0x0p+0", " 0 0 0x1p+1 0x1.279a74590331cp+0 0x0p+0"}}};
     const struct cor_disk_mode *const m = cor_disk_modes_nu033.mode;
     for (size_t i = 0; i < COUNT_OF(harmed); i++)
         for (size_t k = 0; harmed[i].line[k] != NULL; k++) {
