@@ -210,6 +210,23 @@ def test_reasons(tmp_path, old, new, reason):
     assert reason in json.loads(out)[0]["advice"]
 
 
+@pytest.mark.parametrize(
+    "deck,old,new,reason",
+    [
+        ("kratos-linear.json", "0.99", '"high"', "COEFFICIENT_OF_RESTITUTION is not a number."),
+        ("kratos-linear.json", '.*RESTITUTION": 0.99,', "", "sets no contact itself"),
+        ("lethe-mixer.prm", "(particles *=) 0.5", r"\1 high", "of a partner is missing, or not a number."),
+        ("pfc-deform.dat", "(dp_nratio) [0-9.]+", r"\1 [high]", "dp_nratio or damp is not a number."),
+        ("mercury-tutorial.cpp", "(setDissipation).0.0", r"\1(high()", "dissipation of this species is not a literal number"),
+    ],
+)
+def test_texts_for_numbers(tmp_path, deck, old, new, reason):
+    """The damping of a deck of each simulator is a text, or is missing."""
+    text, count = re.subn(old, new, (DECKS[0].parent / deck).read_text())
+    out = run("audit", write(tmp_path, deck, text), "--format", "json")
+    assert count and reason in str(out), out
+
+
 def test_walls_and_lines(tmp_path):
     """A facet has its own number, and the line to write suits the contacts that exist."""
     cases = {

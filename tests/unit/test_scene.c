@@ -112,6 +112,39 @@ TEST(every_law)
     }
 }
 
+/* The numbers of two bodies, each given or not: a missing number comes first, in the order of the list, then density and
+ * mass of the first body and of the second, then the numbers that a wall lacks. */
+TEST(incomplete_bodies)
+{
+    static const int number[] = {COR_SCENE_YOUNG,   COR_SCENE_POISSON, COR_SCENE_RADIUS,    COR_SCENE_DISSIPATION_TIME,
+                                 COR_SCENE_MASS,    COR_SCENE_DENSITY, COR_SCENE_DENSITY_2, COR_SCENE_MASS_2,
+                                 COR_SCENE_RADIUS_2};
+    for (size_t i = 0; i < points(4000); i++) {
+        const int dissipates = random_below(&draw, 2) != 0, dense_wall = random_below(&draw, 2) != 0;
+        struct cor_scene scene = scene_without_numbers(COR_LAW_VISCOELASTIC);
+        struct cor_scene_fault fault;
+        int given[COUNT_OF(number)], missing = 0;
+        scene.wall = random_below(&draw, 2) != 0;
+        for (size_t k = 0; k < COUNT_OF(number); k++)
+            if ((given[k] = random_below(&draw, k < 4 ? 8 : 2) != 0))
+                scene.number[number[k]] = 0.3;
+        while (missing < 3 + dissipates && given[missing])
+            missing++;
+        const int expected = missing < 3 + dissipates                                            ? COR_FAULT_MISSING
+                             : given[4] == given[5]                                              ? COR_FAULT_ONE_OF
+                             : given[6] && given[7]                                              ? COR_FAULT_EXCLUDED
+                             : scene.wall && ((given[6] && !dense_wall) || given[7] || given[8]) ? COR_FAULT_WALL
+                                                                                                 : COR_FAULT_NONE;
+        const int options = dissipates * COR_SCENE_DISSIPATES + dense_wall * COR_SCENE_DENSE_WALL;
+        assert_int_equal(cor_scene_check_bodies(&fault, &scene, options), expected);
+        assert_int_equal(fault.fault, expected);
+        if (expected == COR_FAULT_MISSING)
+            assert_int_equal(fault.number, number[missing]);
+        if (expected == COR_FAULT_WALL)
+            assert_int_equal(fault.number, dense_wall ? COR_SCENE_RADIUS_2 : COR_SCENE_DENSITY_2);
+    }
+}
+
 /* Checks IEEE 754, but results above 2^1022 may be infinite and powers below 2^-1019 may be 0; x^NaN is NaN. */
 static void check_quiet(double quiet, double exact, char operation, double x, double y)
 {
