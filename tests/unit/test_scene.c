@@ -112,8 +112,8 @@ TEST(every_law)
     }
 }
 
-/* The numbers of two bodies, each given or not: a missing number comes first, in the order of the list, then density and
- * mass of the first body and of the second, then the numbers that a wall lacks. */
+/* Each number of two bodies is given or not. The first missing number takes precedence over density and mass of a body,
+ * and these take precedence over the numbers that a wall lacks. */
 TEST(incomplete_bodies)
 {
     static const int number[] = {COR_SCENE_YOUNG,   COR_SCENE_POISSON, COR_SCENE_RADIUS,    COR_SCENE_DISSIPATION_TIME,
