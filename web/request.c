@@ -31,7 +31,7 @@ static int is_number(double *value, const char *from, const char *to, const stru
         from++;
     while (to > from && to[-1] == ' ')
         to--;
-    /* strtod would also take hexadecimal numbers, inf and nan */
+    /* strtod would also accept hexadecimal numbers, inf and nan */
     if (from == to || strspn(from, "0123456789.eE+-") < (size_t)(to - from))
         return 0;
     *value = strtod(from, &end);

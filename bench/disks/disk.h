@@ -20,8 +20,8 @@ struct disk_bench {
     struct timing timing;
 };
 
-/* Each writes rows of disks.csv. disk_rayleigh: the energy of 1800 modes at low to high speeds, and error against time.
- * disk_collision: error against time, and the errors of fewer modes and softer walls. */
+/* Each function writes rows of disks.csv. disk_rayleigh: the energy of 1800 modes at low to high speeds, and error
+ * against time. disk_collision: error against time, and the errors of fewer modes and softer walls. */
 void disk_rayleigh(struct disk_bench *bench);
 void disk_collision(struct disk_bench *bench);
 

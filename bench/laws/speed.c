@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Each function of law.h against the formulas of simulators and textbooks: time and error in one table.
+/* Compares each function of law.h with the formulas of simulators and textbooks: time and error in one table.
  *     cor_bench_laws > speed.csv
  * Arguments are uniform in the interval of the row. Times are the least of many rounds. The error of an eps or a loss
  * is relative. The error of a damping is the relative change of eps that it causes, |eps(damping) - e|/e. Exact values
@@ -31,7 +31,7 @@ EXACT(loss_force, COR_END_ZERO_FORCE, -expm1l(-l))
 EXACT(eps_approach, COR_END_APPROACH_ONLY, expl(-l))
 EXACT(eps_limited, COR_END_LIMITED, expl(-l))
 
-/* Returns the largest overlap for a = 3/2: its energy is the energy of a rebound without damping. */
+/* Returns the largest overlap for a = 3/2, at which the spring has the energy of a rebound without damping. */
 static long double exact_overlap(long double beta)
 {
     return powl(1.25L * powl(reference_hunt_crossley_approach_eps(beta), 2), 0.4L);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The compared methods: every method is a row of the table. Each file methods_*.c adds its own rows. It also contains
- * the loops that are timed, written as a user would write them, so that inline functions are inlined. */
+/* The compared methods: every method is a row of the table. Each file methods_*.c adds its own rows. Each file also
+ * contains the timed loops, written as a user would write them, so that inline functions are inlined. */
 #ifndef COR_BENCH_SPHERES_METHODS_H
 #define COR_BENCH_SPHERES_METHODS_H
 
@@ -26,7 +26,7 @@ struct method {
     unsigned flags;
     int number; /* steps; for arrays of the library, their instruction set */
 
-    /* out[i] = eps(in[i]), independent of each other */
+    /* computes out[i] = eps(in[i]), independently for each i */
     void (*each)(const struct method *method, const struct scene *scene, const double *in, double *out, size_t n);
     /* each eps(in[i]) waits for the previous one; returns the last; NULL for arrays */
     double (*chain)(const struct method *method, const struct scene *scene, const double *in, size_t n);

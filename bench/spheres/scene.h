@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A scene: a contact and a range of impact speeds. Its exact eps, from the long double integration of the tests. */
+/* Scenes, each a contact with a range of impact speeds, and their exact eps, by the tests' long double integration. */
 #ifndef COR_BENCH_SPHERES_SCENE_H
 #define COR_BENCH_SPHERES_SCENE_H
 

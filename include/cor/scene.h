@@ -109,7 +109,7 @@ struct cor_scene_contact {
 };
 
 double cor_scene_speed_exponent(const struct cor_scene_contact *contact); /* q */
-/* Return 1 if the contact can end in this way, and 1 if eps depends on the end. */
+/* The first returns 1 if the contact can end in this way, the second if eps depends on the end. */
 int cor_scene_has_end(const struct cor_scene_contact *contact, int end);
 int cor_scene_ends_differ(const struct cor_scene_contact *contact);
 /* Returns the name of end 0 or 1 of a contact, as in the columns of corgen: "zero_overlap" and "zero_force". Under a
@@ -258,7 +258,7 @@ enum cor_tangential_memory {
     COR_REMEMBERS_DISPLACEMENT,          /* the force is k x^p s */
     COR_REMEMBERS_FORCE,                 /* the force is the integral of k x^p ds */
     COR_REMEMBERS_DISPLACEMENT_RESCALED, /* likewise, but s shrinks with the contact radius x^(1/2) on the way back */
-    COR_REMEMBERS_FORCE_RESCALED,        /* likewise, but the force shrinks with it; in both p = a - 1 */
+    COR_REMEMBERS_FORCE_RESCALED,        /* likewise, but the force shrinks with that radius; p = a - 1 in both */
     COR_REMEMBERS_NOTHING,               /* no spring: only a damper acts */
     COR_TANGENTIAL_MEMORIES
 };
@@ -585,7 +585,7 @@ struct cor_simulator_model {
                                 const struct cor_scene_contact *contact, double speed_m_s);
     double (*damping_of_number)(const struct cor_simulator_model *model, double number,
                                 const struct cor_scene_contact *contact, double speed_m_s);
-    int number; /* selects their factor (runtime/scene/simulators.c) */
+    int number; /* selects the factor between both (runtime/scene/simulators.c) */
 
     const char *file;    /* the source file in the simulator */
     const char *known;   /* how the model is known: "run", "source" or "documentation" */
@@ -673,7 +673,7 @@ long cor_simulator_version(const char *text);
 struct cor_material {
     const char *name;
     struct cor_body body; /* the smallest ball; infinite radius and mass: a wall; dissipation time NaN: not known */
-    double radius_max_m;  /* of the largest ball, of the same density; NaN: all balls have one radius */
+    double radius_max_m;  /* radius of the largest ball, of the same density; NaN: all balls have one radius */
     const char *made_of;  /* the material that gives its elasticity, and a dissipation time that is NaN; NULL: none */
 };
 

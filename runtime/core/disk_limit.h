@@ -15,7 +15,7 @@
 /* Sizes of a root, which is an undivided cell, and of a square, in sides of the smallest piece */
 enum { COR_DISK_LIMIT_SQUARE_BITS = 3, COR_DISK_LIMIT_PER_SQUARE = 8, COR_DISK_LIMIT_PER_ROOT = 16 };
 
-/* Distance beyond a side of a cell, in units of that side; less than half of the smallest neighbour */
+/* A neighbour is looked up this far beyond the common side, in units of that side: within the smallest neighbour */
 #define COR_DISK_LIMIT_BEYOND 0x1p-10
 
 /* A piece. x, nu: its first corner, in the coordinates of the plane. per_x, per_nu: inverse sides. coefficient[4 j + i]

@@ -25,7 +25,7 @@ struct cor_rim {
     const struct cor_mode_block *block;
     const double *c, *s;    /* placed like the modes */
     size_t used_terms;      /* the largest k with a cosine, plus 1 */
-    size_t terms, points;   /* cos(k phi_j), k < terms, j < points: multiples of COR_PANEL */
+    size_t terms, points;   /* ranges of k and j in cos(k phi_j), multiples of COR_PANEL */
     const double *by_point; /* [(j / COR_PANEL) terms + k][j % COR_PANEL] = cos(k phi_j) */
     const double *by_term;  /* [(k / COR_PANEL) points + j][k % COR_PANEL] = cos(k phi_j) */
 };

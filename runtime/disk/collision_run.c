@@ -152,8 +152,8 @@ static void modes_at_rest(struct cor_motion *m, double h)
 }
 
 /* Sets the first moment. The wall's force grows like exp(sigma t), sigma = alpha v: Q'' + omega^2 Q = F/m gives
- * Q = F/(m (omega^2 + sigma^2)), and the centre has lost the wall's energy. The first half of the kick is before this
- * moment. */
+ * Q = F/(m (omega^2 + sigma^2)), and the centre has lost the energy of the wall. The first half of the kick is before
+ * this moment. */
 void cor_collision_approach(struct cor_motion *m, double h, struct cor_collision_state *now)
 {
     const double sigma = m->alpha * m->speed, energy = 0.5 * COR_DISK_MASS * m->speed * m->speed;

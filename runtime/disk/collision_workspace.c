@@ -92,7 +92,7 @@ void cor_motion_set_angles(struct cor_motion *m, size_t phi, size_t shift)
 {
     const size_t terms = m->size.terms, points = cor_whole(phi, COR_PANEL), half = 2 * phi;
     m->phi = phi;
-    for (size_t i = 0; i < half; i++) { /* steps of half the distance between angles; each part: a quarter turn */
+    for (size_t i = 0; i < half; i++) { /* steps of half the distance between angles; four quarter turns */
         m->table[i] = cos((double)i * (COR_PI / (4 * (double)phi)));
         m->table[half + i] = -sin((double)i * (COR_PI / (4 * (double)phi)));
         m->table[2 * half + i] = -m->table[i];
@@ -119,8 +119,7 @@ void cor_motion_set_angles(struct cor_motion *m, size_t phi, size_t shift)
 double cor_motion_work(const struct cor_motion *m, size_t reached, size_t pressed)
 {
     const double used = (double)(m->size.n_max + 2), terms = (double)m->size.terms;
-    /* In this order: reach, exponential and search; two transforms and the response; modes; a constant for each
-     * step. */
+    /* terms: reach, exponential and search; two transforms and the response; modes; a constant for each step */
     return (double)reached * (used + 90) + (double)pressed * (2 * terms + used + 10) + 20 * (double)m->size.cells +
            2000;
 }

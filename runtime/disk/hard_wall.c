@@ -394,7 +394,7 @@ int cor_hard_wall_within(double most_work, double nu, const struct cor_disk_hard
     size_t levels = 7;
     while ((status = climb_alone(&sequence, levels)) == COR_TOLERANCE_NOT_REACHED && !sequence.exhausted &&
            levels < MAX_LEVELS)
-        levels += levels < 11 ? 2 : 1; /* the modes of two more take eight times as long */
+        levels += levels < 11 ? 2 : 1; /* the modes for two more levels take eight times as long */
     if (sequence.levels >= LEAST_LEVELS)
         conclude_sequence(&sequence, out);
     *work = whole - sequence.work_left;

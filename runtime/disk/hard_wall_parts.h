@@ -106,7 +106,8 @@ void cor_hard_wall_contact_begin(struct cor_hard_wall_contact *contact, size_t t
                                  const double *q, const struct cor_hard_wall_angles *angles, double constant,
                                  double *scratch);
 /* Sets `points` forces y >= 0 under which no angle reaches into the wall. reach[j] is the reach of angle j without
- * forces; a reach up to `negligible` counts as 0. Returns 1 plus the last angle with a force; `points`: too many. */
+ * forces; a reach up to `negligible` counts as 0. Returns 1 plus the last angle with a force; if this is `points`, the
+ * contact may be wider. */
 size_t cor_hard_wall_contact_solve(struct cor_hard_wall_contact *contact, const double *reach, double negligible,
                                    double *y);
 
@@ -161,7 +162,7 @@ int cor_hard_wall_level(void *workspace, const struct cor_disk_modes *modes, dou
 /* ---- the sequence: hard_wall.c ---- */
 
 /* Does the same as cor_disk_hard_wall_nu, with a budget of most_work multiplications if options->max_steps is 0. Sets
- * the work done. */
+ * *work to the work done. */
 int cor_hard_wall_within(double most_work, double nu, const struct cor_disk_hard_wall_options *options, double speed,
                          struct cor_disk_hard_wall *out, double *work);
 

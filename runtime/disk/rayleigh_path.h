@@ -258,7 +258,7 @@ COR_KERNEL struct cx kernel_guess(const struct cor_leg_path *path, const struct 
     return cx_of(is_outside ? outside.re : inside.re, is_outside ? outside.im : inside.im);
 }
 
-/* Steps from a start value to y with relative error 2^-48, sampled at q0 = 0 to 1400, to 30 for the second base */
+/* Steps of Halley's method to y with relative error 2^-48, sampled at q0 = 0 to 1400, for the second base to 30 */
 enum { STEPS_FROM_ZERO = 2, STEPS_FROM_OTHER = 3 };
 
 #endif

@@ -262,8 +262,8 @@ static double rate_of_damping(const struct cor_scene_contact *contact, int sourc
                : cor_quiet_power(cor_quiet_quotient(value, cor_quiet_product(beta, contact->mass_kg)), 1 / (b + 1));
 }
 
-/* Sets *rate to the (K/m)^(1/(a+1)) with which this contact lasts for duration_s; for m = K = 1 it lasts rate times
- * that. */
+/* Sets *rate to the (K/m)^(1/(a+1)) with which this contact lasts for duration_s; for m = K = 1 it lasts rate times as
+ * long. */
 static int rate_of_duration(double *rate, const struct cor_scene_contact *contact, double duration_s, double speed_m_s,
                             int end)
 {

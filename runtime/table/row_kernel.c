@@ -72,7 +72,7 @@ COR_KERNEL mask table_has(const struct cor_row_table *table, double x)
     return is_between(x, table->least, table->end) | is_same(x, table->also);
 }
 
-/* Copies m numbers to x. `also` replaces those that are not in the table, and pads x to whole vectors of every set.
+/* Copies m numbers to x. `also` replaces numbers that are not in the table, and pads x to whole vectors of every set.
  * Returns the number of replaced numbers. */
 SHARED size_t take(double *restrict x, const struct cor_row_table *table, const double *restrict in, size_t m)
 {
