@@ -14,8 +14,8 @@ enum { MOST_BALLS = 6000, DEEPEST = 24 /* number of times that a square may be s
 
 /* Half the side of the first squares, in units of the ellipse's minor semi-axis */
 #define FIRST_HALF (1.0 / 8)
-/* Paths in laws of other exponents (complex_law.h) assume strong damping for ln(beta) above these numbers. Within
- * STRONG_ABOUT of them, the other path is tried if the first fails. */
+/* For other laws (complex_law.h), the paths assume strong damping for ln(beta) above these numbers. Within STRONG_ABOUT
+ * of them, the path for weak damping is tried if the first path fails, or the reverse. */
 #define STRONG_OVERLAP 1.4
 #define STRONG_FORCE (-1.5)
 #define STRONG_ABOUT 0.7
@@ -46,9 +46,9 @@ struct cover {
     const struct interval *interval;
     struct ellipse_bound *bound;
     double a, b;  /* semi-axes of the ellipse; half the interval is the unit of all lengths below */
-    unsigned set; /* of quantities */
+    unsigned set; /* set of quantities to bound */
     bool (*stored)(struct complex_ball y[QUANTITIES], const struct cover *work, struct complex_ball x);
-    const struct interpolant *f; /* another law's interpolant, quantity and path */
+    const struct interpolant *f; /* for another law: its interpolant, quantity and path */
     enum quantity quantity;
     struct complex_law_path path;
     atomic_int balls;
@@ -226,10 +226,10 @@ bool ellipse_bound_of_law(struct ellipse_bound *bound, const struct interpolant 
     const double lo = interval->lo, hi = interval->hi, log_sticking = f->layout->press_log;
     const double above = (lo + hi) / 2 - (force ? STRONG_FORCE : STRONG_OVERLAP);
     const bool strong = may_be_strong && above > 0;
-    struct complex_ball beta, log_beta; /* in all of the ellipse */
+    struct complex_ball beta, log_beta; /* beta in the whole ellipse */
     damping_of(&beta, &log_beta, &work, (struct complex_ball){(lo + hi) / 2, 0, (hi - lo) / 2 * (rho + 1 / rho) / 2});
     work.path = complex_law_path(law, ball_above(beta), strong);
-    if (pressed) /* near the sticking speed v_s, the energy left at the end is as small as v/v_s - 1 */
+    if (pressed) /* near the sticking speed v_s the energy left at the end is of order v/v_s - 1 */
         work.path.resolution = fmin(1, NEAR_STICKING * fmin(fabs(lo - log_sticking), fabs(hi - log_sticking)) /
                                            fabs(ratio_double(law_speed_exponent(law))));
     if (cover_ellipse(&work, rho))

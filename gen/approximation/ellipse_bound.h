@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Bounds of the sphere's quantities on Bernstein ellipses around the intervals of the interpolant (docs/theory.md, 8).
- * The ellipse of [lo, hi] has the foci lo and hi and the semi-axes (hi - lo)/4 (rho +- 1/rho). */
+/* Bounds the sphere's quantities on Bernstein ellipses around the intervals of the interpolant (docs/theory.md, 8). The
+ * ellipse of [lo, hi] has the foci lo and hi and the semi-axes (hi - lo)/4 (rho +- 1/rho). */
 #ifndef COR_GEN_APPROXIMATION_ELLIPSE_BOUND_H
 #define COR_GEN_APPROXIMATION_ELLIPSE_BOUND_H
 
@@ -11,15 +11,15 @@ struct ellipse_bound {
     double modulus[QUANTITIES]; /* upper bound of the numbers that the interval stores */
 };
 
-/* Radii and bounds for the intervals of interpolant_sphere_proof. If rho = 0, two other intervals cover this one. Each
- * rho is near the largest for which the cover succeeds. The bounds are one per cent above the computed ones. `corgen
- * tables` proves them each time it writes the tables. */
+/* Radii rho and bounds for the intervals of interpolant_sphere_proof. rho = 0: two other intervals cover this one. Each
+ * rho is close to the largest for which the proof succeeds. The stated bounds are one per cent above the computed
+ * bounds. `corgen tables` proves them each time it writes the tables. */
 enum { ELLIPSES = 9 };
 extern const struct ellipse_bound ellipse_stated[ELLIPSES];
 
 /* Proves that every number in the interval's ellipse_bound_set is an analytic function in the ellipse, and bounds its
- * modulus. Enclosed collisions cover the ellipse. Returns 0, or 1 after reporting on stderr that the cover failed,
- * because the ellipse is too large. */
+ * modulus. Enclosed collisions cover the ellipse. Returns 0, or 1 after reporting on stderr that the ellipse is too
+ * large to be covered. */
 int ellipse_bound_make(struct ellipse_bound *bound, const struct interval *interval, double rho);
 
 /* Bounds eps at one end of contact for another law in the same way. The other moduli are 0. Returns false without a

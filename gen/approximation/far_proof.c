@@ -9,11 +9,11 @@
 
 enum {
     HALVINGS = 8, /* largest number of halvings of a cell */
-    POINTS = 8    /* on each side of the middle, where the error is evaluated first */
+    POINTS = 8    /* points on each side of the middle at which the error is evaluated first */
 };
 
-/* Length of cells of u up to WIDE_FROM. Beyond, mu < 4e-28, and longer cells enclose mu in a ball around 0. The limits
- * of the functions for mu -> 0 suffice there. */
+/* Length of cells of u up to WIDE_FROM. Above WIDE_FROM mu < 4e-28, so the limits of the functions for mu -> 0 suffice:
+ * longer cells enclose mu in a ball around 0. */
 #define CELL_LENGTH 0.5
 #define WIDE_FROM 38.0
 
@@ -75,10 +75,10 @@ static void far_cell_clear(struct far_cell *cell)
     FOR_ALL(arb_poly, clear, cell->u, cell->mu);
 }
 
-/* Computes the limit for mu -> 0, from which a quantity differs by at most 210 mu u^2 (docs/theory.md, 8). */
+/* Computes a quantity's limit for mu -> 0, which is at most 210 mu u^2 from it (docs/theory.md, 8). */
 static void limit_on(arb_poly_t y, enum quantity quantity, const struct far_cell *cell)
 {
-    const slong events = quantity == DURATION_ZERO_FORCE ? 2 : 1; /* each takes a time of order ln(1/mu) */
+    const slong events = quantity == DURATION_ZERO_FORCE ? 2 : 1; /* events of a time of order ln(1/mu) */
     const double lo = cell->lo;
     LOCAL(arb, x, c);
     arb_poly_zero(y);
@@ -141,8 +141,8 @@ static void formula_on(arb_poly_t y, const double *c, const struct far_cell *cel
                  c[0]);
 }
 
-/* Computes ln of the formula's beta over beta. With q = eps beta^(5/3)/a and e = mu q it is -(3/5) ln(q) + ln(1 + e
- * (b_0 + b_1 v + b_2 v^2) + e^2 (c_0 + ... + c_4 v^4)), v = u - (3/5) ln(q). */
+/* Computes ln(beta of the formula/beta). With q = eps beta^(5/3)/a and e = mu q it is -(3/5) ln(q) + ln(1 + e (b_0 +
+ * b_1 v + b_2 v^2) + e^2 (c_0 + ... + c_4 v^4)), v = u - (3/5) ln(q). */
 static bool inverse_on(arb_poly_t y, const struct far_proof *proof, const double *c, const struct far_cell *cell)
 {
     LOCAL(arb_poly, q, e, v);

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* Computes every quantity of a law's collision in microseconds, by polynomials of high degree through enclosed
- * collisions (collision.h). The tables are cut from these functions, compared with them, and inverted with them.
+ * collisions (collision.h). corgen cuts the tables from these functions, compares the tables with them, and inverts
+ * them.
  *
- * The samples are enclosed and rounded to the bits of their interval (proved). Rounded samples count as exact, so that
- * all later steps are arithmetic with the same result for every library. interpolant_check samples the error between
- * them. A layout defines the variables and intervals. The sphere's layout has z = sqrt(beta) up to beta = 17, in which
- * both ends of contact are analytic. For u = ln(beta) >= 2 the quantities are powers of beta times functions of
- * mu = beta^(-5/3) and mu ln(beta). law_layout.h has the layout of any law. */
+ * The samples are enclosed and rounded to the bits of their interval (proved). The rounded samples count as exact, so
+ * all later steps are arithmetic and give the same result with every library. interpolant_check measures the error
+ * between the samples. A layout defines the variables and intervals. The sphere's layout has z = sqrt(beta) up to beta
+ * = 17, in which both ends of contact are analytic. For u = ln(beta) >= 2 the quantities are powers of beta times
+ * functions of mu = beta^(-5/3) and mu ln(beta). law_layout.h has the layout of any law. */
 #ifndef COR_GEN_APPROXIMATION_INTERPOLANT_H
 #define COR_GEN_APPROXIMATION_INTERPOLANT_H
 
@@ -39,7 +40,7 @@ enum quantity {
     BETA_ZERO_FORCE,
     BETA_QUOTIENT_ZERO_OVERLAP,
     BETA_QUOTIENT_ZERO_FORCE,
-    /* with damping during the approach only, from the largest overlap and its time */
+    /* damping during the approach only; computed from the largest overlap and its time */
     EPS_APPROACH_ONLY,
     LOSS_QUOTIENT_APPROACH_ONLY,
     DURATION_APPROACH_ONLY,
@@ -58,7 +59,7 @@ enum {
 enum interval_variable {
     INTERVAL_ROOT, /* z = beta^(1/root) */
     INTERVAL_LOG,  /* u = ln(beta) */
-    INTERVAL_BELOW /* v = ln(beta_c - beta), laws with a threshold beta_c of zero overlap */
+    INTERVAL_BELOW /* v = ln(beta_c - beta), for laws whose zero overlap has a threshold beta_c */
 };
 
 /* The form in which a quantity is sampled */
@@ -66,7 +67,7 @@ enum interval_form {
     FORM_VALUE,
     FORM_QUOTIENT, /* (1 - eps)/beta for eps */
     FORM_LOG,      /* ln(eps) for eps, which may fall by many powers of ten */
-    FORM_POWER     /* divided by its power of beta, interpolant_tail_power */
+    FORM_POWER     /* the quantity over its power of beta, interpolant_tail_power */
 };
 
 struct interval {
@@ -163,9 +164,9 @@ void interpolant_at(arb_t y, const struct interpolant *f, enum quantity quantity
 void interpolant_at_beta(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t beta, slong prec);
 
 /* Computes the number that an interval of FORM_POWER stores, otherwise the quantity. In u it is the quantity divided by
- * its power of beta. For spheres 2 <= u <= 10, and eps at zero overlap is h*^5 beta^-5 there. In v for q = 0 it is the
- * duration times eps^((a-1)/(a+1)), both at zero overlap, which is regular at beta_c.
- * interpolant_tail_power returns the power. */
+ * its power of beta. For spheres 2 <= u <= 10, and eps at zero overlap is h*^5 beta^-5 there. In v, for q = 0, it is
+ * the duration at zero overlap times eps^((a-1)/(a+1)), which is regular at beta_c. interpolant_tail_power returns the
+ * power. */
 void interpolant_tail(arb_t y, const struct interpolant *f, enum quantity quantity, enum interval_variable variable,
                       const arb_t x, slong prec);
 struct ratio interpolant_tail_power(const struct cor_exponents *law, enum quantity quantity);
@@ -181,7 +182,7 @@ arb_srcptr interpolant_far(const struct interpolant *f, enum quantity quantity);
  *
  *     beta = (a/eps)^(3/5) (1 + e (b_0 + ... + b_2 v^2) + e^2 (c_0 + ... + c_4 v^4)),   e = eps/a,   v = -(3/5) ln(e)
  *
- * up to terms in e^3. The coefficients follow by formal inversion of the sum above, whose coefficient of u is 0. */
+ * up to terms in e^3. They follow by formal inversion of the sum of interpolant_far, whose coefficient of u is 0. */
 enum { INTERPOLANT_FAR_INVERSE = 9 };
 void interpolant_far_inverse(arb_ptr coefficient, const struct interpolant *f);
 

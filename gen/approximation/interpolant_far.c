@@ -5,7 +5,7 @@
 
 enum {
     FAR_BITS = 112,
-    SOLVING_BITS = 960 /* for the linear equations of the far coefficients, which may be ill-conditioned */
+    SOLVING_BITS = 960 /* bits for the linear equations of the far coefficients, which may be ill-conditioned */
 };
 
 /* Fills a row with 1, u; mu, mu u, mu u^2; mu^2, mu^2 u, mu^2 u^2, mu^2 u^3. */
@@ -32,7 +32,7 @@ static bool falls_apart(const struct cor_exponents *law)
     return n > 0 && m != 0 && m != n;
 }
 
-/* Returns the exponent of beta of the sum over mu^i u^j, or of `fall`, minus the exponent of the leading power. */
+/* Returns the exponent of beta at the sum over mu^i u^j, or at `fall`, minus the leading exponent. */
 static struct ratio far_excess(const struct cor_exponents *law, bool fall)
 {
     const struct ratio a = law_elastic(law), b = law_damping(law),

@@ -8,18 +8,18 @@
 /* The search range of an inverse */
 struct search {
     const struct interpolant *f;
-    enum quantity function; /* eps or (1 - eps)/beta */
+    enum quantity function; /* function to invert: eps or (1 - eps)/beta */
     bool of_loss;
     enum interval_variable variable;
     double lo, hi;
     slong prec;
 };
 
-/* Far from the inverse few bits suffice: the bits that the polynomials' coefficients lose, and 64 more. */
+/* Working bits far from the solution: the bits that the coefficients of the polynomials lose, and 64 more */
 enum { SEARCH_BITS = 128 };
 
-/* Computes a function of w minus its value at the inverse. For the loss it is a root, whose slope is not 0 at beta = 0.
- * For eps it is ln(eps), because eps may fall by many powers of ten in an interval. */
+/* Computes a function of w minus its target value. For the loss the function is a root of the loss, whose slope is not
+ * 0 at beta = 0. For eps it is ln(eps), because eps may fall by many powers of ten in an interval. */
 static void set_excess(arb_t y, const struct search *s, const arb_t w, const arb_t wanted)
 {
     const slong prec = s->prec, root = s->f->layout->root;
@@ -36,7 +36,7 @@ static void set_excess(arb_t y, const struct search *s, const arb_t w, const arb
     arb_get_mid_arb(y, y);
 }
 
-/* True if w is beyond the zero. The loss rises with beta. eps and v fall with beta. */
+/* True if w is beyond the root. The loss rises with beta; eps and v fall with beta. */
 static bool is_beyond_root(const struct search *s, double w, const arb_t wanted)
 {
     LOCAL(arb, x, y);
@@ -80,7 +80,7 @@ static int solve_search(arb_t w, struct search *s, const arb_t wanted)
     return found ? STATUS_OK : fail("found no beta whose collision has the given result");
 }
 
-/* Chooses the first variable whose range reaches the zero. */
+/* Chooses the first variable whose range contains the root. */
 static void choose_stretch(struct search *s, const arb_t wanted)
 {
     const struct interpolant *f = s->f;

@@ -10,7 +10,7 @@
 enum {
     INTERPOLANT_BITS = 320 /* working precision */,
     INTERPOLANT_GUARD = 96,     /* bits that cancel in powers */
-    INTERPOLANT_NODE_BITS = 640 /* of nodes; divided differences lose many bits */
+    INTERPOLANT_NODE_BITS = 640 /* bits of the nodes; divided differences lose many */
 };
 
 static inline bool has_quantity(const struct interval *interval, enum quantity quantity)
@@ -18,14 +18,14 @@ static inline bool has_quantity(const struct interval *interval, enum quantity q
     return interval->set & 1u << quantity;
 }
 
-/* Computes an exact beta near the place x of an interval, and the value of the variable there. A strongly damped
- * collision would widen an inexact beta a thousandfold. */
+/* Computes an exact beta near the place x of an interval, and the value of the variable there. beta is exact because a
+ * strongly damped collision widens its uncertainty a thousandfold. */
 void interpolant_place(arb_t beta, arb_t variable, const struct interpolant *f, const struct interval *interval,
                        double x);
 void samples_init(struct samples *s, slong count);
 void samples_clear(struct samples *s, slong count);
-/* Sets the values of all known samples to the numbers that their intervals store for the collisions at their beta. The
- * values are rounded to the bits of the interval and then exact. */
+/* Sets the value of each known sample to the number that its interval stores for the collision at its beta. The value
+ * is rounded to the bits of the interval, and counts as exact. */
 int samples_collide(struct samples *s, int intervals, const struct interpolant *f, const struct interval *interval,
                     const char *step);
 

@@ -10,13 +10,13 @@
 #include "support/parallel.h"
 
 enum {
-    GUARD_BITS = 10, /* beyond the bits of a sample; they nearly always decide its rounding */
+    GUARD_BITS = 10, /* bits beyond the bits of a sample; they nearly always determine its rounding */
     SCALING_BITS = 32
 };
 
-/* At strong damping zero overlap is slow to compute, but has a closed form except for the duration. Zero overlap is
- * singular near 1.7 + 0.45 i, so the ellipse around the third interval would prove too little. The two intervals after
- * it cover the same range. All values still come from the third. */
+/* At strong damping zero overlap is slow to compute, but all of its quantities except the duration have a closed form.
+ * Zero overlap is singular near 1.7 + 0.45 i, so the ellipse around the third interval is too small for the proof. The
+ * two next intervals cover its range for the proof; the values still come from the third. */
 static const struct interval sphere_intervals[] = {
     {INTERVAL_ROOT, 0, 0.625, 40, 90, FORM_QUOTIENT, SET_ALL},
     {INTERVAL_ROOT, 0.625, 1.25, 40, 90, FORM_VALUE, SET_ALL},

@@ -9,8 +9,8 @@
 #include "support/local.h"
 
 enum {
-    CHECK_BITS = 70,     /* of the collisions in interpolant_check */
-    CONSTANT_BITS = 200, /* of beta_c and v_f */
+    CHECK_BITS = 70,     /* bits of the collisions in interpolant_check */
+    CONSTANT_BITS = 200, /* bits of beta_c and v_f */
     BACKWARD_ORDER = 24  /* order of G and T, which are used for w below 1/8 */
 };
 
@@ -23,7 +23,7 @@ static void polynomial_at(arb_t y, const struct interpolant *f, int i, enum quan
     LOCAL(arb, t, at, slope, rough);
     LOCAL(mag, radius);
     unit_place(t, x, interval->lo, interval->hi, prec + INTERPOLANT_GUARD);
-    /* p at the middle of t, and a bound of its slope; powers of the ball t would be far wider */
+    /* evaluate p at the middle of t, and bound its slope; powers of the ball t would be far wider */
     arb_get_mid_arb(at, t);
     arb_poly_evaluate(y, p, at, prec + INTERPOLANT_GUARD);
     arb_poly_evaluate2(rough, slope, p, t, INTERPOLANT_GUARD);
@@ -232,7 +232,7 @@ static int make_constants(struct interpolant *f, double beta_max)
     if (law_fall_power(law).num <= 0) {
         LOCAL(arb, height);
         const int status = collision_threshold(f->threshold, height, law, INTERPOLANT_BITS);
-        arb_get_mid_arb(f->threshold, f->threshold); /* v is defined with this number */
+        arb_get_mid_arb(f->threshold, f->threshold); /* the variable v needs this number */
         return status;
     }
     const double root_end = pow(fmax(interpolant_last(f, EPS_ZERO_OVERLAP, INTERVAL_ROOT), 0), (double)f->layout->root);
@@ -315,13 +315,13 @@ static double error_at(const struct interpolant *f, int i, enum quantity quantit
     LOCAL(arb, y);
     polynomial_at(y, f, i, quantity, s->node + k, INTERPOLANT_BITS);
     if (f->layout->interval[i].form == FORM_LOG && is_eps(quantity))
-        LET(y, INTERPOLANT_BITS, "y - known", y, known); /* for a logarithm the absolute error counts */
+        LET(y, INTERPOLANT_BITS, "y - known", y, known); /* a logarithm has an absolute error */
     else
         LET(y, INTERPOLANT_BITS, "y/known - 1", y, known);
     return fabs(arf_get_d(arb_midref(y), ARF_RND_UP));
 }
 
-/* The places include the ends, where interpolation is worst. */
+/* Its places include the ends of an interval, where interpolation is worst. */
 int interpolant_check(double *error, const struct interpolant *f, int points)
 {
     const int intervals = f->layout->intervals;

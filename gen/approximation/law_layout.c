@@ -14,28 +14,28 @@ enum {
     CONSTANT_BITS = 200,
     CHECK_POINTS = 5,
     DEGREE = 10,
-    HEAD_BITS = 26,       /* bits of c_0 in rows that are multiplied, runtime/table/row.h */
-    NEAR_OCTAVES = 3,     /* from near_end to the radius of convergence */
+    HEAD_BITS = 26,       /* bits of c_0 in rows whose value is multiplied by the argument, runtime/table/row.h */
+    NEAR_OCTAVES = 3,     /* octaves from near_end to the radius of convergence */
     MOST_POWER = 200,     /* largest 1/q; beyond it eps underflows inside the tables */
     DEVIATION_BITS = 60,  /* 1 - beta^(1/q) eps/v_f is negligible below 2^-60 */
     TINY_EPS_OCTAVE = -60 /* for smaller eps, beta_c - beta is negligible against beta_c */
 };
 
 /* Points of an interval, and bits of its samples. Intervals of ln(beta) have the length ln(2) up to beta = 8. For
- * ln(beta) >= 2 they are 2 to 3, 3 to 4, 4 to 6, 6 to 8, .... Intervals of ln(beta_c - beta) have two octaves, and more
- * where eps is almost linear. */
+ * ln(beta) >= 2 they are 2 to 3, 3 to 4, 4 to 6, 6 to 8, .... Intervals of ln(beta_c - beta) span two octaves, or more
+ * if eps is almost linear there. */
 enum {
     NEAR_POINTS = 18,
     MIDDLE_POINTS = 36,
     TAIL_POINTS = 22,
-    MIDDLE_POINTS_BELOW = 26, /* for laws with a threshold, whose eps does not fall by many powers of ten */
+    MIDDLE_POINTS_BELOW = 26, /* points for laws with a threshold, whose eps does not fall by many powers of ten */
     BELOW_POINTS = 19,
     BELOW_LAST_POINTS = 26,
     NEAR_BITS = 84,
     MIDDLE_BITS = 80,
     TAIL_BITS = 80
 };
-/* octaves of beta_c - beta below which eps is almost linear */
+/* octave of beta_c - beta below which eps is almost linear */
 #define BELOW_WIDEST_TO (-24.0)
 #define BELOW_WIDE_TO (-10.0)
 
@@ -141,7 +141,7 @@ static int find_threshold(struct law_layout *layout)
     arb_set_d(x, arf_cmp_d(arb_midref(beta_c), below) > 0 ? below : nextafter(below, 0));
     arb_sub(x, beta_c, x, CONSTANT_BITS);
     layout->below_first = arf_get_d(arb_midref(x), ARF_RND_DOWN);
-    /* beta_c - overlap_end is a power of two up to rounding, which may begin another octave that needs a row */
+    /* beta_c - overlap_end is a power of two, up to rounding, which may start another octave and need another row */
     const double distance = exp2(floor(log2(layout->threshold / 2)));
     layout->overlap_end = layout->threshold - distance;
     LET(x, CONSTANT_BITS, "beta_c - layout->overlap_end", beta_c, layout->overlap_end);
@@ -198,8 +198,8 @@ static double octave_of(double x)
     return floor(log2(x));
 }
 
-/* The parts. holds: the quantity that a table of eps contains instead of eps, as its value at zero overlap, or -1. Then
- * stem and title of a table of eps, with `%s` for the end of contact, the stem of other tables, and the variable. */
+/* The parts of the layout. holds: the quantity, at zero overlap, that a table of eps contains instead of eps, or -1.
+ * Next: stem and title of a table of eps, with `%s` for the end of contact; stem of other tables; variable */
 static const struct part {
     int holds;
     const char *stem_of_eps, *title_of_eps, *stem;
@@ -303,7 +303,7 @@ double law_layout_inverse_octave(const struct law_layout *layout, const struct i
     arb_set_d(x, u);
     arb_exp(x, x, 64);
     interpolant_at_beta(y, f, eps, x, 64);
-    /* the octave of that eps if the samples of beta cover it, otherwise the octave above */
+    /* use the octave of this eps if the samples of beta cover it, otherwise the next octave */
     const double q = ratio_double(law_speed_exponent(&layout->interpolant.law));
     const bool sampled = !force && u + q * log(2) <= layout->last_log;
     return octave_of(ball_middle(y)) + (sampled ? 0 : 1);

@@ -19,11 +19,11 @@
 #define LAW_MIDDLE_END 8.0
 #define LAW_TAIL_FIRST 2.0 /* ln(beta) */
 
-/* The part of the range of beta or eps that a table covers */
+/* Parts of the range of beta or eps; a table covers one part */
 enum law_part { PART_NEAR, PART_MIDDLE, PART_TAIL, PART_BELOW, PART_INVERSE_NEAR, PART_INVERSE };
 
 struct law_table {
-    enum law_part part; /* in a derived layout also the function that uses the rows */
+    enum law_part part; /* quantity of the rows; in a derived layout also of the function that uses them */
     enum quantity serves;
     char stem[40], title[64]; /* end of the name; first line of the comment */
     struct pieces rows;       /* input of pieces_make, or of pieces_fit if rows = 0. first = NAN: the rows of an
@@ -43,7 +43,7 @@ struct law_layout {
     double threshold;              /* beta_c, or infinity */
     struct law_table *table;       /* owned */
     int tables;
-    int check_points; /* per interval, for interpolant_check; 0: the polynomials are proved */
+    int check_points; /* points in each interval for interpolant_check; 0: the polynomials are proved */
 };
 
 /* Derives the layout of a law. Returns 0, or 1 after reporting the failure or the reason why the law has no tables. */
@@ -54,8 +54,8 @@ void law_layout_init_given(struct law_layout *layout, const struct interpolant_l
 /* Adds points to every interval, for an interpolant that was not accurate enough. */
 void law_layout_refine(struct law_layout *layout);
 /* Reduces the layout to eps at one end, for beta_min and above, which needs fewer collisions. The interpolant then has
- * no other quantities. At zero force it adds intervals in ln(beta) near beta = 0, where zero force follows from zero
- * overlap. law_proof.c needs them for its proof. */
+ * no other quantities. For zero force, adds intervals in ln(beta) near beta = 0, because the proof of law_proof.c
+ * cannot use zero overlap. */
 void law_layout_restrict(struct law_layout *layout, enum quantity eps, double beta_min);
 void law_layout_clear(struct law_layout *layout);
 

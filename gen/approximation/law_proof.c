@@ -8,12 +8,12 @@
 #include "support/enclosed_function.h"
 #include "support/local.h"
 
-enum { PREC = 320 /* of the polynomials, whose coefficients are large and cancel */, COVERS = 3 };
+enum { PREC = 320 /* bits for the polynomials, whose coefficients are large and cancel */, COVERS = 3 };
 
 #define LEAST_RHO 1.4
 #define MOST_RHO 16
-/* Neighbouring intervals share ends that are rounded. A polynomial and its error bound hold this far beyond an
- * interval, in units of half its length: |T_k(1 + d)| <= exp(k sqrt(2 d)), which MORE_ERROR covers for k < 100. */
+/* The shared ends of neighbouring intervals are rounded. Polynomial and error bound hold beyond an interval up to this
+ * distance, in units of half its length: |T_k(1 + d)| <= exp(k sqrt(2 d)), which MORE_ERROR covers for k < 100. */
 #define BEYOND 1e-9
 #define MORE_ERROR 1.01
 #define SLACK 1e-12
@@ -28,13 +28,13 @@ static void log_range(double range[2], const struct interpolant *f, const struct
     range[!falls] = log(interpolant_beta_near(f, interval, interval->hi));
 }
 
-/* Returns a radius that proves an error a little below `wanted`, if the modulus is the given one. */
+/* Returns an ellipse's radius that proves an error slightly below `wanted` from this modulus of eps. */
 static double radius_for(const struct interval *interval, double modulus, double wanted)
 {
     return pow(20 * modulus / wanted, 1 / ((double)interval->count - 1));
 }
 
-/* Proves interval i. The modulus of a cover shows if a larger ellipse is needed. */
+/* Proves interval i. The bound of the modulus on one ellipse shows if a larger ellipse is needed. */
 static int prove_interval(struct law_proof *proof, int i, double wanted)
 {
     const struct interval *const interval = &proof->f->layout->interval[i];

@@ -13,7 +13,7 @@
 #include "support/local.h"
 
 enum {
-    TAIL_POWER = 5,      /* eps -> h*^5/beta^5 at zero overlap, docs/theory.md, 4 */
+    TAIL_POWER = 5,      /* power of beta in eps -> h*^5/beta^5 at zero overlap; docs/theory.md, 4 */
     GUARD_BITS = 64,     /* more bits than requested */
     LOSS_PER_DEGREE = 5, /* bits that the solution of the system loses per degree, start value */
     MOST_TIMES = 8,      /* bits of the last attempt, relative to the first */
@@ -21,8 +21,8 @@ enum {
     PLACE_DIGITS = 8
 };
 
-/* Table I has 2.5839, 3.5839 and 2.9839 where these a_k give 2.58401, 3.58401 and 2.98401. A unit in the last digit of
- * a_3 changes them by 2.4e-4, because d_0 is near zero. */
+/* Table I prints 2.5839, 3.5839 and 2.9839 for numbers that these a_k make 2.58401, 3.58401 and 2.98401. One unit in
+ * the last digit of a_3 changes them by 2.4e-4, because d_0 is near zero. */
 const char *const published_a[4] = {"1", "3/5", "0.315119", "0.161167"};
 const char *const published_d[5] = {"2.5839", "3.5839", "2.9839", "1.1487", "0.3265"};
 
@@ -106,7 +106,7 @@ static bool known_block(struct pade_block *b, const struct pade_request *r)
     return false;
 }
 
-/* True if the interval of det (c_{m+i-j}), i, j < n, contains 0, as for an inner entry of a block. */
+/* True if the interval of det (c_{m+i-j}), i, j < n, contains 0, which happens for an inner entry of a block. */
 static bool coefficient_vanishes(const arb_poly_t c, slong m, slong n, slong prec)
 {
     if (n <= 0)
@@ -376,7 +376,7 @@ static int try_precision(struct pade *f, arb_poly_t c, bool *regular, const stru
             *regular = pade_of_series(f, c, m, n, prec);
             break;
         }
-        /* 1 over the series of 1/eps. Its exact zero is known, but a linear system of balls could not show it. */
+        /* 1 over the series of 1/eps: the zero is known to be exact, but a linear system of balls could not show it */
         arb_poly_one(f->p);
         restitution_power(f->q, c, (struct ratio){-1, 1}, &r->law, n + 1, prec);
         _arb_poly_normalise(f->q);
@@ -402,7 +402,7 @@ static int try_precision(struct pade *f, arb_poly_t c, bool *regular, const stru
     return status;
 }
 
-/* True if every coefficient has `bits` relative bits. If not, sets *power to the first that has fewer. */
+/* True if every coefficient has `bits` relative bits. Sets *power to the first that has fewer. */
 static bool is_accurate(const arb_poly_t p, slong bits, slong *power)
 {
     for (slong i = 0; i < arb_poly_length(p); i++) {
@@ -466,7 +466,7 @@ int pade_compute(struct pade *f, struct pade_analysis *a, const struct pade_requ
     }
 
     const slong degrees = r->numerator + r->denominator;
-    /* A truly degenerate entry never becomes regular, so the block is reported after a few doublings. */
+    /* A truly degenerate entry never becomes regular: after a few doublings of the precision the block is reported. */
     const slong first = bits + LOSS_PER_DEGREE * degrees + GUARD_BITS;
     struct precision p = precision_doubling(first, MOST_TIMES * first);
     slong power = 0;

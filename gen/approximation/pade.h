@@ -2,7 +2,7 @@
 /* Padé approximants P(z)/Q(z) of eps at either end of contact, q_0 = 1 (docs/theory.md, 7).
  *
  * z = beta at zero overlap, z = beta^(1/root) at zero force (root = 2 for the sphere). Coefficients are intervals (Arb
- * balls). The precision of the series is raised until they are as narrow as requested. */
+ * balls). The precision of the series is raised until they are narrow enough. */
 #ifndef COR_GEN_APPROXIMATION_PADE_H
 #define COR_GEN_APPROXIMATION_PADE_H
 
@@ -71,7 +71,7 @@ struct pade_pair {
 
 struct pade_roots {
     acb_ptr root;          /* in z, isolated in disjoint balls; real roots have Im = 0 exactly */
-    slong count, positive; /* on z > 0 */
+    slong count, positive; /* number of roots on z > 0 */
 };
 
 struct pade_analysis {
@@ -124,12 +124,12 @@ int pade_round(struct pade_rounded *r, const struct pade *f);
 /* eps for both ends of contact at exact rational beta, the sample points of the approximation error */
 struct references {
     fmpq *beta;
-    arb_ptr eps[2]; /* by enum cor_end */
+    arb_ptr eps[2]; /* index: enum cor_end */
     slong count, even, far;
 };
 
-/* Sets the sample points: `even` points near i/even, i = 1..even, `small` points near/2^(6 j), j = 1..small, and above
- * `near` the points near (5/4)^j up to beta_max, and beta_max. Returns 0, or 1 after reporting the failure. */
+/* Sets the sample points: near i/even, i = 1..even; near/2^(6 j), j = 1..small; above `near` the points near (5/4)^j up
+ * to beta_max; and beta_max. Returns 0, or 1 after reporting the failure. */
 enum { PADE_NEAR = 2 }; /* the usual range, within which no collision is slow */
 int references_init(struct references *s, const struct cor_exponents *law, slong beta_max, slong even, slong small);
 void references_clear(struct references *s);
@@ -149,8 +149,8 @@ void pade_approximation_error(struct pade_error *e, const struct pade_rounded *r
                               const struct references *s);
 
 /* Bounds the error of the approximant's evaluation in double (round to nearest, with or without fused multiply-add) for
- * 0 <= beta <= beta_max, with a rounded z. Interval (ball) arithmetic of sum |p_i| z^i / |P(z)| over pieces that cover
- * the range proves it. Infinite if P or Q may vanish or overflow in the range. */
+ * 0 <= beta <= beta_max, with a rounded z. Proved by interval (ball) arithmetic of sum |p_i| z^i / |P(z)| over pieces
+ * that cover the range. Infinite if P or Q may vanish or overflow in the range. */
 void pade_evaluation_error(double *eps, double *loss, const struct pade_rounded *r, slong beta_max);
 
 #endif

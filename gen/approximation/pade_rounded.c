@@ -201,7 +201,7 @@ static double quotient_error(const arb_t n, const arb_t d, slong rounded)
     return HOLDS(BITS, "d < 1", d) ? upper_bound(x) : INFINITY;
 }
 
-/* Computes z where piece k begins: PIECES equal pieces up to PADE_NEAR, and PIECES in geometric progression beyond. */
+/* Computes the start z of piece k: PIECES equal pieces up to PADE_NEAR, then PIECES in geometric progression. */
 static void piece_end(arb_t z, const struct pade_rounded *r, slong beta_max, slong k)
 {
     const slong near = FLINT_MIN(beta_max, PADE_NEAR);

@@ -18,7 +18,7 @@ enum {
     POINTS = 24,      /* a row's error is sampled at POINTS + 1 places */
     FLOAT_POINTS = 8, /* rows of floats are sampled at FLOAT_POINTS + 1 */
     FLOAT_PLACE_BITS = 30,
-    BITS_TO_LINE = 23 /* per line of the comment above a table */
+    BITS_TO_LINE = 23 /* numbers in a line of the comment above a table */
 };
 
 static bool by_octaves(const struct pieces *p)
@@ -26,7 +26,7 @@ static bool by_octaves(const struct pieces *p)
     return p->variable >= VARIABLE_POWER_OCTAVES;
 }
 
-/* True if y is a root, while the end of the table is given as its power. */
+/* True if y is a root of the number in which the end of the table is given. */
 static bool by_root(const struct pieces *p)
 {
     return p->variable == VARIABLE_ROOT_BETA || p->variable == VARIABLE_ROOT_LOSS;
@@ -72,7 +72,7 @@ static int collision_at(arb_t value, const void *interpolant, const struct piece
     switch (p->variable) {
     case VARIABLE_BETA:
     case VARIABLE_ROOT_BETA:
-        if (p->quantity >= EPS_APPROACH_ONLY) { /* through all variables of the interpolant */
+        if (p->quantity >= EPS_APPROACH_ONLY) { /* search all variables of the interpolant */
             interpolant_at_beta(value, f, p->quantity, y, WORKING_BITS);
             break;
         }
@@ -118,7 +118,7 @@ struct pieces_function pieces_of_collision(const struct interpolant *f)
     return (struct pieces_function){collision_at, f};
 }
 
-/* Computes s of the header at y. */
+/* Computes at y the factor s of pieces.h. */
 static void set_factor(arb_t s, const struct cell *cell, const arb_t y)
 {
     LET(s, WORKING_BITS, cell->plain ? "y - cell->node" : "y^2 - cell->node^2", y, cell->node);
@@ -397,7 +397,7 @@ static slong rows_to_end(const struct pieces *p)
 {
     if (by_octaves(p)) {
         const int octave = (int)floor(log2(p->end)) - (ldexp(1, (int)floor(log2(p->end))) == p->end);
-        const double part = ldexp(p->end, -octave) - 1; /* 0 < part <= 1 */
+        const double part = ldexp(p->end, -octave) - 1; /* the part of the last octave, 0 < part <= 1 */
         return (octave - (slong)p->first) * (WORD(1) << p->octave_bits) +
                (slong)ceil(ldexp(part, (int)p->octave_bits) - 1e-9);
     }

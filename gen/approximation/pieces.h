@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The cutter of tables: piecewise polynomials on a uniform grid or by octaves, of the collision's interpolant or of any
- * function of one variable.
+/* Cuts tables from the collision's interpolant or from any function of one variable: piecewise polynomials on a uniform
+ * grid or by octaves.
  *
  * The cell of row i extends half a step to either side of its node y_i = first + i step, in the variable y. The row has
  * the columns c_0, c_0', c_1, ..., c_degree:
@@ -8,7 +8,7 @@
  *     f = c_0 + (c_0' + s (c_1 + c_2 t + ... + c_degree t^(degree-1))),     t = y - y_i
  *
  * In the first `plain` rows s = t. In the other rows of y = sqrt(beta), s = beta - y_i^2, which is exact in floating
- * point, while t is not. The first rows do not use this s, because its zero at -y_i is too near. Column c_0 is the
+ * point, while t is not. The first rows do not use this s, because its zero at y = -y_i is too near. Column c_0 is the
  * number of `head_bits` bits, or the double, nearest to f(y_i), and c_0' is its remainder. The other coefficients
  * interpolate (f - f(y_i))/s at the Chebyshev points of the cell and are rounded once.
  *
@@ -36,7 +36,7 @@ enum variable {
     VARIABLE_LOG_BETA,
     VARIABLE_LOSS,
     VARIABLE_ROOT_LOSS,
-    VARIABLE_OTHER, /* of a function other than the collision's */
+    VARIABLE_OTHER, /* variable of a function other than the collision's */
     VARIABLE_POWER_OCTAVES,
     VARIABLE_EPS_OCTAVES,
     VARIABLE_BETA_OCTAVES,
@@ -49,7 +49,7 @@ struct pieces {
     enum quantity quantity;
     enum variable variable;
     slong root;         /* root of VARIABLE_ROOT_... */
-    double first, step; /* of the nodes; octaves: first k */
+    double first, step; /* grid of the nodes; octaves: `first` is the first k */
     double end;         /* first beta, ln(beta), beta^5, loss, eps or beta_c - beta beyond the table */
     slong octave_bits;  /* log2 of the number of rows in an octave */
     slong rows, degree, plain;

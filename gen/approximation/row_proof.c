@@ -11,9 +11,9 @@
 #include "support/parallel.h"
 
 enum {
-    PREC = 320,    /* of the interpolants, whose coefficients in powers are large and cancel */
+    PREC = 320,    /* bits for the interpolants, whose coefficients in powers are large and cancel */
     HALVINGS = 10, /* largest number of halvings of a cell, to bound a polynomial */
-    POINTS = 16,   /* on each side of the middle, where the polynomial is evaluated first */
+    POINTS = 16,   /* points on each side of the middle at which the polynomial is evaluated first */
     LAST_COEFFICIENTS = 6
 };
 
@@ -136,7 +136,7 @@ static bool creep_constant_of(arb_t constant, const struct interpolant_proof *pr
     LOCAL(arb, x, r, power, eps, time, end);
     const arb_ptr exact[] = {eps, time, end};
     static const enum quantity of[] = {EPS_ZERO_FORCE, DURATION_ZERO_FORCE, DURATION_ZERO_OVERLAP};
-    for (int k = 0; k < 3; k++) { /* rounded to `bits` bits */
+    for (int k = 0; k < 3; k++) { /* sample j, which is rounded to `bits` bits */
         arb_set(exact[k], s->value[of[k]] + j);
         arb_mul_2exp_si(x, exact[k], -bits);
         arb_add_error(exact[k], x);

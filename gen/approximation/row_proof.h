@@ -27,7 +27,7 @@ struct interpolant_proof {
     arb_t creep_constant; /* C of creep_series.h */
 };
 
-/* Prove the stated bounds on ellipses again, which takes seconds, or use them as stated */
+/* The source of the bounds on ellipses: proved again, which takes seconds, or used as stated */
 enum ellipse_source { ELLIPSES_PROVED, ELLIPSES_STATED };
 
 /* Proves the error of the polynomials of an interpolant with the layout interpolant_sphere_proof, for a set of
@@ -38,7 +38,7 @@ struct interpolant_proof *interpolant_proof_new(const struct interpolant *f, uns
 void interpolant_proof_free(struct interpolant_proof *proof);
 
 /* Computes the interval's variable x, beta and eps at one end for lo <= x <= hi in interval i, as functions of t
- * (enclosed_function.h); eps only where the error is finite. The error of the interpolant is included. */
+ * (enclosed_function.h). Computes eps only if its error is finite. The error of the interpolant is included. */
 void interpolant_proof_eps(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const struct interpolant_proof *proof, int i,
                            enum quantity quantity, double lo, double hi);
 
@@ -73,7 +73,7 @@ struct far_proof {
     struct interpolant_layout layout;
     struct interpolant *f;
     double error[FAR_PROOF_INTERVALS][QUANTITIES];
-    const struct interpolant_proof *rows; /* for the duration at zero overlap */
+    const struct interpolant_proof *rows; /* the proof of the duration at zero overlap */
 };
 
 /* Encloses the functions up to beta_max, with interpolants through collisions and bounds on ellipses around the
@@ -101,13 +101,13 @@ struct law_proof {
     double *error; /* bound of |polynomial - stored number| on each interval, infinite without a proof */
 };
 
-/* Proves the intervals of eps at one end that meet beta_min to beta_max, with errors below `wanted` if possible. The
- * ellipses are as small as that allows. Returns NULL after a message if a polynomial is proved to be wrong. */
+/* Proves the intervals of eps at one end that meet beta_min to beta_max, with errors below `wanted` if possible. Its
+ * ellipses are as small as `wanted` allows. Returns NULL after a message if a polynomial is proved to be wrong. */
 struct law_proof *law_proof_new(const struct interpolant *f, enum quantity eps, double beta_min, double beta_max,
                                 double wanted);
 void law_proof_free(struct law_proof *proof);
 
-/* Returns the proved interval that contains u = ln(beta), to 1e-12, and ends last, at *end. Returns -1 if none does. */
+/* Returns the proved interval that contains u = ln(beta), to 1e-12, and ends last; -1: none. *end: its end */
 int law_proof_interval(double *end, const struct law_proof *proof, double u);
 
 /* Computes eps for lo <= ln(beta) <= hi in interval i, and ln(beta), as functions of t (enclosed_function.h). Returns

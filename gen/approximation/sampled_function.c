@@ -21,7 +21,7 @@ enum {
 
 struct block {
     double lo, hi;
-    arb_poly_t polynomial; /* in t, -1 <= t <= 1 */
+    arb_poly_t polynomial; /* polynomial in t, -1 <= t <= 1 */
 };
 
 struct sampled_function {

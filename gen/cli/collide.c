@@ -10,12 +10,12 @@
 #include "support/formula.h"
 #include "support/local.h"
 
-/* The columns. name: of the dimensionless collision and in SI units; NULL: no such column. end: where the number
- * holds. Under a constant force the surface replaces zero force. */
+/* The columns of the table. name: dimensionless and in SI units; NULL: no such column. end: the end of contact of the
+ * number. Under a constant force the surface replaces zero force. */
 enum { BETA, FORCE_MAX = 9, STICKING, COLUMNS = STICKING + 2 };
 static const struct {
     const char *name[2], *meaning;
-    int end; /* OPTIONS_NOT_GIVEN: none */
+    int end; /* OPTIONS_NOT_GIVEN: no end */
 } column[COLUMNS] = {
     {{"beta", "beta"}, "damping, the one parameter", OPTIONS_NOT_GIVEN},
     {{"x_max", "max_overlap_m"}, "largest overlap", OPTIONS_NOT_GIVEN},
@@ -49,7 +49,7 @@ static bool is_pressed(const struct collide_arguments *o)
 }
 
 /* True if column i is printed. Columns of an end that is not requested are not computed. Under a constant force the
- * force is not proved to have only one maximum, so the largest force is omitted. */
+ * largest force is omitted, because the contact force may have several maxima. */
 static bool is_printed(int i, const struct collide_arguments *o)
 {
     const int end = column[i].end;
@@ -58,8 +58,9 @@ static bool is_printed(int i, const struct collide_arguments *o)
            (end == OPTIONS_NOT_GIVEN || o->end == OPTIONS_NOT_GIVEN || o->end == end);
 }
 
-/* Returns beta as a number that every format accepts. A decimal is as given, with at least one digit before and after
- * its point. A ratio is rounded to the digits of the table, or to one more if it is the middle of two such numbers. */
+/* Returns beta as a number that every format accepts. A decimal stays as given, with at least one digit before and
+ * after its point. A ratio is rounded to the digits of the table, or to one more if it is halfway between two such
+ * numbers. */
 static char *beta_text(const struct collide_arguments *o, const arb_t beta)
 {
     const char *given = o->beta.text;

@@ -26,7 +26,7 @@ struct series_arguments {
 
 struct pade_arguments {
     struct option_common common;
-    struct pade_request request; /* without kind and law; a degree that is not given is OPTIONS_NOT_GIVEN */
+    struct pade_request request; /* without kind and law; degree not given: OPTIONS_NOT_GIVEN */
     slong digits;
     bool two_point, as_published, force;
     const char *header; /* file of the C header, or NULL */
@@ -35,7 +35,7 @@ struct pade_arguments {
 
 struct collide_arguments {
     struct option_common common;
-    struct decimal beta, stiffness, effective_mass, damping_coefficient, speed; /* beta, or the others */
+    struct decimal beta, stiffness, effective_mass, damping_coefficient, speed; /* beta, or the other four */
     struct decimal force;                                                       /* text NULL: no force */
     bool threshold;
     int end; /* enum cor_end; OPTIONS_NOT_GIVEN: both */

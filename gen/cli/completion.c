@@ -5,7 +5,7 @@
 
 static const char shells[] = "bash zsh";
 
-/* Words that corgen accepts instead of a subcommand, or help */
+/* The words that corgen accepts in place of a subcommand */
 static const char other_words[] = "help --help --version --completion";
 
 static void print_words(const char *const *words, FILE *file)
@@ -22,7 +22,7 @@ static void print_subcommands(const struct subcommand *const *table, FILE *file)
 
 /* ---- bash ---- */
 
-/* Prints a branch for each option with a value, with the pattern SUBCOMMAND:--OPTION, and one for all options. */
+/* Prints a case branch SUBCOMMAND:--OPTION for each option with a value, and one branch for all options. */
 static void print_bash_subcommand(const struct subcommand *cmd, FILE *file)
 {
     for (const struct option_rule *rule = cmd->options; rule->name; rule++) {

@@ -16,7 +16,8 @@ _Static_assert(OPTIONS_NOT_GIVEN == COR_NO_INTEGRATOR, "an --integrator that is 
 
 #define DEFAULT_STEPS "50"
 
-/* Returns the request for a simulator. Without a simulator only speeds and time step matter. contacts NULL: a list */
+/* Returns the request for a simulator. Without a simulator only speeds and time step matter. contacts: NULL for a
+ * list */
 static struct cor_simulator_request request_of(const struct contact_arguments *o, const struct contacts *contacts)
 {
     const bool default_integrator = o->integrator == OPTIONS_NOT_GIVEN && !o->simulator;
@@ -36,7 +37,7 @@ static struct cor_simulator_request request_of(const struct contact_arguments *o
                                           .integrator = default_integrator ? COR_VERLET_HALF_STEP : o->integrator};
 }
 
-/* Refuses a step in seconds without a unit of time, a correction for two ends, and friction without bodies. */
+/* Refuses options that contradict each other or miss a number, such as friction without bodies. */
 static int check_options(const struct contact_arguments *o, const struct contacts *contacts)
 {
     const struct cor_scene_contact *const c = &contacts->contact[0];
@@ -159,7 +160,7 @@ static int print_tables(const struct contact_arguments *o, const struct contacts
 
 enum { CURVE_POINTS = 201 };
 
-/* Draws eps at speeds that are equally spaced in their logarithm. A single speed is in the middle of two decades. */
+/* Draws eps at speeds that are equally spaced in their logarithm, for a single speed over two decades around it. */
 static int draw_eps(const struct contact_arguments *o, const struct contacts *contacts)
 {
     char title[COR_SCENE_ENDS][64];
@@ -234,7 +235,7 @@ static int print_own(const struct contact_arguments *o, const struct own_law *la
 
 /* ---- the command ---- */
 
-/* Prints the lines of several materials or of a contact, or a list. */
+/* Prints the lines of a simulator for one contact or several materials, or a list of simulators. */
 static int print_for_simulator(const struct contact_arguments *o, const struct contacts *contacts)
 {
     struct cor_simulator_request request = request_of(o, contacts);

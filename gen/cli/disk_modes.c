@@ -8,12 +8,12 @@
 #include "support/digits.h"
 #include "support/parallel.h"
 
-enum { NUMBERS = 3 }; /* of a mode: omega, C, S */
+enum { NUMBERS = 3 }; /* omega, C and S of a mode */
 
 struct spelling {
     const struct disk_modes *modes;
     slong digits;
-    char **text; /* NUMBERS of each mode */
+    char **text; /* NUMBERS texts for each mode */
 };
 
 static void spell_mode(void *context, slong i)

@@ -66,7 +66,7 @@ int options_check_real(const char *name, const struct option_numbers *numbers, c
                : refuse_real(name, numbers, NULL, value->text);
 }
 
-/* True if a text of that length is this unit with a prefix such as G. power: the power of ten of the prefix */
+/* True if the text, of this length, is the unit with a prefix such as G. power: the power of ten of the prefix */
 static bool is_unit(int *power, const char *text, size_t length, const char *unit)
 {
     static const struct {
@@ -106,7 +106,7 @@ struct option_numbers options_numbers(const struct option_rule *rule)
         scene->least < 0 ? DECIMAL_SIGN : DECIMAL_PLAIN};
 }
 
-/* Refuses a number with its unit, and prints the number without it. For a list only the first number is checked. */
+/* Refuses a number with a unit; the message shows the number to write. Checks only the first number of a list. */
 static int check_unit(const struct option_rule *rule, const char *text)
 {
     const char *const unit = unit_of(rule);
@@ -163,7 +163,7 @@ static int parse_value(void *field, const struct option_rule *rule, const char *
         return refuse_word(text, words, "", "--%s: '%s' is not %s", name, text, rule->why);
     case OPTION_LIST:
         return values_parse(field, rule->range.values, text);
-    case OPTION_C_NAME: /* no keyword or reserved name of C and C++ */
+    case OPTION_C_NAME: /* not a keyword or reserved name of C or C++ */
         if (strspn(text, LETTERS) == 0 || strspn(text, LETTERS "0123456789") != length || length > OPTIONS_MAX_NAME)
             return usage_error("--%s: '%s' is not the name of a C function; allowed: letters, digits and _, up to %d, "
                                "and no digit first",
@@ -183,7 +183,7 @@ static int parse_value(void *field, const struct option_rule *rule, const char *
 #undef LETTERS
 }
 
-/* True if a number, a constant of the program, is in the range */
+/* True if the number is in the range. text: a constant of the program */
 static bool accepts_number(const struct decimal_range *range, const char *text)
 {
     struct decimal number = {0};
@@ -193,8 +193,8 @@ static bool accepts_number(const struct decimal_range *range, const char *text)
     return inside;
 }
 
-/* Returns ", as --NAME VALUE" with a value that the option accepts; empty if only the user can choose one. Static
- * text */
+/* Returns ", for example --NAME VALUE" with a value that the option accepts. Returns "" if only the user can choose a
+ * value. The text is static. */
 static const char *example_of(const struct option_rule *rule)
 {
     static char text[3 * OPTIONS_MAX_NAME];
@@ -250,7 +250,7 @@ static int refuse_option(const struct option_rule *rules, int key, char **argv)
     return status;
 }
 
-/* Reports a missing option, a contradiction, or an option without its counterpart. */
+/* Reports a missing option, two options that exclude each other, or an option without the one that it needs. */
 static int check_given(const struct option_rule *rules, const bool *given, const char *command)
 {
     for (size_t i = 0; rules[i].name; i++)
@@ -292,14 +292,14 @@ static int check_files(const void *arguments, const struct option_rule *rules, c
                 return usage_error("--%s and %s%s name the same file, %s; give two different files", rules[i].name,
                                    given[j] ? "--" : "standard ", rules[j].name, path);
         }
-    int status = STATUS_OK; /* before anything is computed */
+    int status = STATUS_OK; /* this runs before any computation */
     for (size_t i = 0; rules[i].name && status == STATUS_OK; i++)
         if (rules[i].kind == OPTION_FILE && given[i])
             status = output_check(*(const char *const *)((const char *)arguments + rules[i].offset));
     return status;
 }
 
-/* Other names of options. Without them getopt takes --eps for an abbreviation of --eps-inf. */
+/* Synonyms of options. Without this list getopt would accept --eps as an abbreviation of --eps-inf. */
 static const struct {
     const char *given, *meant;
 } synonyms[] = {{"eps", "restitution"}, {"e", "restitution"}, {"cor", "restitution"}, {"mu", "friction"},

@@ -28,7 +28,7 @@ enum option_kind {
     OPTION_FILE,   /* the name of an output; const char * */
     OPTION_FOLDER, /* the name of a folder; const char * */
     OPTION_C_NAME, /* an identifier of C; const char * */
-    OPTION_ELASTIC /* an exponent; struct option_law, whose `damping` another option fills */
+    OPTION_ELASTIC /* the elastic exponent; struct option_law, whose member `damping` is filled by another option */
 };
 
 struct option_numbers {
@@ -37,10 +37,10 @@ struct option_numbers {
 };
 
 struct option_rule {
-    const char *name; /* without its dashes; NULL ends a list */
+    const char *name; /* name without dashes; NULL ends a list */
     enum option_kind kind;
     bool required;
-    size_t offset; /* of the field in the struct of arguments */
+    size_t offset; /* offset of the field in the struct of arguments */
     union {
         struct {
             slong low, high;
@@ -49,9 +49,9 @@ struct option_rule {
         const char *const *words; /* ends with NULL */
         const struct values_rule *values;
     } range;
-    const struct cor_scene_option *scene; /* a number of a scene, with its unit and range; NULL: another number */
-    const char *unit;                     /* of a number, "Pa"; NULL: none */
-    const char *why;                      /* reason for the upper limit; for words: their kind, "an end of contact" */
+    const struct cor_scene_option *scene; /* number of a scene, with unit and range; NULL: no number of a scene */
+    const char *unit;                     /* unit of a number, such as "Pa"; NULL: no unit */
+    const char *why;                      /* reason for the upper limit; for words: "an end of contact" */
     const char *excludes;                 /* options that contradict this one, space separated, or NULL */
     const char *needs;                    /* the option that this one requires, or NULL */
 };
@@ -64,8 +64,8 @@ struct option_common {
     bool profile;
 };
 
-/* OPTION is a rule with further members of option_rule. OPTION_PLAIN has no further members. ARGUMENTS is the struct of
- * arguments of the subcommand, whose first member is `common`. */
+/* OPTION defines a rule; ... are initialisers of more members of option_rule. OPTION_PLAIN has no further members.
+ * ARGUMENTS is the struct of arguments of the subcommand, whose first member is `common`. */
 #define OPTION(NAME, KIND, FIELD, ...)                                                                                 \
     {                                                                                                                  \
         .name = (NAME), .kind = OPTION_##KIND, .offset = offsetof(ARGUMENTS, FIELD), __VA_ARGS__                       \
@@ -97,15 +97,15 @@ extern const struct option_numbers option_positive, option_not_negative, option_
     option_own_eps;
 extern const struct values_rule option_speeds; /* m/s */
 
-/* The texts of a law's two exponents (NULL: the sphere's), and the law that options_parse makes from them */
+/* Texts of a law's two exponents (NULL: the sphere's exponent), and the law that options_parse makes from them */
 struct option_law {
     const char *elastic, *damping;
     struct cor_exponents exponents;
 };
 
-/* Fills *arguments from argv[1], ..., and *help. Returns STATUS_OK, or STATUS_USAGE after a message on stderr that
- * names the command, argv[0], or STATUS_FAILED after a message that a file cannot be written. In all cases
- * options_clear() frees the memory that the fields own. */
+/* Fills *arguments and *help from argv[1], ... Returns STATUS_OK. After a message on stderr that names the command,
+ * argv[0], it returns STATUS_USAGE, or STATUS_FAILED if a file cannot be written. In all cases options_clear() frees
+ * the memory that the fields own. */
 int options_parse(void *arguments, const struct option_rule *rules, int argc, char **argv, bool *help);
 void options_clear(void *arguments, const struct option_rule *rules);
 
@@ -115,13 +115,13 @@ struct option_numbers options_numbers(const struct option_rule *rule);
 /* Returns the words that a shell completes for an option, or NULL. */
 const char *const *options_words(const struct option_rule *rule);
 
-double options_number(const struct decimal *given, double otherwise); /* nearest double of `given`, or `otherwise` */
+double options_number(const struct decimal *given, double otherwise); /* nearest double, or `otherwise` without text */
 
 /* Return STATUS_OK, or STATUS_USAGE after a message. */
 int options_check_real(const char *name, const struct option_numbers *numbers, const struct decimal *value);
-int options_disk_poisson(const struct decimal *poisson); /* not too near to -1 or 1 */
+int options_disk_poisson(const struct decimal *poisson); /* refuses values too close to -1 or 1 */
 
-/* ---- subcommands of corgen, which are the rows of the table in main.c ---- */
+/* ---- subcommands of corgen, the rows of the table in main.c ---- */
 
 struct subcommand {
     const char *name;
@@ -129,16 +129,16 @@ struct subcommand {
     const char *help; /* full text of --help: usage, options, output columns, example */
     const struct option_rule *options;
     size_t size;                       /* size of its struct of arguments, which begins with struct option_common */
-    const void *defaults;              /* values of that struct for options that are not given */
+    const void *defaults;              /* values of the struct's members if their options are not given */
     int (*run)(const void *arguments); /* exit status */
 };
 
-/* The subcommand of a file that defines ARGUMENTS, help, options and run_NAME. ...: the defaults of its options */
+/* Defines the subcommand of a file that has ARGUMENTS, help, options and run_NAME. ...: the defaults of its options */
 #define SUBCOMMAND(NAME, WORD, SUMMARY, ...)                                                                           \
     const struct subcommand command_##NAME = {                                                                         \
         WORD, SUMMARY, help, options, sizeof(ARGUMENTS), &(const ARGUMENTS){__VA_ARGS__}, run_##NAME}
 
-/* Parts of help texts; a form feed is replaced by help_contact, which describes a contact */
+/* Parts of help texts. A form feed is replaced by help_contact, the options of a contact. */
 extern const char help_contact[];
 #define HELP_LAW                                                                                                       \
     "  --elastic A, --damping B   exponents of x'' + beta x^B x' + x^A = 0, 0 to 24, such as 3/2 or 1.5\n"             \
@@ -153,16 +153,16 @@ extern const char help_contact[];
 /* Chooses a subcommand from a table that ends with NULL, and runs it. Returns the exit status. */
 int subcommand_run(const struct subcommand *const *table, const char *version, int argc, char **argv);
 
-/* Prints corgen --help: the subcommands by the task of a user, and the terms of all help texts. Omits subcommands that
- * are not in the table, and their examples. */
+/* Prints corgen --help: the subcommands grouped by the user's task, and the terms of all help texts. Omits a subcommand
+ * that is not in the table, with its example. */
 void overview_print(const struct subcommand *const *table, FILE *file);
 
 /* Writes the script of completions for a shell, bash or zsh, from the tables of subcommands and options. Returns false
  * for another shell. */
 bool completion_print(const char *shell, const struct subcommand *const *table, FILE *file);
 
-/* A table of proved digits. It is filled with more and more bits until every digit is decided, and then printed. A
- * table of exact numbers is filled once. */
+/* A table of proved digits. proved_table_write fills it with more and more bits until every digit is decided, and
+ * prints it. A table of exact numbers is filled once. */
 enum { PROVED_TABLE_NAME = 64 };
 
 struct proved_table {

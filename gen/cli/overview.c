@@ -9,11 +9,11 @@ struct overview_row {
     const char *name, *use; /* a subcommand, and its use for this task */
 };
 
-/* A need of a user, the subcommands for it, and one command that runs as shown */
+/* A task of a user, its subcommands, and one command that runs as shown */
 struct overview_task {
     const char *title;
     struct overview_row row[MOST_ROWS]; /* ends with a NULL name */
-    const char *example;                /* of the first subcommand, without "corgen" */
+    const char *example;                /* command of the first subcommand, without "corgen" */
 };
 
 static const struct overview_task tasks[] = {

@@ -13,7 +13,7 @@ enum {
     HEADER_BITS = 256,                /* precision of every coefficient that is rounded to double */
     HEADER_BETA_MAX_TWO_POINT = 1000, /* the bounds in the header hold up to this beta */
     HEADER_BETA_MAX = PADE_NEAR,
-    HEADER_EVEN = 64, /* number of sample points, see references_init */
+    HEADER_EVEN = 64, /* numbers of sample points, see references_init */
     HEADER_SMALL = 4,
     TEXT_MAX = 128,
     PUBLISHED_NUMERATOR = 1,
@@ -52,7 +52,7 @@ static int write_header(const struct problem *problem)
     const slong beta_max = two_point ? HEADER_BETA_MAX_TWO_POINT : HEADER_BETA_MAX;
     char exponents[TEXT_MAX] = "sphere", options[TEXT_MAX] = "", z[32] = "";
     struct references references;
-    /* Table I has another variable and other numbers, so no comparison is possible. */
+    /* Table I uses another variable and other coefficients, so no comparison is possible. */
     const bool assessed = sphere && !printed;
     if (assessed && references_init(&references, law, beta_max, HEADER_EVEN, HEADER_SMALL))
         return STATUS_FAILED;
@@ -129,7 +129,7 @@ static void print_text(FILE *file, const struct table *table, const void *argume
         "x = (g/g*)^(1/5). The values of C_3 and C_4 used here are wrong; corgen series prints the correct ones.\n");
 }
 
-/* Adds the coefficients as rows, up to the first that is undecided. */
+/* Adds the coefficients as rows, up to the first one whose digits are undecided. */
 static void add_polynomial(struct table *t, char undecided[PROVED_TABLE_NAME], const char *name, const arb_poly_t p,
                            slong degree, slong digits)
 {

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* corgen plan recommends a model of collisions for a scene, with its cost and its neglected effects. */
+/* corgen plan recommends a model of collisions for a scene, and prints its cost and the effects that it neglects. */
 #include "plan/plan.h"
 #include "cli/commands.h"
 #include "cli/scene_options.h"
 #include "support/console.h"
 
-/* Removes the force from a request. A restitution measured under the force is replaced by the contact's damping, which
- * `damping` owns. */
+/* Removes the constant force from a request. If the restitution was measured under the force, the contact's damping
+ * replaces it; `damping` owns that number. */
 static void remove_force(struct embed_request *request, struct decimal *damping, const struct contacts *pressed)
 {
     const struct cor_scene_contact *const contact = &pressed->contact[0];
@@ -27,7 +27,7 @@ static void remove_force(struct embed_request *request, struct decimal *damping,
 
 static int plan_of_spheres(struct plan *plan, const struct plan_arguments *o)
 {
-    /* formulas have no constant force, so their contact has none */
+    /* the scene for the formulas, which have no constant force */
     struct embed_request scene = o->scene;
     struct contacts contacts, pressed;
     struct decimal damping = {0};

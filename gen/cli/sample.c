@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* corgen sample: eps of a contact over a range of speeds with as few points as possible. */
+/* corgen sample tabulates eps of a contact over a range of speeds with the fewest points. */
 #include <math.h>
 
 #include "cli/commands.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The options of one contact, shared by the option tables of contact, sample, embed and plan. ARGUMENTS has a member
- * `scene`. APART: options that contradict all of these, or NULL. POISSON and POISSON_APART: the range of --poisson
- * (NULL: for spheres) and the options that contradict it. */
+/* The options of one contact, for the option tables of contact, sample, embed and plan. ARGUMENTS must have a member
+ * `scene`. APART: more options that contradict all of these, or NULL. POISSON: the range of --poisson, NULL for
+ * spheres. POISSON_APART: options that contradict --poisson */
 #ifndef COR_GEN_CLI_SCENE_OPTIONS_H
 #define COR_GEN_CLI_SCENE_OPTIONS_H
 
@@ -16,7 +16,7 @@
 #define HELP_END_PRESSED                                                                                               \
     "  --end E          end of contact, zero-overlap or zero-force, or under a constant force zero-overlap or\n"       \
     "                   surface (default zero-overlap)\n"
-#define HELP_CONTACT "\f" /* help_contact (options.h) is printed here: a literal has at most 4095 characters */
+#define HELP_CONTACT "\f" /* replaced by help_contact (options.h), because a literal has at most 4095 characters */
 #define HELP_CONTACT_TEXT                                                                                              \
     "\n"                                                                                                               \
     "Bodies, in SI units:\n"                                                                                           \
@@ -55,7 +55,7 @@
     "  --adhesion W --adhesion-model M   work of adhesion, J/m^2, and its model, dmt (the force 2 pi W R)\n"           \
     "                   or jkr (columns _tail and _largest_pull)\n"
 
-/* The options of one contact except its law and end, and all options that contradict an own law */
+/* Options that contradict an own law: all options of one contact except law and end */
 #define SCENE_NUMBERS_APART                                                                                            \
     " young poisson radius density mass young-2 poisson-2 radius-2 density-2 mass-2 wall plate-thickness gravity "     \
     "adhesion yield-stress viscosity-liquid gap-outer gap-inner stiffness effective-mass duration dissipation-time "   \
@@ -67,7 +67,7 @@
 #define SCENE_OWN(NAME, NUMBER, NUMBERS, APART)                                                                        \
     OPTION(NAME, REAL, scene.number[NUMBER], .range.number = (NUMBERS), .excludes = SCENE_OWN_APART APART)
 
-/* A number of cor/scene.h with its range and unit. NUMBERS: another range, or NULL */
+/* An option for a number of cor/scene.h, with its unit and range. NUMBERS: another range, or NULL */
 #define SCENE_NUMBER_OF(NAME, NUMBER, NUMBERS, APART)                                                                  \
     OPTION(NAME, REAL, scene.number[NUMBER], .scene = &cor_scene_options[NUMBER], .range.number = (NUMBERS),           \
            .excludes = (APART))

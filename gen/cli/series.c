@@ -10,7 +10,7 @@
 
 enum { MAX_ORDER = 100000 };
 
-/* Adds the coefficients as rows, up to the first that is undecided. */
+/* Adds the coefficients as rows, up to the first one whose digits are undecided. */
 static int fill_series(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
 {
     const struct series_arguments *const o = arguments;
@@ -47,7 +47,7 @@ static int fill_series(struct table *table, char undecided[PROVED_TABLE_NAME], c
     return status;
 }
 
-/* Fills G and T of docs/theory.md, 5. They are exact rational numbers, so nothing is undecided. */
+/* Fills in the coefficients of G and T (docs/theory.md, 5), exact rational numbers: every digit is decided. */
 static int fill_exact(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
 {
     (void)undecided;

@@ -33,7 +33,7 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
     return STATUS_OK;
 }
 
-/* Prints the rows without their vanishing terms. Dots replace the terms beyond the requested ones. */
+/* Prints the rows without the terms that vanish. Dots replace the terms after the requested ones. */
 static void print_rows(FILE *file, const struct table *table, const void *arguments)
 {
     const struct trajectory_arguments *const o = arguments;

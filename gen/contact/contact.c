@@ -16,7 +16,7 @@ const char *const contact_equivalent_names[] = {"none", "energy", "duration", NU
 /* ---- enclosed collisions ---- */
 
 enum { CONTACT_BITS = 64 };
-#define ENCLOSED_BETA_MAX 1e12 /* beyond it, the bits and the time of an enclosure grow without use */
+#define ENCLOSED_BETA_MAX 1e12 /* more damping would need many bits and much time */
 
 int contact_enclosed(struct cor_scaled_impact *impact, const struct cor_exponents *law, double beta, int end)
 {
@@ -48,7 +48,7 @@ int contacts_of_request(struct contacts *contacts, const struct embed_request *r
 {
     char text[COR_SCENE_FAULT_TEXT];
     struct cor_scene_fault fault;
-    struct own_law own; /* only to refuse its options */
+    struct own_law own; /* only checks the options of the law */
     int status = own_law_init(&own, request);
     if (status == STATUS_OK)
         status = embed_request_scene(&contacts->scene, request);
@@ -200,7 +200,7 @@ static const char material_columns[] =
     "name,young_pa,poisson,density_kg_m3,radius_m,radius_max_m,dissipation_time_s,wall,made_of";
 enum { A, B, RESTITUTION, AT, END, FRICTION, PAIR_LINE, PAIR_COLUMNS };
 
-/* Reads a number of a row, in the range of a scene's number. An empty cell is NaN. Returns an exit status. */
+/* Reads a number of a row and checks its range. An empty cell gives NaN. Returns an exit status. */
 static int read_cell(double *value, const char *option, const struct table *t, char *const *row, int column,
                      enum cor_scene_number number)
 {

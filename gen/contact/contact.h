@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The contact of a request of corgen contact or corgen sample (cor/scene.h). Collisions of laws without functions are
- * enclosed, which takes some milliseconds for each speed. */
+/* Makes the contact of a request of corgen contact or corgen sample (cor/scene.h). A collision of a law without
+ * functions is enclosed, which takes some milliseconds for each speed. */
 #ifndef COR_GEN_CONTACT_CONTACT_H
 #define COR_GEN_CONTACT_CONTACT_H
 
@@ -10,12 +10,12 @@
 
 extern const char *const contact_equivalent_names[]; /* words of --equivalent; ends with NULL */
 
-/* One contact, or one for each end at which a restitution may have been measured */
+/* One contact. If the end at which a restitution was measured is not given, one contact for each end */
 struct contacts {
     struct cor_scene scene;
     int count;
     struct cor_scene_contact contact[COR_SCENE_ENDS];
-    struct cor_scene_contact hertz; /* replaced by an equivalent linear spring; stiffness 0: no such spring */
+    struct cor_scene_contact hertz; /* contact that an equivalent linear spring replaces; stiffness 0: no such spring */
     double at_m_s;                  /* the speed at which spring and hertz are equivalent */
 };
 
@@ -31,23 +31,23 @@ const char *contact_law_text(char text[CONTACT_LAW_TEXT], const struct cor_scene
 /* Warns on stderr if the spheres of a law without yield would yield at this impact speed. */
 void contact_warn_yield(const struct contacts *contacts, double speed_m_s);
 
-/* Returns the exit status for the status of a function of cor/scene.h with such a contact. */
+/* Converts the status of a function of cor/scene.h to an exit status, for such a contact. */
 int contact_status(int status);
 
 cor_scene_solver contact_enclosed;
 
-/* Returns the lines of --for SIMULATOR that call the header of an own law, for these speeds, malloc'ed. NULL after a
- * message if the simulator calls no function of the speed */
+/* Returns the malloc'ed lines of --for SIMULATOR that call the header of an own law, for these speeds. NULL after a
+ * message: the simulator calls no function of the speed */
 char *contact_own_lines(const struct own_law *law, const struct embed_request *request, const char *simulator,
                         const double *speed_m_s, size_t speeds);
 
-/* ---- contact_rows.c: the tables of corgen contact: the numbers of a contact, and a row for each impact speed ---- */
+/* ---- contact_rows.c: the tables of corgen contact: the numbers of a contact, and a row for each speed ---- */
 
 /* Digits of a number in csv and json, and in text. The error is below COR_SCENE_MAX_ERROR. */
 enum { CONTACT_DIGITS = 12, CONTACT_DIGITS_TEXT = 6 };
 
-/* Fills a table with the columns quantity,value,unit. Two contacts, one for each end at which eps may have been
- * measured, have the columns value_zero_overlap and value_zero_force. Unknown quantities have no row. Spheres have
+/* Fills a table with the columns quantity,value,unit. For two contacts, one for each end at which eps may have been
+ * measured, the columns are value_zero_overlap and value_zero_force. Unknown quantities have no row. Spheres have
  * Rayleigh's time step and, if they adhere, Tabor's number. friction, if not NaN: adds kappa, u'/u without slip, and
  * the largest angle in degrees at which spheres, or a sphere and a wall, stick when they touch. tangential, if not NaN:
  * adds the spring and the dashpot of a linear contact with this tangential restitution */
@@ -59,31 +59,31 @@ void contact_summary(struct table *table, const struct contacts *contacts, doubl
 void contact_print_ranges(FILE *file, const struct contacts *contacts, bool rows);
 
 /* Adds a row for each contact and speed of the request, with its time step, in the columns of corgen contact. The last
- * column, measured_end, exists only for two contacts. Errors of the step have two columns, or two for each end if the
- * end is not given and matters. An equivalent spring adds three columns for the Hertz contact that has the same eps at
- * the speed --at and at the row's end (not given: zero overlap). A correction needs one end. Returns STATUS_OK or
- * STATUS_FAILED. */
+ * column, measured_end, exists only for two contacts. The errors of the step fill two columns, or two columns for each
+ * end if the end matters and is not given. An equivalent spring adds three columns for the Hertz contact that has the
+ * same eps at the speed --at and at the row's end (not given: zero overlap). A corrected damping needs a single end.
+ * Returns STATUS_OK or STATUS_FAILED. */
 int contact_rows(struct table *table, const struct contacts *contacts, const struct cor_simulator_request *request,
                  int digits);
 
 /* Returns an end of a contact as text: "zero overlap", "zero force", "the surface" */
 const char *contact_end_text(const struct cor_scene_contact *contact, int end);
 
-/* Returns the end of a row: the end of the contact, or COR_BOTH_ENDS. */
+/* Returns the end for the row of a contact, or COR_BOTH_ENDS. contact: its index */
 int contact_end(const struct contacts *contacts, int contact);
 
 /* ---- lines for the input of a simulator, for a contact (cor/scene.h) ---- */
 
-/* The word that requests the list of simulators in place of a name, or the list of models in place of a version */
+/* The word that requests a list: of simulators in place of a name, of models in place of a version */
 #define CONTACT_SIMULATOR_LIST "list"
 
 extern const char *const contact_simulator_names[]; /* names of cor_simulators, the word for the list, NULL */
 
-/* Returns the text of corgen contact --for HOST, malloc'ed, or of a list if requested. NULL after a message if the
+/* Returns the malloc'ed text of corgen contact --for HOST, or of a list if one is requested. NULL after a message: the
  * simulator is unknown or cannot reproduce this contact. A list needs no contacts. */
 char *contact_simulator_text(const struct cor_simulator_request *request);
 
-/* Returns the lines for all contacts of the materials of a csv file, malloc'ed. pairs: a csv file with measured pairs,
+/* Returns the malloc'ed lines for all contacts of the materials in a csv file. pairs: a csv file with measured pairs,
  * or NULL. The scene of the request supplies law and end. */
 char *contact_materials_text(struct cor_simulator_request request, const char *materials, const char *pairs);
 

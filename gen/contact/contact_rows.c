@@ -24,7 +24,7 @@ const char *contact_end_text(const struct cor_scene_contact *contact, int end)
     return contact->force_n > 0 && end == COR_END_ZERO_FORCE ? "the surface" : cor_end_names[end];
 }
 
-/* Returns the name of an end as it occurs in columns. */
+/* Returns the name of an end for the name of a column. */
 static const char *end_of(const struct contacts *contacts, int end)
 {
     return cor_scene_end_name(&contacts->contact[0], end);
@@ -57,7 +57,7 @@ void contact_print_ranges(FILE *file, const struct contacts *contacts, bool rows
                 tabor, COR_TABOR_DISTANCE_M, COR_TABOR_JKR, COR_TABOR_DMT);
 }
 
-/* Adds a quantity that cor/scene.h does not have, for each contact, unless it is NaN. */
+/* Adds a row with a number of each contact that cor/scene.h does not compute, unless it is NaN. */
 static void add_number(struct table *table, const struct contacts *contacts, const char *name,
                        const double value[COR_SCENE_ENDS], const char *unit, int digits)
 {
@@ -128,7 +128,7 @@ int contact_end(const struct contacts *contacts, int contact)
     return cor_scene_ends_differ(&contacts->contact[0]) ? COR_BOTH_ENDS : COR_END_ZERO_OVERLAP;
 }
 
-/* A row, in seconds, or in a unit of its own if mass and stiffness are unknown */
+/* A row. Times are in seconds, or in an arbitrary unit if mass and stiffness are unknown. */
 struct row {
     struct cor_scene_contact contact;
     double speed_m_s, elastic_duration_s;
@@ -141,7 +141,7 @@ static bool is_end(const struct row *row, int end)
     return row->end == COR_BOTH_ENDS || row->end == end;
 }
 
-/* Sets the largest step for a tolerance, rounded down to the three digits of cor_scene_step_for. */
+/* Computes the largest time step that meets a tolerance, rounded down to the three digits of cor_scene_step_for. */
 static int step_for(double *time_step, const struct row *row, size_t rows, const struct cor_simulator_request *request)
 {
     double least = INFINITY, n;
@@ -167,7 +167,7 @@ static int step_for(double *time_step, const struct row *row, size_t rows, const
 
 /* ---- the impacts ---- */
 
-/* Returns the quantity that is corrected; NULL: a contact without damping */
+/* Returns the quantity that --step-corrected corrects; NULL for a contact without damping. */
 static const struct cor_scene_quantity *corrected_quantity(const struct contacts *contacts)
 {
     static const int wanted[] = {COR_SCENE_ZETA, COR_SCENE_DISSIPATION_TIME, COR_SCENE_DAMPING_COEFFICIENT,
@@ -180,7 +180,7 @@ static const struct cor_scene_quantity *corrected_quantity(const struct contacts
     return NULL;
 }
 
-/* Adds Hertz's contact of viscoelastic spheres with the eps of contact k at the speed of equivalence. */
+/* Adds the columns of Hertz's contact: viscoelastic spheres with the eps of contact k at the speed of equivalence. */
 static int add_hertz(struct table *table, const struct contacts *contacts, int k, double speed_m_s, int digits)
 {
     const int given = contact_end(contacts, k), end = given == COR_BOTH_ENDS ? COR_END_ZERO_OVERLAP : given;
@@ -196,7 +196,7 @@ static int add_hertz(struct table *table, const struct contacts *contacts, int k
         status = cor_scene_eps(&eps, &hertz, speed_m_s, end);
     if (status != COR_FAULT_NONE)
         return contact_status(status);
-    /* damped up to the largest overlap, then half of an elastic contact at the final speed */
+    /* damped until the largest overlap, then half an elastic contact at the final speed */
     const double in = cor_sphere_time_of_max_overlap(impact.beta) / cor_sphere_duration_zero_overlap(0),
                  approach_s = in * cor_scene_elastic_duration_s(&hertz, speed_m_s) +
                               cor_scene_elastic_duration_s(&hertz, eps * speed_m_s) / 2;
@@ -208,7 +208,7 @@ static int add_hertz(struct table *table, const struct contacts *contacts, int k
 
 enum { STEP_DIGITS = 4, CORRECTED_DIGITS = 6 };
 
-/* Adds bias and scatter of a row, and its corrected damping; NaN if the step is too long or too short. */
+/* Adds bias and scatter of a row, and the corrected damping. They are NaN if the step is too long or too short. */
 static int add_step(struct table *table, const struct row *row, double time_step,
                     const struct cor_simulator_request *request, const struct cor_scene_quantity *quantity)
 {

@@ -11,7 +11,7 @@
 #define DEGREE 0.017453292519943295
 enum { NAMES = 512 };
 
-/* Returns the model of a name, or the simulator's model for the spring of the contact; -1 after a message */
+/* Returns the tangential model with this name, or a simulator's model for this spring; -1 after a message */
 static int model_of(const char *name, const struct cor_scene_contact *contact)
 {
     const struct cor_simulator *const simulator = cor_simulator_named(name);
@@ -57,7 +57,7 @@ static int spring_of(double *spring, double *damper, const struct contacts *cont
     return STATUS_OK;
 }
 
-/* Computes the impact of one speed and tangent, and sets the remark. */
+/* Computes the impact at one speed and one tangent of the angle, and sets the remark. */
 static int impact_of(struct cor_oblique_impact *impact, const struct contacts *contacts, int k, int end, int id,
                      struct oblique_request *request, double speed, double tangent)
 {
@@ -99,8 +99,8 @@ static double largest_error(double *mean, const double *tangent, const double *r
     return largest;
 }
 
-/* Searches both numbers on grids that shrink around the best place. If one angle decides the largest error for many
- * frictions, the mean error with a small weight chooses among them. Returns the largest error. */
+/* Searches both numbers on grids that shrink around the best pair. If one angle determines the largest error for many
+ * frictions, the mean error, with a small weight, decides. Returns the largest error. */
 static double fit_walton(double *slip, double *beta_0, const double *tangent, const double *restitution, size_t n)
 {
     enum { GRID = 40, ROUNDS = 12 };

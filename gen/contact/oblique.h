@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Oblique impacts with friction, the rows of corgen contact --friction MU --angle LIST */
+/* Computes the rows of corgen contact --friction MU --angle LIST: oblique impacts with friction. */
 #ifndef COR_GEN_CONTACT_OBLIQUE_H
 #define COR_GEN_CONTACT_OBLIQUE_H
 
@@ -7,7 +7,7 @@
 
 /* model: a name of cor_tangential_models or of a simulator; NULL: displacement. given: angles in degrees, or tangential
  * speeds. stiffness, damping_ratio, restitution: NaN if not given; stiffness is then Mindlin's. damping_ratio:
- * tangential damper over normal damper. walton: only a row for each speed, with Walton's numbers. remark: a sentence
+ * tangential damper over normal damper. walton: each speed has only one row, with Walton's numbers. remark: a sentence
  * about the rows, set by contact_oblique, or NULL */
 struct oblique_request {
     const char *model;

@@ -8,15 +8,15 @@
 #include "support/decimal.h"
 #include "support/parallel.h"
 
-/* ---- eps and duration as functions of x = speed or x = ln(speed). They are quick for every law: laws whose collisions
- * have to be enclosed are interpolated between Chebyshev points ---- */
+/* ---- eps and duration as functions of x = speed or x = ln(speed). For quick evaluation, laws with enclosed collisions
+ * are interpolated between Chebyshev points ---- */
 
-/* Largest and smallest step of a difference in ln(speed), and the number of steps on either side */
+/* Largest and smallest step of a difference quotient in ln(speed), and the number of steps on either side */
 #define SLOPE_STEP 0.01
 #define SLOPE_LEAST 1e-5
 enum { SLOPE_REACH = 3 };
 
-/* Chebyshev points of a piece; pieces are divided until the error of interpolation is below PIECE_ERROR */
+/* Number of Chebyshev points of a piece. Pieces are divided until the error of interpolation is below PIECE_ERROR. */
 enum { PIECE_POINTS = 24, PIECES_MOST = 512 };
 #define PIECE_ERROR 1e-13
 
@@ -75,7 +75,7 @@ static double piece_value(const struct piece *piece, int quantity, double u)
     return above / below;
 }
 
-/* Computes point i of the piece after the last one. Durations are divided by their scale, so that they vary slowly. */
+/* Computes point i of a new piece. Durations are divided by their scale, so that they vary slowly. */
 static void fill_point(void *context, slong i)
 {
     const struct sampler *const c = context;
@@ -89,8 +89,8 @@ static void fill_point(void *context, slong i)
         piece->value[1][i] = value[1] / duration_scale(c->request->contact, speed_m_s);
 }
 
-/* Divides [low, high] of ln(speed) until every piece is accurate. The relative error is measured next to both ends and
- * near the middle. */
+/* Divides the range [low, high] of ln(speed) until every piece is accurate. The relative error of a piece is measured
+ * next to both ends and near the middle. */
 static int fill_pieces(struct sampler *c, double low, double high)
 {
     static const double place[] = {0.004, 0.31, 0.52, 0.995};
@@ -242,13 +242,13 @@ static double segment_error(const struct sampler *c, double left, double right, 
 
 /* ---- the farthest next point ---- */
 
-/* Returns the farthest end of a segment from `left` with at most this error. length: a first guess of its length */
+/* Returns the farthest end of a segment from `left` with at most this error. length: first guess of its length */
 static double reach_right(const struct sampler *c, double left, double error, double length)
 {
     if (segment_error(c, left, c->high, SEARCH_PLACES) <= error)
         return c->high;
     double good = left, bad = c->high;
-    /* Near an inflection point a longer segment may have a smaller error, so the longest segments are tried first. */
+    /* Near an inflection point a longer segment may have a smaller error: try the longest segments first. */
     if (length > (c->high - c->low) / (double)SCAN_PLACES)
         for (int i = 1; i < SCAN_PLACES && good == left; i++) {
             const double place = c->high - (c->high - left) * i / (double)SCAN_PLACES;
@@ -264,7 +264,7 @@ static double reach_right(const struct sampler *c, double left, double error, do
             else
                 bad = left + step;
         }
-    /* the error grows like this power of the length */
+    /* the error is proportional to this power of the length */
     const double power = c->request->cubic ? 4 : 2;
     double guess = (good + bad) / 2;
     for (int k = 0; k < 60 && bad - good > 1e-10 * (bad - left); k++) {
@@ -275,7 +275,7 @@ static double reach_right(const struct sampler *c, double left, double error, do
             bad = guess;
         if (got <= error && got > error * (1 - 1e-7))
             break;
-        /* a little before the root, so that both sides of the bracket move */
+        /* slightly before the root, so that both sides of the bracket move */
         guess = left + (guess - left) * pow(error / fmax(got, 1e-30), 1 / power) * (got > error ? 1 - 1e-8 : 1 - 2e-8);
         if (!(guess > good && guess < bad))
             guess = (good + bad) / 2;
@@ -285,8 +285,8 @@ static double reach_right(const struct sampler *c, double left, double error, do
 
 /* ---- all points ---- */
 
-/* Places points with at most this error until the end of the range or until `x` has `most` segments. Returns the number
- * of segments, and in *last_error the error of the last one if it was extended to the end. */
+/* Places points for segments with at most this error, up to the end of the range or up to `most` segments. Returns
+ * their number. *last_error: error of the last segment if it is extended to the end of the range */
 static size_t place_points(const struct sampler *c, double *x, size_t most, double error, double *last_error)
 {
     double length = (c->high - c->low) / 2;
@@ -309,8 +309,8 @@ static size_t place_points(const struct sampler *c, double *x, size_t most, doub
     return n;
 }
 
-/* Moves the points of `segments` segments until all have the same error, and returns it. The error of the last segment
- * falls as the error of the others rises, so they are equal at one point. */
+/* Moves the points until all segments have the same error, and returns this error. As the error of the other segments
+ * rises, the error of the last one falls, so exactly one choice makes them equal. */
 static double equalise_errors(const struct sampler *c, double *x, size_t segments, double upper)
 {
     double low = 0, high = upper, last;
@@ -324,7 +324,7 @@ static double equalise_errors(const struct sampler *c, double *x, size_t segment
             high = guess;
         else
             low = guess;
-        /* the error of the last segment is a power of its length */
+        /* the error of the last segment is proportional to a power of its length */
         const double mean = used == segments && last > 0 ? guess * pow(last / guess, 1.0 / (double)segments) : 0;
         guess = mean > low && mean < high && k % 3 != 2 ? mean : (low + high) / 2;
     }
@@ -334,12 +334,12 @@ static double equalise_errors(const struct sampler *c, double *x, size_t segment
 
 /* ---- tables ---- */
 
-/* Fills the points. All their numbers are in one block, which begins with the speeds. */
+/* Fills the points. One block of memory contains all their numbers, the speeds first. */
 static void points_fill(struct sample_points *p, const struct sampler *c, const double *x, size_t count)
 {
     double *next = xrealloc(p->speed_m_s, (1 + 2 * SAMPLE_QUANTITIES) * count * sizeof(double));
     *p = (struct sample_points){.count = count, .speed_m_s = next};
-    /* speeds inside the range are rounded to their printed digits before values are computed */
+    /* round the inner speeds to their printed digits before the values are computed */
     for (size_t i = 1; i + 1 < count; i++) {
         char text[DECIMAL_TEXT];
         snprintf(text, sizeof text, "%.12g", function_speed(c, x[i]));

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* eps of a contact over a range of impact speeds, as the fewest points whose interpolation meets a relative tolerance.
- * The points are on the curve, and both ends of the range are points. Each next point is placed as far away as the
- * tolerance allows (docs/contact.md). All points are then moved until the segments have the same error. A segment over
- * an inflection point may have a smaller error. Evenly spaced points are used if their largest error is smaller. */
+/* Tabulates eps of a contact over a range of impact speeds by the fewest points whose interpolation meets a relative
+ * tolerance. The points are on the curve, and both ends of the range are points. Each point is as far from the previous
+ * one as the tolerance allows (docs/contact.md). Then all points move until the segments have the same error, except
+ * over inflection points. Evenly spaced points replace them if their largest error is smaller. */
 #ifndef COR_GEN_CONTACT_SAMPLE_H
 #define COR_GEN_CONTACT_SAMPLE_H
 
@@ -19,13 +19,13 @@ enum { SAMPLE_QUANTITIES = 2 }; /* eps and duration */
 /* The request of corgen sample */
 struct sample_request {
     const struct cor_scene_contact *contact;
-    const struct own_law *own; /* replaces the contact, whose fields are then 0; NULL: no own law */
+    const struct own_law *own; /* a law that replaces the contact, whose fields are then 0; NULL: no own law */
     enum cor_end end;
     double speed_min, speed_max; /* m/s */
     double tolerance;            /* relative error, SAMPLE_FINEST to SAMPLE_COARSEST */
-    bool log;                    /* interpolation in the logarithm of the speed */
-    bool cubic;                  /* cubic Hermite interpolation of values and slopes; otherwise linear */
-    bool duration;               /* also the duration, within the same tolerance */
+    bool log;                    /* interpolate in ln(speed) */
+    bool cubic;                  /* cubic Hermite instead of linear interpolation */
+    bool duration;               /* tabulate the duration, too, within the tolerance */
 };
 
 /* Points of a table. value[0] is eps, value[1] the duration in s if requested. slope is d value/d speed, or with `log`
@@ -39,8 +39,8 @@ struct sample_points {
 
 struct sample {
     struct sample_points best;
-    struct sample_points even; /* the same number of points, evenly spaced in speed or, with `log`, in its logarithm */
-    double error_of_fewer;     /* with one point less, equal in all segments; infinite for 2 points and for over 1000 */
+    struct sample_points even; /* a table of the same size, evenly spaced in speed or, with `log`, in its logarithm */
+    double error_of_fewer;     /* smallest error with one point less; infinite for 2 points, or over 1000 */
 };
 
 /* Returns STATUS_OK, STATUS_USAGE after a message if the tolerance needs too many points or eps vanishes in the range,

@@ -57,7 +57,7 @@ static void print_number(FILE *file, const struct column *column, int k, size_t 
     fprintf(file, "%.*g", k == 0 ? SPEED_DIGITS : VALUE_DIGITS, column[k].number[i]);
 }
 
-/* Prints "before NAME after" and the numbers of each column, four in a line. */
+/* Prints "before NAME after" and the numbers of each column, four on a line. */
 static void print_lists(FILE *file, const struct column *column, int columns, size_t rows, const char *before,
                         const char *open, const char *close)
 {

@@ -7,15 +7,15 @@
 #include "support/formula.h"
 #include "support/local.h"
 
-/* Let N = n + 1, u = a_{n+1}/(2N) and A = 1/(1 - u). Then a_n = (z/(2N)) A, and x = n - a_n. A is stored as h/d, and
- * A - 1 as k/d, because 1 - A cancels for n > kappa. d = 1 unless |A| > 1. Then h = 1, so that nothing overflows where
- * J_n vanishes. Capital letters are for kappa'; b_n = (g/N) B and y = n - b_n. In these variables
+/* Let N = n + 1, u = a_{n+1}/(2N) and A = 1/(1 - u). Then a_n = (z/(2N)) A, and x = n - a_n. A = h/d and A - 1 = k/d
+ * are stored, because computing 1 - A from A cancels for n > kappa. If |A| > 1, h = 1, so that nothing overflows where
+ * J_n vanishes; otherwise d = 1. Capital letters are for kappa'; b_n = (g/N) B and y = n - b_n. In these variables
  *
  *     -n(n-1)/2 T0 + (g/N) ((n-1)(T1 - s T2/2) + T0/2) = 0        n >= 1
  *     e d - s k = 0                                              n = 0
  *     T0 = e d D - s k D - 2 K d,   T1 = d D,   T2 = h H
  *
- * is the frequency equation (25) divided by g. Nothing cancels in it where nu is close to -1 or 1. */
+ * is the frequency equation (25) divided by g. This form has no cancellation for nu close to -1 or 1. */
 
 /* ---- Bessel functions ---- */
 
@@ -26,7 +26,7 @@ struct wave {
 };
 
 /* Computes the wave from a->z. The zeros of J_m and J_{m+1} interlace: j_{m,k} < j_{m+1,k} < j_{m,k+1}. Below kappa,
- * J_m therefore has one zero more than J_{m+1} if J_{m+1}/J_m < 0, otherwise an equal number. Returns 0 if a sign is
+ * J_m therefore has one zero more than J_{m+1} if J_{m+1}/J_m < 0, otherwise the same number. Returns 0 if a sign is
  * undecided. */
 static int wave_set(struct wave *a, slong n, slong prec)
 {
@@ -115,7 +115,7 @@ static int waves_set(struct waves *v, const struct disk *d, slong n, const arb_t
     return wave_set(&v->a, n, d->prec) && (n == 0 || wave_set(&v->b, n, d->prec));
 }
 
-/* Computes T0, T1, T2. They are bilinear, so with the derivatives of one wave they are one half of the product rule. */
+/* Computes T0, T1, T2, bilinear in a and b. With the derivative of one wave it gives one term of the product rule. */
 static void set_products(arb_ptr t, const struct disk *disk, const struct wave *a, const struct wave *b)
 {
     LET(t + 0, disk->prec, "(disk->e*a->d - disk->s*a->k)*b->d - 2*b->k*a->d", disk->e, a->d, disk->s, a->k, b->d,
@@ -134,9 +134,9 @@ static void combine_products(arb_t f, arb_t rest, arb_srcptr t0, const struct di
 
 enum { UNDECIDED_SIGN = 3 };
 
-/* Returns the number of negative eigenvalues of the stiffness at the rim, free minus clamped, n >= 1. Up to positive
- * factors, the 2 x 2 matrices have det(clamped) = D = x y - n^2, det(free) = F/D and diagonals -y/D and -P/D. F is the
- * left side of the equation, and P = y + D/g. Returns UNDECIDED_SIGN if a sign is undecided. */
+/* Returns the number of negative eigenvalues of the stiffness at the rim, free minus clamped disk, n >= 1. Up to
+ * positive factors, the 2 x 2 matrices have det(clamped) = D = x y - n^2, det(free) = F/D and diagonals -y/D and -P/D.
+ * F is the left side of the equation, and P = y + D/g. Returns UNDECIDED_SIGN if a sign is undecided. */
 static int count_eigenvalues(arb_srcptr t0, const struct disk *disk, const struct waves *v, slong n)
 {
     const slong prec = disk->prec;
@@ -225,8 +225,8 @@ int disk_amplitudes(arb_t c, arb_t s, const struct disk *disk, slong n, const ar
     LOCAL_INIT(waves, v, (&v));
     if (!waves_set(&v, disk, n, w))
         return 0;
-    /* (g + x - n^2) C + n (x - 1) S = 0 = n (y - 1) C + (g + y - n^2) S. Each row degenerates for some modes, so the
-     * code uses the row with the smaller relative error. */
+    /* C and S satisfy (g + x - n^2) C + n (x - 1) S = 0 and n (y - 1) C + (g + y - n^2) S = 0. Each equation
+     * degenerates for some modes, so the code uses the one with the smaller relative error. */
     LET(s, prec, "(v.g - n*(n - 1))*v.a.d - v.a.z*v.a.h/(2*(n + 1))", v.g, n, v.a.d, v.a.z, v.a.h);
     LET(c, prec, "n*((n - 1)*v.a.d - v.a.z*v.a.h/(2*(n + 1)))", n, v.a.d, v.a.z, v.a.h);
     LET(x, prec, "n*((n - 1)*v.b.d - v.g*v.b.h/(n + 1))", n, v.b.d, v.g, v.b.h);

@@ -15,7 +15,7 @@
 #include "support/local.h"
 #include "support/parallel.h"
 
-/* Bits of omega that C and S, and the recurrences, usually lose. If a mode loses more, it is computed again. */
+/* Bits of omega that the recurrences, and C and S, usually lose. A mode that loses more is computed again. */
 enum {
     GUARD_BITS = 24,
     NEWTON_MAX = 12,
@@ -74,7 +74,7 @@ static bool polish_root(arb_t w, const struct disk *wide, slong n, slong l, slon
         if (gained < NEWTON_SLACK || !arb_is_positive(w))
             break;
         if (prec == full && 2 * gained >= full + NEWTON_SLACK) {
-            /* the next step would be below the width of the interval, so a bracket of twice that width suffices */
+            /* one more step would be smaller than the interval, so a bracket of twice its width suffices */
             slong narrow =
                 (slong)fmin((double)(bits + GUARD_BITS / 2 - 2), -2 - mag_get_d_log2_approx(arb_radref(step)));
             for (int wider = 0; wider < WIDENINGS && !proved; wider++, narrow -= GUARD_BITS / 4) {
@@ -95,8 +95,8 @@ static bool polish_root(arb_t w, const struct disk *wide, slong n, slong l, slon
     return proved;
 }
 
-/* Bisects by the count until Newton's method converges. The count always converges. Undecided counts raise the number
- * of bits. Returns false if `limit` bits do not separate root (n, l) from its neighbour. */
+/* Bisects by the count of roots until Newton's method converges. Bisection itself always converges. An undecided count
+ * raises the number of bits. Returns false if `limit` bits do not separate root (n, l) from its neighbour. */
 static bool bisect_by_count(arb_t w, const struct disk *wide, slong n, slong l, slong bits, slong limit)
 {
     struct disk disk = *wide;
@@ -106,7 +106,7 @@ static bool bisect_by_count(arb_t w, const struct disk *wide, slong n, slong l, 
     disk.prec = p.bits;
     bool found = false, enclosed = false, enough = p.bits <= limit;
 
-    /* w >= n (n - 1)/10; from there upwards by factors of four */
+    /* w >= n (n - 1)/10: start there and go up by factors of four */
     arf_set_si(low, n * (n - 1));
     arf_div_ui(low, low, 11, 30, ARF_RND_DOWN);
     arf_set_si(high, n * (n - 1) + 1);
@@ -132,7 +132,7 @@ static bool bisect_by_count(arb_t w, const struct disk *wide, slong n, slong l, 
             arf_set(high, middle);
             enclosed = true;
         }
-        /* A failure of Newton's method is expensive, so it is tried rarely. */
+        /* A failed attempt of Newton's method is expensive, so attempts are rare. */
         if (enclosed && ++steps % 8 == 0) {
             arb_set_interval_arf(w, low, high, p.bits);
             found = polish_root(w, wide, n, l, bits);
@@ -141,7 +141,7 @@ static bool bisect_by_count(arb_t w, const struct disk *wide, slong n, slong l, 
     return found;
 }
 
-/* Encloses the mode from an approximation to its omega. An approximation that is not positive is ignored. */
+/* Encloses the mode from an approximation to its omega, which is ignored if it is not positive. */
 static bool enclose_mode(struct disk_mode *mode, const struct disk *wide, const arb_t omega, slong bits, slong limit)
 {
     LOCAL(arb, w);
@@ -176,18 +176,18 @@ int disk_mode_solve(struct disk_mode *mode, const fmpq_t nu, slong n, slong l, d
 /* ---- all modes ---- */
 
 struct work {
-    const struct disk *disk; /* with more bits than any step needs */
+    const struct disk *disk; /* nu and its multiples with more bits than any step needs */
     slong digits;
     struct disk_mode *mode;
-    slong *which; /* modes to be computed */
+    slong *which; /* the modes to compute */
     struct precision precision;
     atomic_bool failed;
     slong *below;
     const arb_struct *w;
 };
 
-/* Finds the lowest modes in doubles: the first `count`, the next one, and all that doubles do not separate from it.
- * Finds none if they cannot be computed; the proof then fails. */
+/* Finds candidates for the lowest modes in doubles: the first `count`, the next one, and all modes that doubles do not
+ * separate from it. If doubles cannot compute them, it finds none, and the proof fails. */
 static struct cor_disk_mode *find_candidates(slong *found, const struct disk *disk, slong count)
 {
     const struct cor_mode_material material = {disk->e_double, disk->s_double};
@@ -350,7 +350,7 @@ int disk_modes_solve(struct disk_modes *modes, const fmpq_t nu, slong count, slo
 
 /* ---- doubles ---- */
 
-enum { MODE_DIGITS = 17 /* digits_to_double needs no more */ };
+enum { MODE_DIGITS = 17 /* digits_to_double needs no more digits */ };
 
 int disk_modes_rounded(struct cor_disk_modes *modes, const fmpq_t nu, slong count)
 {
@@ -362,7 +362,7 @@ int disk_modes_rounded(struct cor_disk_modes *modes, const fmpq_t nu, slong coun
     for (slong i = 0; i < count; i++) {
         const struct disk_mode *const m = &exact.mode[i];
         mode[i] = (struct cor_disk_mode){(int)m->n, (int)m->l, 0, 0, 0};
-        digits_to_double(&mode[i].omega, m->omega); /* number_is_decided has tested this */
+        digits_to_double(&mode[i].omega, m->omega); /* cannot fail: number_is_decided has tested it */
         digits_to_double(&mode[i].c, m->c);
         digits_to_double(&mode[i].s, m->s);
     }

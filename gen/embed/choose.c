@@ -12,7 +12,7 @@
 #include "support/parallel.h"
 
 enum {
-    COARSE = 64, /* a first assessment uses every COARSE-th sample */
+    COARSE = 64, /* the first assessment of a form uses every COARSE-th sample */
     POLYNOMIAL_MAX = 24,
     RATIONAL_MAX = 40, /* largest sum of degrees */
     PADE_MAX = 40,
@@ -23,7 +23,7 @@ enum {
     ROWS_MAX = 256
 };
 
-/* The error between the samples may be a little larger than at the samples. */
+/* Fraction of the tolerance for the error at the samples, because the error between them may be slightly larger. */
 static const double margin = 0.97;
 
 static struct embed_form form_blank(const struct embed_scene *s, enum embed_family family, enum embed_variable variable,
@@ -39,7 +39,7 @@ static struct embed_form form_blank(const struct embed_scene *s, enum embed_fami
                            .origin = s->origin,
                            .speed_min = s->speed_min,
                            .speed_max = s->speed_max};
-    if (variable >= FIFTH_ROOT_OF_SPEED) /* the refinement that the tolerance needs */
+    if (variable >= FIFTH_ROOT_OF_SPEED) /* find the least refinement that the tolerance permits */
         while (f.refinement < EMBED_REFINEMENTS - 1 &&
                8 * s->slope * embed_root_error(f.refinement, s->single) > s->tolerance)
             f.refinement++;
@@ -52,8 +52,8 @@ static double balanced_cost(const struct embed_form *f)
     return embed_cost(f->cost, PURPOSE_BALANCED);
 }
 
-/* Fits a form, or converts a quotient in beta^(1/series_root). Stores it in *best if it meets the tolerance and costs
- * less. Returns true if it meets the tolerance. */
+/* Fits a form, or converts a quotient in beta^(1/series_root) to a form. If the form meets the tolerance and costs less
+ * than *best, stores it there. True if the form meets the tolerance. */
 static bool try_form(struct embed_form *best, struct embed_form f, const struct embed_scene *s,
                      const struct pade *quotient)
 {

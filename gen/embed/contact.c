@@ -99,7 +99,7 @@ int embed_contact_eps(arb_t eps, const arb_t beta, const arb_t pressing, const s
 }
 
 /* Encloses the beta at which eps is the given restitution. eps falls with beta. Secant steps move a narrow ball until
- * eps is above the restitution at the lower end of the ball and below it at the upper end. */
+ * it contains that beta: eps is above the restitution at its lower end and below at its upper end. */
 static int beta_of_restitution(arb_t beta, const arb_t force, const struct embed_request *request,
                                const struct cor_scene_contact *contact, const struct cor_exponents *law)
 {
@@ -115,7 +115,7 @@ static int beta_of_restitution(arb_t beta, const arb_t force, const struct embed
     LET(pressing, 2 * SOLVE_BITS, "force*at^power", force, at, power);
     const slong half_width = arb_is_zero(pressing) ? SOLVE_HALF_WIDTH : SOLVE_HALF_WIDTH_PRESSED;
     for (int step = 0; step < SOLVE_STEPS && arb_is_positive(beta); step++) {
-        arb_get_mid_arb(beta, beta); /* an exact beta, so that eps keeps all of its bits */
+        arb_get_mid_arb(beta, beta); /* use an exact beta, so that eps keeps all of its bits */
         arb_around(low, high, beta, half_width, SOLVE_BITS);
         if (embed_contact_eps(above, low, pressing, law, request->end, SOLVE_BITS) != STATUS_OK ||
             embed_contact_eps(below, high, pressing, law, request->end, SOLVE_BITS) != STATUS_OK)
@@ -198,7 +198,7 @@ int embed_contact_numbers(arb_t beta_per_root, arb_t force, arb_t yield_speed, a
     if (embed_given(request, COR_SCENE_RESTITUTION))
         return contact->plastic ? yield_speed_of_restitution(yield_speed, request, contact->yield_speed_m_s, prec)
                                 : beta_of_restitution(beta_per_root, force, request, contact, law);
-    if (contact->plastic) /* v_y^2 = (pi^5/30) p_y^5 R^3/(E*^4 m), where E* = 3 K/(4 sqrt(R)) and p_y = 1.6 p */
+    if (contact->plastic) /* v_y^2 = (pi^5/30) p_y^5 R^3/(E*^4 m), E* = 3 K/(4 sqrt(R)); p_y = 1.6 p, p is given */
         LET(yield_speed, prec, "sqrt((p*8/5*pi)^5/30*R^5/(K*3/4)^4/m)", p, R, K, m);
     else if (embed_given(request, COR_SCENE_G_STAR))
         beta_of_g_star(beta_per_root, number[COR_SCENE_G_STAR].value, law, prec);
@@ -209,7 +209,7 @@ int embed_contact_numbers(arb_t beta_per_root, arb_t force, arb_t yield_speed, a
     else if (embed_given(request, COR_SCENE_DURATION))
         return usage_error("the damping from --duration is not exact enough for a header; replace --duration by --beta "
                            "B --at G, --zeta Z or --restitution E --at G, which corgen contact prints");
-    else { /* force K x^a + C x^b x': beta g^-q = (C/m) (m/K)^((b+1)/(a+1)); C is given or (3/2) A K */
+    else { /* for the force K x^a + C x^b x': beta g^-q = (C/m) (m/K)^((b+1)/(a+1)), where C is given or is (3/2) A K */
         LET(A, prec, embed_given(request, COR_SCENE_DAMPING_COEFFICIENT) ? "C" : "A*K*3/2", C, A, K);
         LET(beta_per_root, prec, "(m/K)^((b + 1)/(a + 1))*A/m", m, K, a, b, A);
     }

@@ -14,7 +14,7 @@ enum { LANDEN_STEPS = 12, CHECK_CELLS = 2048, NODE_BITS = 40 };
 
 /* ---- interpolation points ---- */
 
-/* Returns dn(u K, k') from the complementary modulus k, by descending Landen transformations. */
+/* Returns the Jacobi function dn(u K, k') from the complementary modulus k, by descending Landen transformations. */
 static double jacobi_dn(double u, double k)
 {
     double a[LANDEN_STEPS + 1], c[LANDEN_STEPS + 1], b = k;
@@ -130,7 +130,7 @@ bool embed_fit_rational(struct embed_form *f, const struct embed_scene *s)
 {
     const slong m = f->numerator, n = f->denominator, count = m + n + 1;
     const double power = 1 / (double)embed_roots[f->variable].degree;
-    /* a little inside the range, because x^5 must not leave it */
+    /* start slightly inside the range, because x^5 must not leave it */
     const double lo = pow(s->speed_min, power) * (1 + 1e-13), hi = pow(s->speed_max, power) * (1 - 1e-13);
     const slong scale = lround(log2(lo * hi) / 2);
     LOCAL(arb, x, eps, term);

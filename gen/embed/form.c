@@ -10,9 +10,9 @@
 const char *const embed_operation_names[OPERATIONS] = {"mul+add", "mul",  "add",     "div",    "sqrt",
                                                        "bits",    "load", "convert", "compare"};
 
-/* Nanoseconds of an operation, for double and float, measured once (docs/embed.md, "Costs"): in a scalar loop (-O2),
- * and in a vectorised loop (-O3 -mavx2 -mfma). A square root may set errno, so a loop that contains one stays scalar
- * without -fno-math-errno. */
+/* Nanoseconds of an operation, for double and float, in a scalar loop (-O2) and in a vectorised loop (-O3 -mavx2
+ * -mfma). Measured once (docs/embed.md, "Costs"). A square root may set errno, so compilers do not vectorise a loop
+ * with one without -fno-math-errno. */
 static const double nanoseconds[2][USES][OPERATIONS] = {
     {{0.27, 0.14, 0.14, 1.11, 1.67, 0.10, 0, 0.51, 0.15}, {0.03, 0.03, 0.03, 0.56, 1.67, 0.07, 0.18, 0.11, 0.14}},
     {{0.27, 0.14, 0.14, 0.84, 0.90, 0.10, 0, 0.51, 0.15}, {0.02, 0.02, 0.01, 0.17, 0.90, 0.02, 0.23, 0.03, 0.02}},
@@ -110,8 +110,8 @@ static int add_fifth_root(struct embed_program *p, const struct embed_form *f, c
     return add_step(p, STEP_MUL, name, 0, add_step(p, STEP_MUL, "(square * square)", square, square, 0), 0);
 }
 
-/* Adds a polynomial in the value of step x. From degree EMBED_SPLIT its even and odd parts are separate; step x + 1
- * must then be x^2. names: the polynomial and the two parts */
+/* Adds a polynomial in the value of step x. If its degree is EMBED_SPLIT or more, its even and odd parts are separate,
+ * and step x + 1 must be x^2. names: the polynomial and the two parts */
 static int add_polynomial(struct embed_program *p, const char *const names[3], int x, const double *c, slong degree)
 {
     if (degree < EMBED_SPLIT)
@@ -162,8 +162,8 @@ struct arithmetic {
     int count[OPERATIONS];
 };
 
-/* Counts an operation and rounds its result. For floats, + - * / and sqrt may be rounded to double first. The float
- * result is the same. */
+/* Counts an operation and rounds its result. For floats, + - * / and sqrt may be rounded to double first, which gives
+ * the same float. */
 static double round_result(struct arithmetic *a, enum embed_operation operation, double x)
 {
     a->count[operation]++;
@@ -193,7 +193,7 @@ static double evaluate_horner(struct arithmetic *a, const struct embed_step *s, 
 
 static double root_start(struct arithmetic *a, const struct embed_form *f, double g)
 {
-    a->count[OP_BITS] += f->single ? 4 : 3; /* a division by 5 is a product and a shift */
+    a->count[OP_BITS] += f->single ? 4 : 3; /* compilers replace a division by 5 by a product and a shift */
     if (f->single)
         return embed_from_bits(f, EMBED_ROOT_SINGLE - (uint32_t)emit_bits_of(f->single, g) / 5);
     /* 2^52 + n holds the integer n in its low bits */
@@ -221,7 +221,7 @@ static double step_value(struct arithmetic *a, const struct embed_form *f, const
     case STEP_START:
         return root_start(a, f, x);
     case STEP_ROW_OF_BITS:
-        a->count[OP_BITS] += 3; /* shift, subtraction of the first row, and shift back */
+        a->count[OP_BITS] += 3; /* counts a shift, the subtraction of the first row, and a shift back */
         *row = (slong)(upper - f->first);
         return round_result(a, OP_ADD, x - embed_from_bits(f, upper << f->low_bits));
     case STEP_ROW_OF_SEARCH:
@@ -303,7 +303,7 @@ void embed_form_price(struct embed_form *f)
     form_value(&a, f, &p, f->speed_min);
     memcpy(f->operations, n, sizeof f->operations);
     for (int use = 0; use < USES; use++) {
-        /* an operation that prevents vectorisation makes all other operations scalar */
+        /* one operation that prevents vectorisation makes all operations of the loop scalar */
         const int as = use == USE_ARRAY && (n[OP_SQRT] > 0 || f->knot) ? USE_SCALAR : use;
         const double *ns = nanoseconds[f->single][as];
         /* division and square root have a separate unit, which works in parallel with the others */

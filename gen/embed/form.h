@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A form is a formula for eps in the arithmetic of a generated header. This file declares the search for the cheapest
- * form that meets a scene's tolerance, the proof of its error, and the writer of its header. */
+ * form that meets the tolerance of a scene, the proof of its error, and the function that writes its header. */
 #ifndef COR_GEN_EMBED_FORM_H
 #define COR_GEN_EMBED_FORM_H
 
@@ -36,7 +36,7 @@ enum embed_operation {
     OP_SQRT,
     OP_BITS,    /* shift, mask or sum of integers */
     OP_LOAD,    /* a load from a table at an index that depends on the speed */
-    OP_CONVERT, /* between integers and floating point */
+    OP_CONVERT, /* conversions between integers and floating point */
     OP_COMPARE, /* a comparison and the selection that follows */
     OPERATIONS
 };
@@ -44,31 +44,31 @@ extern const char *const embed_operation_names[OPERATIONS];
 
 enum embed_use { USE_SCALAR, USE_ARRAY, USES };
 
-/* The variable is speed^(1/degree): the speed or its fifth root, followed by this number of square roots. */
+/* Roots for each variable, speed^(1/degree): the speed or its fifth root, followed by this number of square roots. */
 extern const struct embed_root {
     slong degree;
     bool fifth;
     int square_roots;
 } embed_roots[];
 
-/* Levels of refinement of the fifth root from bits, counted from 0, and the relative error of the root at a level */
+/* Levels of refinement of the fifth root that starts from the bits of the speed, and its relative error at a level */
 enum { EMBED_REFINEMENTS = 4 };
 double embed_root_error(int refinement, bool single);
 
-/* EMBED_ROOT_CONSTANT - EMBED_ROOT_FIFTH n are the bits of a start value r of g^(-1/5), where n are the bits of g. With
- * e = 1 - g r^5, the factor (1 - e)^(-1/5) improves r. Step 0 starts with |e| < 0.155 and uses terms up to e^3,
- * interpolated at Chebyshev points. Step 1 uses terms up to e^refinement. */
+/* If n is the integer with the bits of g, EMBED_ROOT_CONSTANT - EMBED_ROOT_FIFTH n has the bits of a start value r of
+ * g^(-1/5). With e = 1 - g r^5, the factor (1 - e)^(-1/5) improves r. Step 0 starts with |e| < 0.155 and uses terms up
+ * to e^3, interpolated at Chebyshev points. Step 1 uses terms up to e^refinement. */
 #define EMBED_ROOT_FIFTH 0.2
 #define EMBED_ROOT_CONSTANT 5404320840011480.0 /* 1.2 2^52 + 1287166885, for the upper half of a double's bits */
 #define EMBED_ROOT_SINGLE 1277903765u
 
-/* A polynomial of this degree or more is split into two in x^2, for the even and the odd powers. In a loop this is as
- * fast as Horner's rule. In calls it is a little faster, and the latency is a fifth smaller. Rows of tables are short
- * and are not split. */
+/* A polynomial of this degree or more is split into two polynomials in x^2, one for the even and one for the odd
+ * powers. In a loop the split is as fast as Horner's rule. In single calls it is slightly faster, and its latency is a
+ * fifth smaller. Rows of tables are short and are not split. */
 enum { EMBED_SPLIT = 4 };
 
-/* Largest size of a table in bytes, for the processor's cache. Tables in speed may have the second size if the first
- * does not suffice. */
+/* Largest size of a table in bytes, chosen for the processor's cache. A table in speed may have the second size if the
+ * first does not suffice. */
 enum { EMBED_TABLE_BYTES = 4096, EMBED_TABLE_BYTES_MOST = 16384 };
 
 struct embed_form {
@@ -77,20 +77,20 @@ struct embed_form {
     double speed_min, speed_max;
     double onset; /* up to this speed eps is `before`; 0: no such speed */
     double before;
-    double origin; /* subtracted from every speed of this struct except the onset */
+    double origin; /* origin, which is subtracted from every speed of this struct except the onset */
     slong numerator, denominator;
-    slong rows;     /* rows of a table of polynomials of degree `numerator`; 0: no table */
+    slong rows;     /* number of rows of a table of polynomials of degree `numerator`; 0: no table */
     double *number; /* p_0, ..., p_m, q_0, ..., q_n, or the rows; malloc'ed */
     /* pieces in beta: the row is the integer part of y slope + shift, where y is the fifth root of the speed */
     double slope, shift;
     /* pieces in speed: the row is the bits of the speed, shifted down by low_bits, minus `first` */
     uint64_t first;
-    /* or the last of these rows + 1 numbers that is not above the speed; NULL: the row is found by bits */
+    /* starts of the rows, and the end: a row is the last start not above the speed; NULL: found by bits */
     const double *knot;
     double error, error_at; /* worst relative error of the samples, and its speed */
     double cost[USES];      /* ns */
     int operations[OPERATIONS];
-    int refinement; /* for variables computed from a fifth root */
+    int refinement; /* refinement of the fifth root, for variables that use it */
     int low_bits;
     bool single;
     bool found; /* if false, `why` holds the reason */
@@ -120,14 +120,14 @@ enum { EMBED_STEPS = 28 };
 struct embed_program {
     struct embed_step {
         enum embed_code code;
-        const char *name; /* of the variable in the header, or an expression that later lines contain */
+        const char *name; /* name of the variable in the header, or an expression for later lines */
         int x, y, z;      /* earlier steps; step 0 uses the speed */
         const double *c;
         slong degree, stride;
     } step[EMBED_STEPS];
     int count;
-    int x, argument; /* the root of the speed; the argument of the polynomials: x, or its place in a row */
-    int p, q;        /* the polynomials; q = 0 without a denominator */
+    int x, argument; /* steps: the root of the speed; the argument of the polynomials, x or its place in a row */
+    int p, q;        /* steps of the polynomials; q = 0: no denominator */
 };
 /* Returns the program of a form, which points to the numbers of the form. */
 struct embed_program embed_program_of(const struct embed_form *f);
@@ -177,16 +177,16 @@ bool embed_fit_pieces(struct embed_form *f, const struct embed_scene *s);
 
 /* ---- the choice (choose.c) ---- */
 
-/* Fills form[FAMILIES]: for each family the cheapest form that meets the scene's tolerance, or the reason why none was
- * found. */
+/* Fills form[FAMILIES] with the cheapest form of each family that meets the scene's tolerance, or with the reason why
+ * none was found. */
 void embed_search(struct embed_form *form, const struct embed_scene *s);
 
 /* Returns the cheapest family for a purpose, or FAMILIES if no form was found. */
 enum embed_family embed_choose(const struct embed_form *form, enum embed_purpose purpose);
 
-/* ---- the proof (proof.c, docs/embed.md, "Tolerance"): it bounds a form's error at every speed of its scene ----
- * The proof compares two functions, the formula and eps. eps is a closed form, the proved interpolant of the collision,
- * or the proved limit at large beta (row_proof.h). The rounding errors are added. */
+/* ---- the proof (proof.c, docs/embed.md, "Tolerance"): it bounds a form's error at every speed of its scene ---- It
+ * bounds the difference between the formula and eps, and adds the rounding errors. eps is a closed form, the proved
+ * interpolant of the collision, or the proved limit at large beta (row_proof.h). */
 
 /* eps at zero overlap is h*^5 beta^-5 (1 - d) with 0 < d < EMBED_FAR_ERROR for beta >= EMBED_FAR.
  * tests/gen/test_embed.c encloses d at EMBED_FAR; d falls as beta grows (docs/theory.md, 4). */
@@ -209,9 +209,9 @@ int embed_prove(struct embed_proof *proof, const struct embed_form *f, const str
  * arithmetic rounded to nearest, with a correctly rounded square root. They hold for any mixture of fused and separate
  * operations. */
 struct embed_rounding {
-    double error; /* relative, of the result; includes the error of the root of the speed */
-    double root;  /* relative, of that root */
-    double place; /* absolute, of the place in a table in beta; 0 for other forms */
+    double error; /* relative error of the result; includes the error of the root of the speed */
+    double root;  /* relative error of that root */
+    double place; /* absolute error of the place in a table in beta; 0 for other forms */
 };
 
 /* Returns false if no bound was found. */

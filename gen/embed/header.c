@@ -185,9 +185,9 @@ static void emit_copy(struct emit *e, const char *type, const char *name, const 
     emit_lines(e, " $s;\n    memcpy(&$s, &$s, sizeof $s);\n", name, name, from, name);
 }
 
-/* Writes lines that limit x to the range. For a single x, comparing real numbers is fastest. In loops the bits are
- * compared as whole numbers, which compilers vectorise; comparisons of real numbers that might trap become branches. A
- * NaN becomes a number in the range. */
+/* Writes lines that limit x to the range and turn a NaN into a number in the range. For a single x, a comparison of
+ * real numbers is fastest. For loops the lines compare the bits as integers, which compilers vectorise; a comparison of
+ * real numbers may trap and would become a branch. */
 static void emit_clamped(struct emit *e, const struct embed_form *f, const char *x, bool vector)
 {
     if (!vector) {

@@ -11,17 +11,17 @@
 #include "support/parallel.h"
 
 enum {
-    FIRST_PARTS = 4, /* of an interval in sqrt(beta) */
-    DEPTH = 12,      /* halvings of a part, at most */
-    HALVINGS = 2,    /* of polynomials on a part */
-    POINTS = 6,      /* on each side of a part's middle, where the error is evaluated first */
-    FAR = -1         /* instead of an interval: beyond the last one */
+    FIRST_PARTS = 4, /* parts of an interval in sqrt(beta) at the start */
+    DEPTH = 12,      /* largest number of halvings of a part */
+    HALVINGS = 2,    /* halvings of a part to bound a polynomial */
+    POINTS = 6,      /* points on each side of a part's middle at which the error is evaluated first */
+    FAR = -1         /* number of the range beyond the last interval */
 };
 
 /* Longest part in ln(beta) */
 #define LOG_PART 0.5
-/* A bound suffices if it is at most NEAR_KNOWN times an error that occurs, or NEAR_SAMPLED times the largest sampled
- * error. */
+/* A bound suffices if it is at most NEAR_KNOWN times an error that really occurs, or NEAR_SAMPLED times the largest
+ * sampled error. */
 #define NEAR_KNOWN 1.01
 #define NEAR_SAMPLED 1.005
 /* The error of the interpolant of another law may be this fraction of the form's error. */
@@ -31,8 +31,8 @@ enum {
 /* Exceeds the rounding errors of a few functions of libm */
 #define SLACK 1e-13
 
-/* The speeds with lo <= x <= hi, the table's row there, and the bound of the error. x is ln(beta), or the variable of
- * an interval of the sphere's interpolant. */
+/* A part: the speeds with lo <= x <= hi, their row of the table, and the bound of the error. x is ln(beta), or the
+ * variable of an interval of the sphere's interpolant. */
 struct part {
     int interval;
     bool by_log;
@@ -50,15 +50,15 @@ struct prover {
     struct far_proof far; /* for beta >= exp(10) at zero force */
     bool far_known;
     double enough;
-    double from; /* the first speed with a proof */
+    double from; /* the proof holds from this speed on */
     struct part *part;
     slong parts;
 };
 
 /* ---- a part ---- */
 
-/* Encloses x and eps as functions of t, and also beta unless x is ln(beta). For a closed form, beta is the speed.
- * Returns false without a proof. */
+/* Encloses x and eps as functions of t, and beta unless x is ln(beta). For a closed form, beta is the speed. False: no
+ * proof */
 static bool part_functions(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const struct prover *w,
                            const struct part *part)
 {
@@ -213,7 +213,7 @@ static bool part_from(struct part *part, double *end, const struct prover *w, do
     const struct interpolant_layout *const layout = &interpolant_sphere_proof;
     *part = (struct part){.by_log = true, .lo = u};
     *end = HUGE_VAL;
-    if (w->s->own.law) /* a few ulps beyond a knot, the cubics of both rows differ by the square of that distance */
+    if (w->s->own.law) /* a few ulps beyond a knot both cubics differ by the square of that distance */
         part->interval = (int)own_law_row(end, &w->s->own, u);
     if (w->s->by_speed)
         return true;
@@ -290,7 +290,7 @@ static void prove_formula(struct embed_proof *proof, struct prover *w, const str
 
 int embed_prove(struct embed_proof *proof, const struct embed_form *f, const struct embed_scene *s)
 {
-    if (s->constant) { /* one number, the coefficient */
+    if (s->constant) { /* a constant eps: the form has one coefficient */
         LOCAL(arb, error);
         LET(error, EMBED_BITS, "abs(f->number[0]/s->eps - 1)", f->number[0], s->eps);
         *proof = (struct embed_proof){.error = ball_end(error, true), .proved = true};
@@ -302,7 +302,7 @@ int embed_prove(struct embed_proof *proof, const struct embed_form *f, const str
     if (!embed_rounding_bound(&rounding, f))
         return STATUS_OK;
     proof->rounding = rounding.error;
-    const bool overlap = s->end == COR_END_ZERO_OVERLAP || !law_force_ends(&s->law); /* a <= b: the ends coincide */
+    const bool overlap = s->end == COR_END_ZERO_OVERLAP || !law_force_ends(&s->law); /* a <= b: the two ends coincide */
     struct prover w = {.f = f,
                        .program = embed_program_of(f),
                        .s = s,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The request of corgen embed, plan, contact, sample and fit: the numbers of a scene (cor/scene.h) as written, and
- * messages about missing or contradictory ones */
+/* Declares the request of corgen embed, plan, contact, sample and fit: the numbers of a scene (cor/scene.h) as written.
+ * Its functions report missing or contradictory numbers. */
 #ifndef COR_GEN_EMBED_REQUEST_H
 #define COR_GEN_EMBED_REQUEST_H
 
@@ -25,8 +25,8 @@ enum {
 enum { EMBED_LAW_POWER = COR_LAW_ELASTIC_PLASTIC + 1, EMBED_LAW_EXPONENTIAL, EMBED_LAW_TABLE };
 extern const char *const embed_law_names[]; /* ends with NULL */
 
-/* The use for which a form is cheapest: single calls, vectorised loops, or a mixture. REBOUND makes single calls of its
- * callback. */
+/* The use for which a form must be cheapest: single calls, vectorised loops, or a mixture. For REBOUND these are the
+ * single calls of its callback. */
 enum embed_purpose { PURPOSE_BALANCED, PURPOSE_SCALAR, PURPOSE_ARRAY, PURPOSE_REBOUND };
 extern const char *const embed_purpose_names[]; /* ends with NULL, like the next arrays */
 
@@ -54,8 +54,8 @@ double embed_number(const struct embed_request *request, int number); /* the nea
 /* Reads "ETA1,ETA2", two numbers without a sign. */
 bool embed_viscosity(struct decimal eta[2], const char *text);
 
-/* Returns the options of a request as written, such as " --speed-min 0.1 --law tsuji", malloc'ed. Omits options that
- * only a header has. Breaks lines of numbers that would be longer than `width`, as in a banner. */
+/* Returns the malloc'ed options of a request as written, such as " --speed-min 0.1 --law tsuji". Omits options that
+ * only a header has. Breaks lines that would be longer than `width`, for a banner. */
 char *embed_options(const struct embed_request *request, int width);
 const char *embed_end_option(const struct embed_request *request); /* " --end zero-force"; empty for an own law */
 
@@ -76,7 +76,7 @@ bool embed_is_pressed(const struct embed_request *request);
  * that cannot be read becomes -1. Returns STATUS_OK, or STATUS_USAGE after a message. */
 int embed_request_scene(struct cor_scene *scene, const struct embed_request *request);
 
-/* Like cor_scene_of_body and cor_scene_mass_is_given, for the numbers as written */
+/* Equal cor_scene_of_body and cor_scene_mass_is_given, for the numbers as written. */
 const struct decimal *embed_number_of_body(const struct embed_request *request, int number, int body);
 bool embed_mass_is_given(const struct embed_request *request, int body);
 

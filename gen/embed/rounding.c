@@ -11,21 +11,21 @@
 #include "support/parallel.h"
 
 enum {
-    BITS = 64,        /* of intermediate results */
-    CELLS = 1024,     /* of the range of a variable */
-    ROW_CELLS = 4,    /* of a row */
-    SEED_CELLS = 256, /* of an octave */
+    BITS = 64,        /* bits of intermediate results */
+    CELLS = 1024,     /* cells of the range of a variable */
+    ROW_CELLS = 4,    /* cells of a row */
+    SEED_CELLS = 256, /* cells of an octave */
     ROOT_HALVINGS = 12
 };
 
-/* Covers the rounding errors of the few operations on doubles that compute a bound. Bounds near 1e-16 are added, or
- * pass through expm1 and log1p, because 1 + bound - 1 would lose them. */
+/* RAISE covers the rounding errors of the few operations on doubles that compute a bound. Bounds near 1e-16 are added,
+ * or pass through expm1 and log1p, because computing 1 + bound - 1 would lose them. */
 #define RAISE (1 + 1e-12)
-/* Upper limit of |1 - g r^5| for the start of the fifth root. Beyond it the series are of little use. */
+/* Upper limit of |1 - g r^5| for the start of the fifth root. Above this limit the series are of little use. */
 #define SEED_LIMIT 0.2
 
-/* Half a unit in the last place of 1, half of the smallest positive number, and the largest one, of doubles and of
- * floats */
+/* For doubles and floats: half a unit in the last place of 1, half the smallest positive number, and the largest
+ * number */
 static const struct arithmetic {
     double unit, least, most;
 } arithmetic[] = {{0x1p-53, 0, DBL_MAX}, {0x1p-24, 0x1p-150, (double)FLT_MAX}};
@@ -132,13 +132,13 @@ static double root_step(const struct embed_program *p, int first, double e, cons
     arb_add_error(values, radius);
     arb_one(values + p->step[first].x);
     rounded_steps(&v, p, first, first + 5, NULL);
-    const double least = 1 / pow(1 + e, 0.2) * (1 - 2 * exact); /* of S */
+    const double least = 1 / pow(1 + e, 0.2) * (1 - 2 * exact); /* least S */
     return add_relative(exact, v.error[first + 5] / least) * RAISE;
 }
 
 /* Returns a bound of |1 - g r^5| for the start value r. The upper bits of r fall as the upper bits of g rise, so the
- * ends of a speed interval bound r. In half of an interval r falls by 400 units of 2^-20 or more. A fused operation
- * moves r by one unit. The bound of the interval therefore covers the fused operation in either half. */
+ * ends of a speed interval bound r. Over half an interval r falls by 400 units of 2^-20 or more, while a fused
+ * operation changes r by one unit. The bound of an interval therefore covers fused operations, too. */
 static double start_bound(const struct embed_form *f)
 {
     const uint64_t step = UINT64_C(1) << ((f->single ? 23 : 52) - 8), last = emit_bits_of(f->single, f->speed_max);
@@ -233,9 +233,9 @@ static double cell_bound(const struct embed_form *f, const struct embed_program 
 struct cells {
     const struct embed_form *f;
     struct embed_program program;
-    double lo, hi; /* of the variable, without rounding */
+    double lo, hi; /* range of the variable, without rounding */
     double root, place;
-    double *bound; /* of each cell */
+    double *bound; /* bound of each cell */
 };
 
 static void bound_cell(void *context, slong i)

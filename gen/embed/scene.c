@@ -29,12 +29,12 @@ double embed_rounded(const struct embed_scene *s, double x)
 
 /* ---- eps ---- */
 
-/* Computes eps of spheres. For u = ln(beta) > 10 at zero force and mu = beta^(-5/3), eps is mu (((a_8 u + ...) mu +
- * (a_4 u + ...)) mu + a_1 u + a_0). The interpolant's samples are exact, so the radius covers only the rounding
- * here. */
+/* Computes eps of spheres. At zero force, for u = ln(beta) > 10 and mu = beta^(-5/3), eps is mu (((a_8 u + ...) mu +
+ * (a_4 u + ...)) mu + a_1 u + a_0). The interpolant's samples count as exact, so the radius covers only rounding errors
+ * of this function. */
 static void eps_of_beta(arb_t eps, const struct embed_scene *s, const arb_t beta)
 {
-    static const int first[] = {0, 2, 5, INTERPOLANT_FAR}; /* of a_0, ... */
+    static const int first[] = {0, 2, 5, INTERPOLANT_FAR}; /* indices of the first coefficients: a_0, ... */
     const double b = ball_middle(beta);
     const bool overlap = s->end == COR_END_ZERO_OVERLAP;
     LOCAL(arb, z, mu, order, y);
@@ -57,7 +57,7 @@ static void eps_of_beta(arb_t eps, const struct embed_scene *s, const arb_t beta
     }
 }
 
-/* Reports a range of speeds that begins or ends too low. fact: a statement that is true up to `limit`. */
+/* Refuses a range of speeds that begins or ends too low. fact: a statement that holds up to the speed `limit` */
 static int refuse_speed(const char *option, const char *fact, double limit)
 {
     return usage_error("--%s: %s up to %.6g m/s; give a speed above it", option, fact, limit);
@@ -158,7 +158,7 @@ static int scene_collide(struct embed_scene *s)
 /* An interval in ln(beta) is as long as its distance from the sticking speed, where eps has a branch point, but at most
  * this long. */
 #define LONGEST_PRESSED 0.5
-/* Nearer than this, where nothing is proved, intervals are three times as long and have more points. */
+/* Closer than this, without a proof, intervals are three times as long and have more points. */
 #define NEAR_STICKING 1e-3
 enum { PRESSED_POINTS = 30, NEAR_POINTS = 38, PRESSED_BITS = 76, STICKING_BITS = 100, MOST_PRESSED = 200 };
 
@@ -175,7 +175,7 @@ static double rounded_down(const struct embed_scene *s, double x)
     return y > x ? neighbour_of(s, y, 0) : y;
 }
 
-/* Sets c of f = c beta^(-2a/n) and the sticking speed from f_1. In units in which the force is 1, the damping is B =
+/* Sets c of f = c beta^(-2a/n), and the sticking speed, from f_1. In units in which the force is 1, the damping is B =
  * beta_1 f_1^(n/(2a)) at every speed, and the unit of speed is f_1^((a+1)/(2a)). Then sets origin, onset and the first
  * speed. The origin is a multiple of the last place of speed_max, so v - origin is exact up to speed_max. */
 static int set_pressing(struct embed_scene *s, const arb_t force)

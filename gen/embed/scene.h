@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A scene: eps as a function of the impact speed over a range of speeds, with a tolerance */
+/* A scene: eps as a function of the impact speed over a range of speeds, and its tolerance */
 #ifndef COR_GEN_EMBED_SCENE_H
 #define COR_GEN_EMBED_SCENE_H
 
@@ -21,12 +21,12 @@ struct embed_scene {
     struct cor_exponents law, named; /* the law of beta and the law of the request, see by_speed */
     bool plastic;
     struct own_law own; /* own.law 0: none */
-    double *knot;       /* of its table: the starts of the cubics, and the end of the last one; NULL: no table */
+    double *knot;       /* of the law's table: the starts of the cubics, and the end of the last one; NULL: no table */
     slong knots;
     bool by_speed;      /* dry eps is a closed form of the speed; law has q = 1, and beta is the speed in m/s */
-    arb_t yield_speed;  /* of elastic-plastic spheres */
+    arb_t yield_speed;  /* yield speed of elastic-plastic spheres */
     arb_t liquid_speed; /* the speed lost to a liquid on each way; 0: a dry contact */
-    bool pressed;       /* by a constant force: f = press beta^(-2a/n), and eps = 0 up to sticking_speed */
+    bool pressed;       /* a constant force f = press beta^(-2a/n) acts; eps = 0 up to sticking_speed */
     arb_t press, sticking_speed;
     double sticking_log; /* ln(beta) at that speed */
     double origin;       /* a double below sticking_speed; subtracted from every speed of the scene except the onset */
@@ -34,17 +34,17 @@ struct embed_scene {
     bool constant;       /* eps is the same at every speed: no damping, or q = 0 */
     arb_t eps;           /* the value of that eps */
     arb_t beta_per_root; /* beta = beta_per_root speed^q, q = 1/5 for spheres */
-    arb_t beta_enclosed; /* its enclosure; beta_per_root is the middle of this ball if a restitution is given */
+    arb_t beta_enclosed; /* encloses beta_per_root, which is the middle of this ball if a restitution is given */
     double beta_min, beta_max;
     double slope; /* largest |d ln(eps)/d ln(speed^(1/5))|; for spheres |d ln(eps)/d ln(beta)| */
     struct embed_samples samples;
     struct interpolant *interpolant;
-    /* for spheres without a constant force: at zero overlap eps falls as h_star_5 beta^-5; the series of eps is in
-     * powers of beta^(1/series_root) */
+    /* for spheres without a constant force: eps at zero overlap is h_star_5 beta^-5 for large beta; the series of eps
+     * is in powers of beta^(1/series_root) */
     arb_t h_star_5;
     arb_poly_t series;
     slong series_root;
-    struct law_layout layout; /* of the interpolant of another law */
+    struct law_layout layout; /* layout of the interpolant of another law */
 };
 
 enum { EMBED_SAMPLES = 4096, EMBED_BITS = 320, EMBED_SERIES = 40 /* order */ };

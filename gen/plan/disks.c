@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Models of elastic disks, from disks without vibrations to collisions of many modes, compared with collisions of all
- * modes with a rigid wall */
+/* Compares models of elastic disks, from disks without vibrations to collisions of many modes, with the collision of
+ * all modes with a rigid wall. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -24,8 +24,8 @@ static const struct {
                 {3600, 56, SOME}, {300, 11, MUCH},  {300, 22, MUCH},
                 {1800, 11, MUCH}, {1800, 22, MUCH}, {940, 0, "higher modes; the wall is too soft for slow disks"}};
 #define PAPER_ALPHA 500.0
-/* Rigid wall: tolerances of 1 - eps^2, and nanoseconds of a collision, including its modes: the median of 60 scenes of
- * bench/run, measured once (docs/speed) */
+/* Rigid wall: tolerance of 1 - eps^2, and nanoseconds of a collision with the computation of its modes: median of 60
+ * scenes of bench/run, measured once (docs/speed) */
 static const struct {
     double tolerance, cost;
 } rigid[] = {{1e-3, 7.3e6}, {1e-4, 1e7}, {1e-5, 3.9e7}, {1e-6, 9.8e8}};
@@ -39,12 +39,12 @@ enum {
 #define TRUTH_SHARE 0.02
 #define FINEST_TRUTH 1e-6
 #define COARSEST_TRUTH 1e-4
-#define COARSEST_TRUTH_OF_OTHERS 1e-5 /* for contact time and compression, finer than COARSE_TOLERANCE */
+#define COARSEST_TRUTH_OF_OTHERS 1e-5 /* for contact time and compression; finer than COARSE_TOLERANCE */
 /* The uncertainty of the contact time and of the largest compression is twice their change from a rigid wall with this
  * tolerance, because the contact time converges like 1/Omega. */
 #define COARSE_TOLERANCE 1e-3
 #define LEAST_TOLERANCE 1e-6
-#define MIN_SPEED 1e-3 /* a little below this speed, alpha v = 56 needs an alpha beyond COR_DISK_COLLISION_MAX_ALPHA */
+#define MIN_SPEED 1e-3 /* a little below this speed, alpha v = 56 would need alpha > COR_DISK_COLLISION_MAX_ALPHA */
 #define COLLISION_TOLERANCE 1e-6
 /* Nanoseconds of a step of a collision, and of each mode in a step, measured once (docs/plan.md). */
 #define NS_STEP 1000.0
@@ -71,7 +71,7 @@ struct disks {
 
 /* ---- the collisions ---- */
 
-/* Collides disks at a point with a soft wall; the costliest models come first. */
+/* Collides disks with a soft wall at one point of the plan. The costliest models come first. */
 static void collide_soft(void *context, slong i)
 {
     struct disks *const d = context;
@@ -90,7 +90,7 @@ static double quantity_of(const struct disks *d, double eps, double contact_time
     return value[d->quantity];
 }
 
-/* Collides a disk with the rigid wall. uncertainty: of eps */
+/* Collides a disk with the rigid wall. uncertainty: the estimated error of eps */
 static int collide_rigid(struct disks *d, double *value, double *uncertainty, double tolerance, double speed)
 {
     struct cor_disk_hard_wall h;
@@ -131,8 +131,8 @@ static char *modes_text(const struct disks *d, size_t count)
                    poisson, count);
 }
 
-/* Adds a rigid wall. The error of eps is its promised bound; for other quantities it is the difference from the
- * reference. */
+/* Adds the model of a rigid wall. The error of eps is the promised bound. The error of other quantities is their
+ * difference from the reference. */
 static int add_rigid(struct disks *d, int k)
 {
     struct plan *const plan = d->plan;
@@ -190,7 +190,7 @@ static void add_rayleigh(const struct disks *d)
             struct cor_disk_rayleigh out;
             const int status =
                 cor_disk_rayleigh(&cut, taken[k], COR_DISK_DATUM_CENTRE_OF_MASS, plan->speed[i], &out, NULL);
-            /* beyond the contact law no result exists; beyond the theory the collision creates energy */
+            /* beyond the contact law no result exists; beyond the theory the collision creates energy: no model */
             if (status == COR_OK || status == COR_BEYOND_THEORY)
                 m->value[i] = sqrt(1 - (out.fraction + out.tail));
             m->outside = m->outside || status != COR_OK;

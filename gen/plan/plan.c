@@ -111,7 +111,7 @@ void plan_choose(struct plan *plan)
 
 /* ---- output ---- */
 
-/* "0", "3.4 ns", "160 us" */
+/* Prints a cost such as "0", "3.4 ns" or "160 us". */
 static void print_cost(char *text, size_t size, double ns)
 {
     static const char *const unit[] = {"ns", "us", "ms", "s"};

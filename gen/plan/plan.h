@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A plan compares models that compute a quantity of a collision: their errors over a range of speeds, their costs, and
- * the cheapest one within the tolerance. */
+/* A plan compares models that compute a quantity of a collision: their errors over a range of speeds, and their costs.
+ * It chooses the cheapest model within the tolerance. */
 #ifndef COR_GEN_PLAN_PLAN_H
 #define COR_GEN_PLAN_PLAN_H
 
@@ -13,7 +13,7 @@
 enum plan_quantity { PLAN_EPS, PLAN_CONTACT_TIME, PLAN_COMPRESSION };
 extern const char *const plan_quantity_names[]; /* ends with NULL */
 
-/* Fraction of the tolerance that a model may use: the error between the points may be a little larger. */
+/* Fraction of the tolerance that errors at the points may use; errors between points may be slightly larger. */
 #define PLAN_MARGIN 0.97
 
 enum {
@@ -29,7 +29,7 @@ enum plan_verdict {
     PLAN_MEETS,   /* meets the tolerance at a higher cost */
     PLAN_MISSES,  /* misses the tolerance */
     PLAN_OUTSIDE, /* has no value or no reliable value somewhere in the range */
-    PLAN_SHOWN    /* not for use: shows the cost of a mistake */
+    PLAN_SHOWN    /* shown only as a warning, never chosen */
 };
 
 struct plan_model {
@@ -41,9 +41,9 @@ struct plan_model {
     double cost;            /* nanoseconds for each collision */
     const char *leaves_out; /* the neglected effects, as text */
     char *use;              /* the exact command or call; malloc'ed, lines that end with \n */
-    double elsewhere;       /* a known error at places other than the points; 0: none */
+    double elsewhere;       /* a known error between the points; 0: none */
     bool outside, shown;
-    bool promised; /* the error is the library's bound; the uncertainty of the reference does not count */
+    bool promised; /* the error is the library's bound and does not depend on the reference */
     enum plan_verdict verdict;
 };
 
@@ -56,7 +56,7 @@ struct plan {
     char *remark;         /* a remark on other effects; lines that end with \n; NULL: none */
     double tolerance;
     slong points;
-    double *speed, *at;  /* speeds, and their arguments; allocated with the next two */
+    double *speed, *at;  /* speeds, and their arguments; one block with the next two */
     double *truth;       /* the quantity at each point */
     double *uncertainty; /* uncertainty of `truth`, in the unit of the errors */
     struct plan_model *model;
@@ -75,16 +75,17 @@ struct plan_model *plan_add(struct plan *plan, const char *format, ...) __attrib
  * every point. */
 void plan_model_is(const struct plan *plan, struct plan_model *model, double cost, const char *leaves_out, char *use);
 
-/* Sets worst and verdict of all models, and `chosen`: of the models that meet the tolerance at every point, with the
- * uncertainty of the reference added, the cheapest one. Among equally cheap models it is the most accurate one. */
+/* Sets worst and verdict of all models, and `chosen`: the cheapest model whose error plus the uncertainty of the
+ * reference meets the tolerance at every point. Among equally cheap models it is the most accurate one. */
 void plan_choose(struct plan *plan);
 
 /* Prints a plan in any format. */
 void plan_print(const struct plan *plan, enum output_format format, FILE *file);
 
-/* Fill a plan. Return STATUS_OK, or another status after a message; the caller clears the plan in either case. request,
- * contact: the scene without its constant force. with_force, pressed: the scene with it, or request and contact.
- * points: 0 for the default. For disks the request has the speeds in sqrt(E/rho), tolerance and Poisson's ratio. */
+/* Fill a plan, which the caller always clears. Return STATUS_OK, or another status after a message. request, contact:
+ * the scene without its constant force. with_force, pressed: the scene with the force; without a force, request and
+ * contact again. points: 0 for the default. For disks the request has the speeds in sqrt(E/rho), tolerance and
+ * Poisson's ratio. */
 int plan_spheres(struct plan *plan, const struct embed_request *request, const struct cor_scene_contact *contact,
                  const struct embed_request *with_force, const struct cor_scene_contact *pressed, slong points);
 int plan_disks(struct plan *plan, const struct embed_request *request, enum plan_quantity quantity, slong points);

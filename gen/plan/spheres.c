@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Models of eps for viscoelastic spheres and bodies of other laws, from published formulas to corgen's headers,
- * compared with enclosed collisions */
+/* Compares models of eps for viscoelastic spheres and bodies of other laws, from published formulas to corgen's
+ * headers, with enclosed collisions. */
 #include <float.h>
 #include <limits.h>
 #include <math.h>
@@ -39,10 +39,10 @@ struct spheres {
     struct plan *plan;
     const struct embed_request *request, *with_force;
     const struct cor_scene_contact *contact, *pressed;
-    struct embed_scene scene, pressed_scene; /* without the constant force, for the models; with it, for the header */
+    struct embed_scene scene, pressed_scene; /* for the models, without the constant force; for the header, with it */
     struct embed_form form[FAMILIES];
     arb_t h_star;        /* of spheres */
-    arb_t force, damped; /* at 1 m/s: the force in units of m g/T, and beta with it */
+    arb_t force, damped; /* at 1 m/s: the force in units of m g/T, and beta under it */
     double *other;       /* eps at the other end of contact, at every point */
     double *bare;        /* eps without the constant force */
     atomic_bool failed;
@@ -66,7 +66,7 @@ static int other_end(const struct spheres *s)
     return s->scene.end == COR_END_ZERO_FORCE ? COR_END_ZERO_OVERLAP : COR_END_ZERO_FORCE;
 }
 
-/* Replaces eps of a collision by eps under the constant force. */
+/* Replaces the eps of a collision by its eps under the constant force. */
 static int press_point(struct collision *c, const struct spheres *s, double speed_m_s)
 {
     const struct cor_exponents *const law = &s->scene.law;
@@ -168,8 +168,8 @@ static void model_is(const struct spheres *s, struct plan_model *m, const double
     model_takes_force(s, m, cost, is_pressed(s) ? "the constant force" : leaves_out, use);
 }
 
-/* Sets values and error of a library function, without a call. The error is its bound, or the effect of a constant
- * force. */
+/* Sets values and error of a library function without calling it. The error is its bound, or the effect of a neglected
+ * constant force. */
 static void model_promise(const struct spheres *s, struct plan_model *m, double error)
 {
     for (slong i = 0; i < s->plan->points; i++) {
@@ -198,7 +198,7 @@ static void add_constants(const struct spheres *s)
             low = fmin(low, plan->truth[i]);
             high = fmax(high, plan->truth[i]);
         }
-        /* of all constants 2 low high/(low + high) has the smallest relative error */
+        /* the constant 2 low high/(low + high) has the smallest relative error */
         struct plan_model *m = plan_add(plan, measured ? "constant eps of the middle speed" : "constant eps");
         const double best = high > 0 ? 2 * low * high / (low + high) : 0;
         const double eps = constant ? low : ten_digits(measured ? plan->truth[last / 2] : best);
@@ -304,7 +304,7 @@ static void add_published(const struct spheres *s)
     }
 }
 
-/* Adds f in doubles. It is `outside` unless its denominator is positive at PADE_POINTS + 1 points of the range. */
+/* Adds f in doubles. The model is `outside` unless the denominator of f is positive at PADE_POINTS + 1 points. */
 static void add_pade(const struct spheres *s, const struct pade *f, slong root, bool two_point)
 {
     struct plan *const plan = s->plan;
@@ -379,7 +379,7 @@ static void add_header(const struct spheres *s, const char *tolerance)
     free(options);
 }
 
-/* Adds the library with its promised bound. corgen computes the library's tables and cannot call it. */
+/* Adds the library with its promised bound. corgen, which computes its tables, cannot call it. */
 static void add_library(const struct spheres *s)
 {
     struct plan *const plan = s->plan;
@@ -472,8 +472,8 @@ static bool may_go(const struct cor_scene_contact *pressed, int end, double tole
            fabs(with / without - 1) <= tolerance;
 }
 
-/* Returns a remark on the speed above which gravity and adhesion may be omitted, for force_n > 0. Samples 201 speeds of
- * the range, from the largest down. */
+/* Returns a remark on the speed above which gravity or adhesion, force_n > 0, may be omitted. Tests 201 speeds of the
+ * range, from the largest down. */
 static char *pressing_remark(const struct spheres *s)
 {
     const struct cor_scene_contact *const contact = s->pressed;

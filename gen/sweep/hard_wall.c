@@ -8,7 +8,7 @@
 #include "cor/status.h"
 #include "support/console.h"
 
-/* Number of levels of the sequence for which each table has the modes: Omega = 170, 339, 679, 960 */
+/* Number of levels whose modes each table contains, up to Omega = 170, 339, 679, 960 */
 static const int levels[HARD_WALL_TABLES] = {8, 10, 12, COR_DISK_HARD_WALL_MAX_LEVELS};
 
 void hard_wall_tables_clear(struct hard_wall_tables *tables)
@@ -27,7 +27,7 @@ void hard_wall_tables_set(struct hard_wall_tables *tables, double nu)
 static int make_table(struct cor_disk_modes *table, double nu, int level_count)
 {
     const double omega = COR_DISK_HARD_WALL_FIRST_OMEGA * pow(2, 0.5 * (level_count - 1));
-    /* all modes below the last Omega, and the next one, which shows that no other is below */
+    /* all modes below the last Omega, and the next one, as proof that no mode below it is missing */
     const size_t count = cor_disk_modes_below(nu, omega * (1 + 1e-9)) + 1;
     struct cor_disk_mode *const mode = xmalloc(count * sizeof *mode);
     const int status = cor_disk_modes_compute(nu, count, mode, table);
@@ -52,7 +52,7 @@ int hard_wall_collide(struct cor_disk_hard_wall *out, struct hard_wall_tables *t
             break;
         status = cor_disk_hard_wall(&table, table.count, &options, speed, out);
         if (status == COR_TOLERANCE_NOT_REACHED && out->omega_levels < (size_t)levels[i])
-            break; /* max_steps is spent, so more modes do not help */
+            break; /* more modes do not help: max_steps is spent */
     }
     return status;
 }

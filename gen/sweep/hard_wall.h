@@ -8,8 +8,8 @@
 
 #include "cor/disk.h"
 
-/* Number of tables of one material, each with the modes of more levels of the sequence than the table before. Every
- * collision tries the tables in this order, so that its results do not depend on other collisions. */
+/* Number of tables of one material. Each table has the modes of more levels than the previous one. Every collision
+ * tries the tables in this order, so that its result does not depend on other collisions. */
 enum { HARD_WALL_TABLES = 4 };
 struct hard_wall_tables { /* begins as {0} */
     double nu;

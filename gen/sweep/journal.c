@@ -18,7 +18,7 @@ static int journal_failure(const char *verb, const struct journal *journal)
     return fail("cannot %s %s: %s", verb, journal->path, errno ? strerror(errno) : "write error");
 }
 
-/* Adds a line to the check of all lines before it. */
+/* Updates the checksum of all previous lines by one line. */
 static void check_line(uint32_t *check, const char *line)
 {
     *check = cor_mode_file_check(*check, line, strlen(line) + 1);
@@ -117,7 +117,7 @@ static int journal_recover(struct journal *journal, const char *title, uint64_t 
     int status = STATUS_OK;
     rewind(journal->stream);
     const bool whole = read_line(journal, &line);
-    /* a prefix of the title was cut off while it was written; any other first line is from another program */
+    /* an incomplete first line must be a prefix of the title; any other first line is from another program */
     const bool ours = whole ? strcmp(line, title) == 0
                             : ftello(journal->stream) == (off_t)strlen(line) && strncmp(line, title, strlen(line)) == 0;
     if (!ours && !ferror(journal->stream))
@@ -208,7 +208,7 @@ int journal_read(struct journal *journal, void (*visit)(void *context, const cha
     uint64_t rows = 0;
     uint32_t check = COR_MODE_FILE_CHECK_START;
     bool damaged;
-    fflush(journal->stream); /* discards its buffer: the file may have changed since */
+    fflush(journal->stream); /* discards the stream's buffer, because the file may have changed */
     rewind(journal->stream);
     if (read_line(journal, &line))
         check_line(&check, line);

@@ -15,7 +15,7 @@
 #include "support/gnuplot.h"
 #include "support/parallel.h"
 
-/* Rows of one parallel loop, whose results are held in memory */
+/* Number of rows of one parallel loop, whose results are in memory together */
 enum { ROWS_AT_A_TIME = 1 << 14 };
 
 /* More curves cannot be distinguished in a picture. */
@@ -23,8 +23,8 @@ enum { MOST_CURVES = 12, CURVE_TITLE = 3 * DECIMAL_TEXT };
 
 struct collide {
     struct sweep sweep;
-    struct cor_disk_modes modes;    /* soft walls: modes of the present material */
-    struct hard_wall_tables tables; /* the hard wall: modes of the present material, the number that the rows need */
+    struct cor_disk_modes modes;    /* soft walls: modes of the current material */
+    struct hard_wall_tables tables; /* hard wall: modes of the current material, the number that the rows need */
 
     struct journal journal; /* lines go there if it has a path, otherwise to the printer */
     struct sweep_printer printer;
@@ -32,7 +32,7 @@ struct collide {
     const char *again; /* last line of an earlier run, computed again as a check, or NULL */
     uint64_t again_row;
 
-    double modes_seconds, rows_seconds, rows_started; /* times of this run; modes_seconds: for one material */
+    double modes_seconds, rows_seconds, rows_started; /* times of this run; modes_seconds: time of one material */
     uint64_t rows, finished, done;                    /* rows of the part; existing rows; new rows of this run */
     uint64_t first;                                   /* first row of a loop over ROWS_AT_A_TIME rows */
     struct sweep_result *result;
@@ -64,7 +64,7 @@ static int find_modes(struct collide *run, size_t material)
     return status;
 }
 
-/* Calls the integrator at every corner of the sweep, without a workspace, to see if it refuses the parameters. */
+/* Checks the parameters: calls the integrator, without a workspace, at every corner of the sweep. */
 static int refuse_corners(const struct sweep *s, const struct cor_disk_modes *modes)
 {
     const double alpha[] = {s->alpha.least, s->alpha.largest}, speed[] = {s->speed.least, s->speed.largest};
@@ -85,8 +85,8 @@ static int refuse_corners(const struct sweep *s, const struct cor_disk_modes *mo
 
 /* ---- rows ---- */
 
-/* number_of returns the number in the sweep of row i of the part. rows_before returns the number of rows of the part
- * before row `number` of the sweep. */
+/* number_of converts the index i of a row in the part to its number in the sweep. rows_before returns the number of
+ * rows of the part that precede row `number` of the sweep. */
 static uint64_t number_of(const struct sweep *sweep, uint64_t i)
 {
     return i * (uint64_t)sweep->parts + (uint64_t)sweep->part - 1;
@@ -130,7 +130,7 @@ static int row_finished(void *context, slong i)
     return ferror(run->printer.file) ? STATUS_FAILED : STATUS_OK; /* output_commit reports the reason */
 }
 
-/* Prints the time left, if further rows last as long as the rows of this run; unknown before the first row */
+/* Prints the remaining time, from the time of the previous rows of this run; unknown before the first row. */
 static void sweep_tick(void *context)
 {
     const struct collide *const run = context;
@@ -203,7 +203,7 @@ static char *title_of_whole(const struct sweep *s)
                    s->poisson.text, s->alpha.text, s->modes.text, tolerance, (long)s->phi_points);
 }
 
-/* Returns the title of a whole sweep with the part, and with the check of the files of lists as a comment. */
+/* Returns the title of the whole sweep, followed by the part and, as a comment, the checksum of the files of lists. */
 static char *title_of(const struct sweep *s, const struct sweep_request *request)
 {
     const uint32_t check = s->speed.check ^ 3 * s->poisson.check ^ 5 * s->alpha.check ^ 7 * s->modes.check;
@@ -217,7 +217,7 @@ static char *title_of(const struct sweep *s, const struct sweep_request *request
     return title;
 }
 
-/* Returns the name of the journal of a part without its .part, malloc'ed. */
+/* Returns the malloc'ed name of the journal of a part, without its ending .part. */
 static char *part_file(const struct sweep *s, const struct sweep_request *request)
 {
     return xprintf("%s.%ld-of-%ld", request->output, (long)s->part, (long)s->parts);
@@ -264,7 +264,7 @@ static int join_parts(struct collide *run, const struct sweep_request *request)
     return status;
 }
 
-/* Writes a file from its finished journal, and all other outputs row by row. */
+/* Writes an output file from its finished journal, and any other output row by row. */
 static int collide_to_output(struct collide *run, const struct sweep_request *request)
 {
     const bool kept = !output_is_direct(request->output) && !request->joins;
@@ -330,7 +330,7 @@ static int draw_rows(const struct sweep *sweep, const char *path)
 int sweep_run(const struct sweep_request *request)
 {
     struct collide run = {.sweep = request->sweep};
-    /* a plausible mode replaces the modes, which are not computed yet; no refusal depends on the modes */
+    /* any mode serves here: the modes are not computed yet, and no refusal depends on them */
     static const struct cor_disk_mode mode = {2, 0, 1.4, 1, 0};
     const struct cor_disk_modes modes = {run.sweep.poisson.nearest[0], 1, &mode};
     parallel_use((int)request->threads);
@@ -347,7 +347,7 @@ int sweep_run(const struct sweep_request *request)
         status = status == STATUS_OK ? drawn : status;
     }
     free(run.sweep.eps);
-    table_clear(&run.printer.table); /* of a sweep that failed */
+    table_clear(&run.printer.table); /* modes of a sweep that failed */
     free((void *)run.modes.mode);
     free(run.result);
     hard_wall_tables_clear(&run.tables);

@@ -36,7 +36,7 @@ enum column_kind {
     COLUMN_LIST = 'l',   /* a number of a list, unchanged */
     COLUMN_COUNT = 'c',  /* number of modes, also from a list */
     COLUMN_PLACES = 'p', /* a result, up to the second digit of its error */
-    COLUMN_DIGITS = 'd', /* a result during the contact: its number of digits is the number of decimals of eps */
+    COLUMN_DIGITS = 'd', /* a result during the contact: as many digits as eps has decimals */
     COLUMN_WHOLE = 'w',  /* a result with all digits */
     COLUMN_SMALL = 's',  /* a result of which SMALL_DIGITS suffice */
     COLUMN_STEPS = 'n',
@@ -89,7 +89,7 @@ uint64_t sweep_rows_of_material(const struct sweep *sweep)
     return sweep->rows / sweep->poisson.count;
 }
 
-/* Returns the value of a list in row *number. Sets *number to the row's number in the combinations of later lists. */
+/* Returns the list's value in row *number. Sets *number to the row's number among the combinations of later lists. */
 static double next_of(const struct values *list, uint64_t *number)
 {
     const double value = list->nearest[*number % list->count];
@@ -153,7 +153,7 @@ static const char *status_word(char text[DECIMAL_TEXT], int status)
     return text;
 }
 
-/* Returns x with this number of decimals or of digits, or a shorter text that reads back as the same double. */
+/* Returns x with this number of decimals or digits, or a shorter text that is read back as the same double. */
 static const char *known_text(char text[DECIMAL_TEXT], bool decimals, int digits, double x)
 {
     char whole[DECIMAL_TEXT];
@@ -210,7 +210,7 @@ static int column_width(const char *name, const struct values *values)
     return (int)width;
 }
 
-/* Prints a cell of the text format, a result with the digits that the tolerance justifies. The status ends the line. */
+/* Prints a cell of the text format. Results have the digits that the tolerance justifies. The status ends the line. */
 static void print_text(const struct sweep_printer *p, int j, const char *text)
 {
     const char kind = p->table.kinds[j];

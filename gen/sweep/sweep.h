@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Collisions of elastic disks for every combination of lists: the rows and their lines of output. A sweep
+/* Computes collisions of elastic disks for every combination of the values of lists, and their lines of output. A sweep
  * of soft walls (cor_disk_collision) has four lists. A sweep of the rigid wall (cor_disk_hard_wall) has no alpha and
  * all modes: the lists of alpha and modes are then empty, count 0. A sweep of Rayleigh's energy (cor_disk_rayleigh) has
  * no alpha. */
@@ -23,11 +23,11 @@ enum { SWEEP_COLUMNS = 12, SWEEP_LINE = SWEEP_COLUMNS * DECIMAL_TEXT };
 struct sweep {
     struct values speed, poisson, alpha, modes;
     bool hard_wall, rayleigh;
-    double tolerance;  /* of eps; for the hard wall of 1 - eps^2 */
+    double tolerance;  /* error of eps; for the hard wall of 1 - eps^2 */
     slong phi_points;  /* 0: the number that the tolerance needs */
     slong part, parts; /* computes the rows part - 1, part - 1 + parts, ...; 1 of 1: all */
     uint64_t rows;
-    double *eps; /* NULL, or an element for each row that is printed */
+    double *eps; /* eps of each printed row, or NULL */
 };
 
 struct sweep_row {
@@ -35,8 +35,8 @@ struct sweep_row {
     size_t modes;
 };
 
-/* The numbers of a row in the order of its columns, without the status; NaN and 0 if the status means that no result
- * exists */
+/* The numbers of a row in the order of its columns, without the status. If the status means that no result exists, they
+ * are NaN and 0. */
 struct sweep_result {
     double value[SWEEP_COLUMNS];
     int status;
@@ -54,7 +54,7 @@ uint64_t sweep_rows_of_material(const struct sweep *sweep);
 void sweep_collide(struct sweep_result *result, const struct sweep *sweep, uint64_t number,
                    const struct cor_disk_modes *modes, struct hard_wall_tables *tables);
 
-/* Formats a row as a line of csv, without its line end: results up to the second digit of their error. */
+/* Formats a row as a line of csv without line end. Results have digits up to the second digit of their error. */
 void sweep_line(char line[SWEEP_LINE], const struct sweep *sweep, const struct sweep_result *result);
 
 /* Prints lines of csv one by one as a table in any format. */
@@ -63,7 +63,7 @@ struct sweep_printer {
     enum output_format format;
     const struct sweep *sweep;
     struct table table;                                          /* names and kinds of the columns */
-    int width[SWEEP_COLUMNS], digits[SWEEP_COLUMNS];             /* of the columns in text format; 0 digits: all */
+    int width[SWEEP_COLUMNS], digits[SWEEP_COLUMNS];             /* of the columns of the text format; 0 digits: all */
     uint64_t rows, tolerance_not_reached, beyond_theory, failed; /* failed: rows without eps */
 };
 void sweep_print_start(struct sweep_printer *printer, const struct sweep *sweep, enum output_format format, FILE *file);
@@ -98,15 +98,15 @@ struct journal {
 };
 
 /* Opens or creates FILE.part, whose first line is `title` (given without its line end), "corgen ...: COMMAND". Refuses
- * a file with another title. Otherwise keeps up to `most` correct rows and cuts off everything after them, with a
- * message if a row is complete but wrong. Until the journal is closed, signals that end the program print how to
- * continue. Returns STATUS_OK, or STATUS_FAILED after a message. */
+ * a file with another title. Otherwise keeps up to `most` correct rows and cuts off the rest, with a message if a
+ * complete row is wrong. Until the journal is closed, signals that end the program print how to continue. Returns
+ * STATUS_OK, or STATUS_FAILED after a message. */
 int journal_open(struct journal *journal, const char *file, const char *title, uint64_t most);
 
 /* Opens the rows of a finished part for journal_next. The file must have this title and `rows` correct rows. It is not
  * changed. Returns STATUS_OK, or STATUS_FAILED after a message. */
 int journal_open_part(struct journal *journal, const char *file, const char *title, uint64_t rows);
-bool journal_next(struct journal *journal, char **line); /* *line: NULL or the row before, which is freed */
+bool journal_next(struct journal *journal, char **line); /* *line: NULL or the previous row, which is freed */
 
 /* Adds a row, given without its line end. The file then contains the row even if this process is killed. */
 int journal_add(struct journal *journal, const char *line);

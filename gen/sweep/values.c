@@ -142,7 +142,7 @@ static int values_add_member(struct values *values, const struct values_rule *ru
     return status;
 }
 
-/* Compares places in a list by value, and equal values by place. */
+/* Compares two indices of a list by value; equal values by index. */
 static int compare_places(const void *a, const void *b)
 {
     const double *const *x = a, *const *y = b;
@@ -155,7 +155,7 @@ static void values_drop_repeated(struct values *values)
 {
     double **place = xmalloc(values->count * sizeof *place);
     bool *repeated = xmalloc(values->count * sizeof *repeated);
-    /* in reverse, so that a stable sort would not hide a comparison that ignores the index */
+    /* start in reverse order, so that a stable sort cannot hide a comparison that ignores the index */
     for (size_t i = 0; i < values->count; i++)
         place[values->count - 1 - i] = values->nearest + i;
     qsort(place, values->count, sizeof *place, compare_places);
@@ -194,7 +194,7 @@ static char *read_list(uint32_t *check, const struct values_rule *rule, const ch
         comment = c == '#' || (comment && c != '\n');
         const bool ends = comment || c == ',' || isspace((unsigned char)c);
         if (!ends || (length > 0 && list[length - 1] != ','))
-            list[length++] = ends ? ',' : c ? c : '?'; /* a '?' is in no number */
+            list[length++] = ends ? ',' : c ? c : '?'; /* '?' makes the number invalid */
     }
     length -= length > 0 && list[length - 1] == ',';
     if (length > 0) {

@@ -24,7 +24,7 @@ struct values {
     fmpq *exact;     /* inside a log range: the nearest double */
     double *nearest; /* the double nearest to each */
     double least, largest;
-    uint32_t check; /* of the file of a list @FILE; 0: the list is on the command line */
+    uint32_t check; /* checksum of the file of a list @FILE; 0: the list is on the command line */
 };
 
 /* Returns STATUS_OK, or STATUS_USAGE after a message about the first error. */

@@ -9,7 +9,7 @@
 
 enum { WORKING_BITS = 320, EXPONENT_BITS = 480, HEAD_BITS = 26 };
 
-/* Bits that each row must reach, for an error of 0.7 units of the last place; the evaluation adds 0.6 */
+/* Bits that each row must reach. They limit its error to 0.7 units of the last place; the evaluation adds 0.6. */
 #define LEAST_BITS 53.5
 
 /* ---- L = -ln(eps), x > 0 ---- */
@@ -63,8 +63,8 @@ static void crossley_approach_only(arb_t L, const arb_t beta)
 
 /* ---- laws ---- */
 
-/* Rows of (1 - eps)/x on a grid up to x = near_end, and of eps by octaves up to `end`. Rows of x/(1 - eps) up to
- * 1 - eps = 1/2, and of x by octaves of eps from 2^least_octave to 1/2 */
+/* A law with its tables. eps: rows of (1 - eps)/x on a grid up to x = near_end, and of eps by octaves up to `end`.
+ * Inverse: rows of x/(1 - eps) up to 1 - eps = 1/2, and of x by octaves of eps from 2^least_octave to 1/2. */
 struct closed_form {
     const char *stem, *title;
     bool is_crossley;
@@ -72,7 +72,7 @@ struct closed_form {
     slong slope, over; /* dL/dx at x = 0 is slope/over, times pi for a damping ratio */
     double near_end, end;
     int least_octave;
-    exponent_function *inverse; /* NULL: x is solved for, which requires a concave L */
+    exponent_function *inverse; /* NULL: x is found by iteration, which requires a concave L */
 };
 static const struct closed_form laws[] = {
     {"ratio%s_zero_overlap", "linear and Tsuji, zero overlap", false, zero_overlap, 1, 1, 0.25, 0.75, -6,
@@ -93,8 +93,8 @@ static void slope_at_0(arb_t slope, const struct closed_form *law, bool of_inver
     LET(slope, WORKING_BITS, "(p/q)^sign*pi^power", p, q, sign, power);
 }
 
-/* Computes the x at which L is `wanted` > 0. For a concave L the secant steps start left of x and stay there. Proves
- * the result by L on both sides of it. */
+/* Computes the x at which L is `wanted` > 0. Without an inverse it uses secant steps; for a concave L they start left
+ * of x and stay there. Proves the result by L on both sides of it. */
 static int damping_of(arb_t x, const struct closed_form *law, const arb_t wanted)
 {
     enum { STEPS = 60 };
@@ -134,7 +134,7 @@ struct closed_rows {
     enum form form;
 };
 
-/* Computes the value of the form at the place y of a cell. */
+/* Computes the closed form's quantity at the place y of a cell. */
 static int closed_form_at(arb_t f, const void *context, const struct pieces *p, const struct cell *cell, const arb_t y)
 {
     (void)p;

@@ -109,7 +109,7 @@ static int manifest_make(struct content *manifest, const struct content *c, int 
     return content_close(manifest, file, STATUS_OK);
 }
 
-/* Checks that the files can be written, before minutes of computing. The check leaves no files. */
+/* Checks that the files can be written, before minutes of computation. Leaves no files. */
 static int probe_directory(const char *directory, const struct tables_request *request)
 {
     const struct disk_table disk = {.poisson = request->poisson};
@@ -155,7 +155,7 @@ static int write_all(const struct content *c, int n, const char *directory)
     return status;
 }
 
-/* Returns the text after lines that are not compared. */
+/* Skips lines that are not compared, and returns the rest of the text. */
 static const char *skip_versions(const char *at)
 {
     while (strncmp(at, MANIFEST_VERSION_WORD, strlen(MANIFEST_VERSION_WORD)) == 0)
@@ -198,7 +198,7 @@ static int check_all(const struct content *c, int n, const char *directory)
     return status;
 }
 
-/* Makes the file of the collisions in memory: computed again, from the build of corgen, or from the directory. */
+/* Makes the file of the collisions in memory: from a new computation, from corgen or from the directory. */
 static int limits_make(struct content *c, const struct tables_request *request, const char *directory)
 {
     const struct generated row = {DISK_LIMITS_FILE, disk_limits_write, NULL};
@@ -246,8 +246,7 @@ static int make_material(struct content *c, int *n, const struct tables_request 
     return status;
 }
 
-/* Recomputes a sample of collisions. Equal bytes prove only that the text follows from the numbers, not that the
- * numbers are correct. */
+/* Recomputes a sample of collisions, because equal bytes prove only that the text follows from its numbers. */
 static int check_limits(const struct tables_request *request)
 {
     if (request->all)

@@ -21,7 +21,7 @@ enum {
     CHECK_LENGTH = 9 /* including the end of the line */
 };
 
-/* Writes the name of nu: 0.33 is 033, 0.9 is 090, -0.5 is m050, 1/3 is 1_3. */
+/* Writes nu as part of a name: 033 for 0.33, 090 for 0.9, m050 for -0.5, 1_3 for 1/3. */
 static void nu_name(char name[NU_NAME], const char *poisson)
 {
     size_t n = 0, digits = 0;
@@ -46,7 +46,7 @@ const char *disk_table_name(char name[DISK_TABLE_NAME], const struct disk_table 
     return name;
 }
 
-/* Writes the command that makes the file again. */
+/* Writes the command that reproduces the file. */
 static void command_text(char text[LINE_LENGTH], const struct disk_table *table)
 {
     if (table->embed)
@@ -116,7 +116,7 @@ struct lines {
     uint32_t check;
 };
 
-/* Writes a line and the check of all text up to it. The format ends with a space. */
+/* Writes a line that ends with the checksum of all text up to it. The format must end with a space. */
 __attribute__((format(printf, 2, 3))) static void put_line(struct lines *out, const char *format, ...)
 {
     char text[LINE_LENGTH];

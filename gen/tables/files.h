@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Tables and headers that corgen writes: the files of generated/ and the headers of corgen law and corgen pade. Each
- * has a function that writes it to a stream and returns STATUS_OK, or another status after reporting the failure. A new
- * file of generated/ needs such a function and a row of files[] in directory.c. */
+/* Tables and headers that corgen writes: the files of generated/ and the headers of corgen law and corgen pade. For
+ * each file a function writes it to a stream and returns STATUS_OK, or another status after reporting the failure. A
+ * new file of generated/ needs such a function and a row of files[] in directory.c. */
 #ifndef COR_GEN_TABLES_FILES_H
 #define COR_GEN_TABLES_FILES_H
 
@@ -23,24 +23,26 @@ int sphere_rows_write(FILE *file);
 int sphere_float_tables_write(FILE *file);
 void sphere_tables_clear(void);
 
-/* eps and its inverse of the laws whose eps has a closed form */
+/* Writes the tables of eps and its inverse for the laws whose eps has a closed form. */
 int closed_form_tables_write(FILE *file);
 
-/* Times of Tsuji's damping and of Hunt and Crossley's law without a closed form; contact time and load of the disk */
+/* Writes tables: times of Tsuji's damping and Hunt and Crossley's law, contact time and load of the disk. */
 int tsuji_tables_write(FILE *file);
 int hunt_crossley_tables_write(FILE *file);
 int disk_law_tables_write(FILE *file);
 
-/* The tables of the law (3/2, 0), and the header of any law x'' + beta x^b x' + x^a = 0, which needs no other file and
- * has functions NAME_eps_zero_overlap, ... The name is a C identifier of at most LAW_NAME_MAX characters. Both contain
- * tables of approximation/law_layout.h, which runtime/table/law.h evaluates (docs/internals.md). */
+/* Write the tables of the law (3/2, 0), and the header of any law x'' + beta x^b x' + x^a = 0. The header needs no
+ * other file and has functions NAME_eps_zero_overlap, ... The name is a C identifier of at most LAW_NAME_MAX
+ * characters. Both files contain tables of approximation/law_layout.h, which runtime/table/law.h evaluates
+ * (docs/internals.md). */
 enum { LAW_NAME_MAX = 48 };
 int hertz_dashpot_tables_write(FILE *file);
 int law_header_write(FILE *file, const struct cor_exponents *law, const char *name);
 
-/* J(nu), the share of a half-space's compliance that radiates waves (docs/laws.md). An ellipse has the foci 0 and
- * WAVE_TAU_END, and half axes that add up to WAVE_ELLIPSE times half of WAVE_TAU_END. J is analytic inside, and |J| is
- * below WAVE_ELLIPSE_BOUND on the ellipse: tests/gen/test_waves.c proves both, arc by arc. */
+/* Writes the table of J(nu), the share of a half-space's compliance that radiates waves (docs/laws.md). An ellipse has
+ * the foci 0 and WAVE_TAU_END, and half axes that add up to WAVE_ELLIPSE times half of WAVE_TAU_END. J is analytic
+ * inside the ellipse, and |J| is below WAVE_ELLIPSE_BOUND on it. tests/gen/test_waves.c proves both statements, arc by
+ * arc. */
 int wave_tables_write(FILE *file);
 #define WAVE_TAU_END 1.75
 #define WAVE_ELLIPSE 1.5

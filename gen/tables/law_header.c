@@ -115,7 +115,7 @@ static int emit_quantity(struct emit *e, const struct law_tables *t, const char 
 /* Writes the public functions PREFIX_eps_zero_overlap, ... */
 static void emit_functions(struct emit *e, const struct law_tables *t, const char *name, const char *prefix)
 {
-    /* for each end; the values are texts of emit_lines with the name of the law and the end, once or twice */
+    /* functions for each end; texts of emit_lines in which the name of the law and the end occur once or twice */
     static const struct {
         const char *name, *argument, *value;
     } functions[] = {
@@ -170,7 +170,7 @@ static const char accuracy_text[] =
     "to 80 bits (proved); between them they are off by %.1e at most (sampled). Errors of the rows stand above each\n"
     "table (sampled).\n";
 
-/* Without it gcc 12 at -O2 leaves a call, and copies the law's constants into each function: five times slower. */
+/* Without it gcc 12 at -O2 does not inline, and copies the law's constants for each function: five times slower. */
 static const char always_inline[] =
     "/* Where a compiler leaves a call between these functions, it copies the law's constants for each result. */\n"
     "#if !defined(COR_INLINE) && defined(__GNUC__) && !defined(__CUDACC__) && !defined(__HIPCC__)\n"

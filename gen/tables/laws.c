@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Times of Tsuji's damping, of Hunt and Crossley's law and of the disk's contact law: integrals of docs/laws.md and
- * docs/theory-disks.md in interval (ball) arithmetic, and their tables. Times of the laws of damping are in units of
- * (m/K)^(1/(a+1)) g^((1-a)/(a+1)). */
+/* Computes times of Tsuji's damping, Hunt and Crossley's law and the disk's contact law, and writes their tables. The
+ * times are integrals of docs/laws.md and docs/theory-disks.md, in interval (ball) arithmetic. Times of the laws of
+ * damping are in units of (m/K)^(1/(a+1)) g^((1-a)/(a+1)). */
 #include <math.h>
 
 #include "approximation/pieces.h"
@@ -15,8 +15,8 @@
 
 enum { GUARD_BITS = 40, GAUSS_POINTS = 56, GAUSS_BITS = 320 };
 
-/* Integrates from 0 to 1 by a rule of GAUSS_POINTS in two parts, because singularities are near 1 or around the middle.
- * The nodes and weights on [0, 1] are computed once. */
+/* Integrates from 0 to 1 by Gauss's rule of GAUSS_POINTS points on each half, because singularities are near 1 or near
+ * the middle. Nodes and weights on [0, 1] are computed once. */
 static void integrate_gauss(arb_t y, acb_calc_func_t f, void *parameters, slong prec)
 {
     static const double from[] = {0, 0.75}, length[] = {0.75, 0.25};
@@ -42,9 +42,9 @@ static void integrate_gauss(arb_t y, acb_calc_func_t f, void *parameters, slong 
     }
 }
 
-/* Integrates a real function f from 0 to 1. If `proved`, encloses the integral to at best `prec` bits by an adaptive
- * rule that takes 5 to 10 ms. Otherwise uses Gauss's rule, which is 20 times faster and gives no error. That suffices
- * for samples, because they are compared with enclosures. */
+/* Integrates a real function f from 0 to 1. If `proved`, encloses the integral, to `prec` bits at best, by an adaptive
+ * rule that takes 5 to 10 ms. Otherwise uses Gauss's rule, which is 20 times faster but gives no error bound. It
+ * suffices for samples, which are compared with enclosures. */
 static void integrate_function(arb_t y, bool proved, acb_calc_func_t f, void *parameters, slong prec)
 {
     if (!proved) {
@@ -59,7 +59,7 @@ static void integrate_function(arb_t y, bool proved, acb_calc_func_t f, void *pa
     arb_set(y, acb_realref(sum));
 }
 
-/* Computes a time at a damping ratio zeta > 0 or beta > 0, or of the disk at q >= 1/4. Always encloses closed forms. */
+/* Computes a time at zeta > 0 or beta > 0, or for the disk at q >= 1/4. Encloses closed forms even if not `proved`. */
 typedef void law_time(arb_t t, bool proved, const arb_t x, slong prec);
 
 /* ---- Tsuji's damping, (a, b) = (3/2, 1/4) ----
@@ -118,8 +118,8 @@ static void tsuji_duration_zero_overlap(arb_t t, bool proved, const arb_t zeta, 
     LET(t, prec, "t*exp(2*pi*y)*(1 - zeta^2)^(-2/5)", t, y, zeta);
 }
 
-/* For zeta < 0.7 the integrand has a singularity at om s = pi, which is near. The integral therefore starts from the
- * other end: t_0 - exp(pi zeta/(5 om)) times the integral with -zeta up to 2 asin(zeta)/om. */
+/* For zeta < 0.7 the singularity of the integrand at om s = pi is near. The integral therefore runs from the other end:
+ * t_0 - exp(pi zeta/(5 om)) times the integral with -zeta up to 2 asin(zeta)/om. */
 static void tsuji_duration_zero_force(arb_t t, bool proved, const arb_t zeta, slong prec)
 {
     LOCAL(arb, end, minus, part);
@@ -322,7 +322,7 @@ enum { FAR_BITS = 400 };
 struct time_rows {
     const char *name, *title, *variable;
     law_time *time;
-    const char *damping; /* zeta or beta as a function of y; NULL: they are y, by octaves of 1/step cells */
+    const char *damping; /* zeta or beta as a function of y; NULL: equal to y, in octaves of 1/step cells */
     double from, step, end;
     double least_bits;
 };
@@ -372,17 +372,18 @@ static const struct time_rows disk_rows[] = {
 
 /* ---- beyond the rows ---- */
 
-/* A formula for strong damping: `known` constants, then `terms` coefficients of a sum that agrees with an equal number
- * of enclosed values. Its row contains the nearest doubles. A remainder follows each of the first `split` doubles. */
+/* A formula for strong damping: `known` constants, then `terms` coefficients of a sum. The sum agrees with enclosed
+ * values at `terms` places. The row contains the nearest doubles; a remainder follows each of the first `split`
+ * doubles. */
 struct far_form {
     const char *name;
-    const char *comment; /* above this form and the following ones */
+    const char *comment; /* comment above this form and the following ones */
     /* sum_k c_k basis_k = value, equation i of `terms` */
     void (*equation)(arb_ptr basis, arb_t value, const struct far_form *f, slong i);
     slong known, terms, split;
     /* for tsuji_equation */
     law_time *time;
-    struct ratio power; /* t zeta^power is expanded */
+    struct ratio power; /* the expansion is of t zeta^power */
     slong mu_power;     /* mu = zeta^-mu_power */
     struct {
         int mu, log;
@@ -428,7 +429,7 @@ static slong far_row(arb_ptr row, const struct far_form *f)
     return columns;
 }
 
-/* t zeta^power at u = ln(zeta) = 13, 13.75, ... by mu^j u^k */
+/* Expands t zeta^power, at u = ln(zeta) = 13, 13.75, ..., in mu^j u^k. */
 static void tsuji_equation(arb_ptr basis, arb_t value, const struct far_form *f, slong i)
 {
     LOCAL(arb, u, zeta);
@@ -448,8 +449,8 @@ static void scaled_overlap_factor(arb_t v, const arb_t y)
     LET(v, FAR_BITS, "v*y^(4/5)", v, y);
 }
 
-/* y^(4/5) V(y) = v_0 (1 + v_1/y^2 + ...): Stirling's series of |Gamma(9/10 + i y)|^2. At y = 10 its eighth and later
- * terms are below 2^-57. */
+/* Sets an equation of y^(4/5) V(y) = v_0 (1 + v_1/y^2 + ...), Stirling's series of |Gamma(9/10 + i y)|^2. At y = 10 its
+ * eighth and later terms are below 2^-57. */
 static void overlap_equation(arb_ptr basis, arb_t value, const struct far_form *f, slong i)
 {
     LOCAL(arb, y);
@@ -600,7 +601,7 @@ static int rows_write(struct emit *e, const struct time_rows *rows, slong head_b
     return sampled_function_write(e, &p, time_at, rows);
 }
 
-/* Writes n tables, with head_bits of c_0 (0: all), and the far forms up to one without a name. */
+/* Writes n tables with head_bits bits of c_0 (0: all), and the far forms up to the first one without a name. */
 static int file_write(FILE *file, const char *name, const char *what, const char *how, const struct time_rows *rows,
                       int n, slong head_bits, const struct far_form *far)
 {
@@ -623,7 +624,7 @@ static int file_write(FILE *file, const char *name, const char *what, const char
     return status;
 }
 
-/* End of two banners: how the times and their errors are computed */
+/* The last lines of two banners: how the times and their errors are computed */
 static const char how_times[] =
     "The rows interpolate polynomials through samples by two Gauss rules of 56 points, which agree with enclosures by\n"
     "adaptive quadrature to 1e-20 at two places of each block of rows. Errors of the rows stand above each table\n"

@@ -24,10 +24,10 @@
 #define NU_STEP 0.1375
 enum { X_ROOTS = 20, NU_ROOTS = 5, ROOTS = X_ROOTS * NU_ROOTS };
 #define LAST_NU (FIRST_NU + (double)NU_ROOTS * NU_STEP)
-/* Largest number of divisions of a cell. A fifth division helps little (docs/disks.md). The unit of coordinates is a
- * sixth of the side of a cell that is divided FINEST times, so coordinates do not depend on this number. */
+/* MOST_CUTS: largest number of divisions of a cell; a fifth helps little (docs/disks.md). The unit of coordinates is a
+ * sixth of the side of a cell after FINEST divisions, so coordinates do not depend on MOST_CUTS. */
 enum { MOST_CUTS = 4, FINEST = 8, SIXTHS = 6, ROOT_SIDE = SIXTHS << FINEST };
-/* The smallest cells and pieces. The side of a root cell has PER_ROOT of them. */
+/* The side of a root cell has PER_ROOT of the smallest cells and pieces. */
 enum {
     PER_ROOT = 1 << MOST_CUTS,
     SMALLEST = ROOT_SIDE / PER_ROOT,
@@ -55,8 +55,8 @@ struct scene {
     int32_t x, nu, value, estimate; /* in COR_DISK_LIMIT_UNIT */
 };
 
-/* x and nu: its first corner in sixths. The unit of `value` and `uncertainty` is COR_DISK_LIMIT_UNIT. value [4 j + i]
- * is at place i of x and place j of nu. */
+/* A cell. x, nu: its first corner in sixths. The unit of `value` and `uncertainty` is COR_DISK_LIMIT_UNIT. value[4 j +
+ * i]: at place i of x and place j of nu */
 enum { SIDE = COR_DISK_LIMIT_SIDE, POINTS = COR_DISK_LIMIT_POINTS };
 struct cell {
     int32_t x, nu;
@@ -71,7 +71,7 @@ struct limits {
     int cells, pieces, places;
     struct cell cell[PLACES_MAX];
     uint16_t cell_at[ROWS][COLUMNS];
-    /* the library evaluates these */
+    /* the pieces that the library evaluates */
     struct cor_disk_limit_piece piece[PLACES_MAX];
     uint16_t square[SQUARES], place[PLACES_MAX];
 };
@@ -133,7 +133,7 @@ static int by_place(const void *a, const void *b)
 }
 
 struct collisions {
-    struct scene *scene; /* in order of place; `first` begins the current material */
+    struct scene *scene; /* scenes in order of place; `first`: first scene of the current material */
     long first;
     struct hard_wall_tables tables;
     atomic_bool failed;
@@ -155,7 +155,7 @@ static void scene_collide(void *context, slong i)
     scene->estimate = (int32_t)ceil(out.error_estimate / COR_DISK_LIMIT_UNIT);
 }
 
-/* Computes all scenes. They are in order of place, so that scenes of one material are together. */
+/* Computes all scenes, which are in order of place, so that the scenes of one material are adjacent. */
 static int collide_all(struct scene *scene, long count, const char *name)
 {
     struct collisions run = {.scene = scene};
@@ -236,7 +236,7 @@ static int find_scenes(struct scenes *scenes, const struct cell *cell, int cells
     return status;
 }
 
-/* Computes the weights of Lagrange's interpolation at a from 0, 1, 2, 3. They are exact for an a of few bits. */
+/* Computes the weights at a of Lagrange's interpolation through 0, 1, 2, 3. They are exact if a has few bits. */
 static void set_weights(double a, double weight[SIDE])
 {
     const double b = a - 1, c = a - 2, d = a - 3;
@@ -246,7 +246,7 @@ static void set_weights(double a, double weight[SIDE])
     weight[3] = a * b * c / 6;
 }
 
-/* Evaluates only the cell's own polynomial, with the weights of a place, in COR_DISK_LIMIT_UNIT. */
+/* Evaluates the cell's own polynomial, before blending, with the weights of a place, in COR_DISK_LIMIT_UNIT. */
 static double cell_value(const struct cell *cell, const double x_weight[SIDE], const double nu_weight[SIDE])
 {
     double sum = 0;
@@ -274,11 +274,11 @@ static void fill_cell(struct cell *cell, const struct scenes *scenes)
             if (odd)
                 missed = fmax(missed, fabs(cell_value(cell, x_weight, nu_weight) - s->value));
         }
-    /* the two parts are independent, and each is several times the actual error */
+    /* root of the sum of squares: the two parts are independent, and each is several times the actual error */
     cell->uncertainty = (int32_t)ceil(hypot(SAFETY * missed, estimate)) + 1;
 }
 
-/* Returns the largest uncertainty of a cell that begins at x. */
+/* Returns the largest uncertainty that a cell at x may have without being divided. */
 static double wanted_at(int32_t x)
 {
     return is_calm(x + 1) ? CALM_WANTED : FAST_WANTED;
@@ -301,7 +301,7 @@ static void add_cell(struct cell cell)
     table->cell[table->cells++] = cell;
 }
 
-/* Adds cells of one depth to the table or divides them. *cell becomes the list of the quarters. */
+/* Adds each cell of one depth to the table, or divides it. *cell becomes the list of the quarters. */
 static int cell_refine(struct scenes *scenes, struct cell **cell, int *cells)
 {
     int status = find_scenes(scenes, *cell, *cells), cut_cells = 0;
@@ -330,8 +330,8 @@ struct part {
     int first[2], side[2];
 };
 
-/* Returns the cell beyond the first or last side of a part's cell, opposite the part's middle, if it is smaller, or
- * NULL. axis is perpendicular to the side. */
+/* Returns the neighbour of a part's cell, across its first or last side and opposite the part's middle. Returns NULL
+ * unless the neighbour is smaller. axis: perpendicular to the side */
 static const struct cell *smaller_beyond(const struct part *part, int axis, int last)
 {
     const int side = PER_ROOT >> part->cell->depth, end = axis ? ROWS : COLUMNS;
@@ -387,8 +387,8 @@ static void to_powers(double *value, int stride)
     value[3 * stride] = 9 * (-a + 3 * b - 3 * c + d) / 2;
 }
 
-/* Cuts a part until each side of its cell has one cell beyond it, and adds the pieces to the table. Sets their numbers
- * in piece_at. Returns false if there are too many. */
+/* Cuts a part until each of its sides has only one neighbour, and adds the pieces to the table. Sets their numbers in
+ * piece_at. Returns false if there are too many. */
 static bool add_pieces(const struct part *part, uint16_t piece_at[ROWS][COLUMNS])
 {
     bool cut[2] = {false, false};
@@ -632,7 +632,7 @@ bool disk_limits_known(const struct cor_disk_limit_piece *piece)
 /* ---- check of the table ---- */
 
 struct check {
-    long places[2], wrong; /* on the grid; between its points */
+    long places[2], wrong; /* collisions on the grid; between its points */
     double worst[2];       /* largest difference on the grid; between its points, divided by the uncertainty */
 };
 
@@ -674,11 +674,11 @@ static uint64_t sample_draw(uint64_t *state, uint64_t below)
     return (*state * UINT64_C(2685821657736338717) >> 33) % below;
 }
 
-/* Samples one row of one cell, and thus one material, because the modes of a material take as long as a collision. */
+/* Checks one row of one cell, which needs only one material: the modes of a material take as long as a collision. */
 int disk_limits_check_sample(uint64_t seed)
 {
     uint64_t state = 2 * seed + 1;
-    for (int i = 0; i < 8; i++) /* after a few draws, seeds that differ in few bits differ in all bits */
+    for (int i = 0; i < 8; i++) /* a few draws spread seeds that differ in few bits over all bits */
         sample_draw(&state, 2);
     const struct cell cell = table->cell[sample_draw(&state, (uint64_t)table->cells)];
     const int32_t sixth = sixth_of(&cell), row = cell.nu + 2 * (int32_t)sample_draw(&state, SIDE) * sixth;

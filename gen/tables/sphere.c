@@ -9,11 +9,11 @@
 #include "support/digits.h"
 #include "support/local.h"
 
-/* The sphere's layout, one instance of law_layout.h. Only this file defines its geometry; macros of the headers pass it
- * to the evaluators (approximation/pieces.h). If the bound is one unit of the last place, 57 bits limit the
- * approximation to a sixteenth of this unit. Rows in x = beta^5 at zero overlap need fewer bits where eps falls
- * steeply, because the rounding of x changes eps more. In a row that is multiplied, c_0 has HEAD_BITS bits, so that its
- * products with halves of a double are exact. */
+/* The layout of the sphere's tables, one instance of law_layout.h. Only this file defines its geometry; macros of the
+ * headers pass it to the evaluators (approximation/pieces.h). 57 bits limit the error of a row to a sixteenth of a unit
+ * of the last place. Rows in x = beta^5 at zero overlap need fewer bits where eps falls steeply, because there the
+ * rounding of x changes eps more. If a row is multiplied by beta, its c_0 has HEAD_BITS bits, so that products with
+ * halves of a double are exact. */
 enum { FORCE_PLAIN = 4 /* rows of eps at zero force, see pieces.h */, HEAD_BITS = 26 };
 #define TABLE(name, words, of, ...)                                                                                    \
     {                                                                                                                  \
@@ -94,7 +94,7 @@ static const struct {
     {DURATION_ZERO_FORCE, "cor_rows_far_duration_zero_force"},
     {MAX_OVERLAP, "cor_rows_far_max_overlap"},
     {TIME_OF_MAX_OVERLAP, "cor_rows_far_time_of_max_overlap"},
-    {BETA_ZERO_FORCE, "cor_rows_far_beta_zero_force"}, /* the inverse of the first */
+    {BETA_ZERO_FORCE, "cor_rows_far_beta_zero_force"}, /* the inverse of the first formula */
 };
 enum { FAR_TABLES = sizeof far_tables / sizeof *far_tables };
 

@@ -15,7 +15,7 @@
  * below 1e-17. */
 enum { SAMPLES = 110, TERMS = 40, SAMPLE_BITS = 80 };
 
-/* Encloses c_k of J = sum c_k T_k(8 tau/7 - 1) through SAMPLES points. */
+/* Encloses the c_k of J = sum c_k T_k(8 tau/7 - 1), interpolated at SAMPLES points. */
 static void chebyshev_series(arb_ptr c)
 {
     enum { BITS = SAMPLE_BITS + 40 };
@@ -40,8 +40,7 @@ static void chebyshev_series(arb_ptr c)
     }
 }
 
-/* Rounds c to doubles. Returns a proved bound on the error from omitted terms, the enclosures of the samples and the
- * rounding. */
+/* Rounds c to doubles. Returns a proved bound on the total error of omitted terms, enclosed samples and rounding. */
 static double round_series(arb_ptr c)
 {
     double error = 0;
