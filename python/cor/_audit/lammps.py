@@ -40,6 +40,7 @@ _BY_ROOT = ("HOOKE_TSUJI", "HERTZ_TSUJI", "COEFF_RESTITUTION")  # damping is pro
 _KNOWN = _BY_MASS + _BY_ROOT + ("HOOKE_VELOCITY", "HERTZ_VELOCITY")
 _MIXES_SINCE = 20221103  # earlier, LAMMPS uses damping velocity for every mixed pair
 _MODELS = ("hertz", "hooke", "hertz/stiffness", "hooke/stiffness")  # of LIGGGHTS
+_OLD_MODEL = re.compile(r"gran/(hertz|hooke)(/history|/incremental)?(/energy)?(/stiffness)?")  # of before version 3
 _TANGENTIAL = ("mindlin", "mindlin/force", "mindlin_rescale", "mindlin_rescale/force")  # with the contact radius
 _HISTORY = {"hooke/history": "linear_history", "hertz/history": "mindlin"}  # old styles, by their force
 _RIGID = "\0rigid"  # the group of atoms inserted as parts of bodies
@@ -773,6 +774,8 @@ class Granular(System):
         """Returns the contact of two LIGGGHTS types from the properties. words[at]: the name of the model."""
         model = words[at]
         contact = self.new(words, one, two, f"gran model {model}")
+        old = _OLD_MODEL.fullmatch(model.replace("wall/", ""))
+        model = old[1] + (old[4] or "") if old else model
         if model not in _MODELS:
             contact.unknown = f"cor does not support the contact model {model}; it knows {', '.join(_MODELS)}."
             return contact
@@ -814,6 +817,7 @@ class Granular(System):
             contact.unknown = f"A value is not known here: {name}."
         elif not is_stiff and contact.number <= 0.05:
             contact.unknown = "LIGGGHTS refuses e of 0.05 and less."
+        is_on |= {"cohesion"} if old and words[at + 2][-1:] in tuple("13579") else set()
         contact.unknown = next((reasons[r] for r in reasons if r in is_on), contact.unknown)
         return contact
 
@@ -856,6 +860,11 @@ class Granular(System):
     def walls_of_liggghts(self, words: Words) -> List[Tuple[Coefficient, int, str, str]]:
         of, meshes = Coefficient(words, 5, "model"), words.find("meshes", 4)
         is_primitive = words.find("primitive", 4) > 0
+        plane = next((i for i, word in enumerate(words) if re.fullmatch("[xyz](plane|cylinder)", word)), 0)
+        if _OLD_MODEL.fullmatch(words[3].replace("wall/", "")) and plane:
+            type = words.value(plane + (3 if words[plane].endswith("plane") else 2))
+            unknown = "" if 1 <= type <= MAX_TYPES else f"The type of the wall {words[1]} is not known."
+            return [(Coefficient(words, 3, "model"), 0 if unknown else int(type), words[1], unknown)]
         if words[4] != "model" or (not is_primitive and meshes < 0):
             return [(of, 0, words[1], f"cor does not support the wall {words[4]}.")]
         if is_primitive:

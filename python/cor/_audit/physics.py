@@ -22,7 +22,7 @@ SIMULATORS = {
     "mercurydpm": (
         "text",
         "read_mercurydpm",
-        ("speciesHandler", "setCollisionTimeAndR", "setStiffnessAndR", "ModulusAndRestitution", "Mercury3D"),
+        ("speciesHandler", "setCollisionTimeAndR", "setStiffnessAndR", "ModulusAndRestitution", "Mercury3D", "Mdouble"),
     ),
     "kratos": ("text", "read_kratos", ('"COEFFICIENT_OF_RESTITUTION"', '"DAMPING_GAMMA"', '"material_relations"')),
 }
@@ -135,9 +135,9 @@ class _Audit:
         at = 1.0 if math.isnan(speed) else speed
         scene.damping = damping if constant else damping * at ** -lib.cor_scene_speed_exponent(scene)
         if end >= lib.COR_SCENE_ENDS:
-            row.realised = lib.cor_law_eps(model.law, end, damping) if speed > contact.threshold else 0.0
+            never = contact.number == 0 or contact.threshold >= _NEVER  # at any speed
+            row.realised = 0.0 if never or speed <= contact.threshold else lib.cor_law_eps(model.law, end, damping)
             if contact.threshold > 0:
-                never = contact.number == 0 or contact.threshold >= _NEVER  # at any speed
                 row.realised = NAN if math.isnan(speed) and not never else row.realised
                 row.advice += f" eps is 0 up to the threshold, {contact.threshold:.6g} m/s."
             return int(end)

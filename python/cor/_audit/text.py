@@ -176,8 +176,13 @@ def read_mfix(text: str, name: str, options: Options) -> Deck:
     hertz, cohesion = word("DES_COLL_MODEL").startswith("HERTZ"), word("USE_COHESION").strip(".")[:1] == "T"
     unit = (1e-2, 1e-3) if word("UNITS") == "CGS" else (1.0, 1.0)
     total = int(min(number("MMAX", 1, 1), 100)) if number("MMAX", 1, 1) >= 1 else 1
-    phases = [m for m in range(1, total + 1) if (word("SOLIDS_MODEL", m) or "DEM") in ("DEM", "CGP")]
-    if len(phases) < total:
+    models = {m: word("SOLIDS_MODEL", m) or "DEM" for m in range(1, total + 1)}
+    strange = sorted(set(models.values()) - {"DEM", "CGP", "TFM", "PIC"})
+    phases = [m for m, model in models.items() if model in ("DEM", "CGP") and not strange]
+    if strange:
+        text = f"cor does not support the solids model {' and '.join(strange)}"
+        deck.remarks.append(Remark(name, 1, text))
+    elif len(phases) < total:
         deck.remarks.append(Remark(name, 1, "phases of the two-fluid model and of PIC have no contacts", False))
     bodies = []
     for m in phases:
@@ -217,7 +222,7 @@ def read_mfix(text: str, name: str, options: Options) -> Deck:
     if not hertz:
         with contextlib.suppress(ArithmeticError):
             _set_mfix_step(deck, number("KN"), number("DTSOLID_FACTOR", 1, 50.0))
-    for m in sorted(given.get("DES_EN_INPUT", ()))[len(pairs) - len(bodies) :]:
+    for m in sorted(given.get("DES_EN_INPUT", ()))[len(pairs) - len(bodies) :] if phases else []:
         deck.remarks.append(Remark(name, 1, f"DES_EN_INPUT({m}) belongs to no pair of phases", False))
     return deck
 
@@ -297,6 +302,7 @@ def read_lethe(text: str, name: str, options: Options) -> Deck:
         force = forces.get(
             f"particle {'wall' if b[1].wall else 'particle'} contact force method", "hertz_mindlin_limit_overlap"
         )
+        force = re.sub("^p[pw]_", "", force)  # the names of before 2022
         c.spring = Spring.NONE if force in ("linear", "nonlinear") else Spring.MATERIAL
         c.gravity = math.sqrt(sum(x * x for x in g)) if b[1].wall else NAN
         c.time_step = arithmetic(found("simulation control", "time step")[0])

@@ -305,10 +305,14 @@ def read_gazebo(text: str, name: str, options: Options) -> Deck:
             c.number, c.threshold, c.time_step = min(one[3], two[3]), min(one[4], two[4]), step
             if engines:
                 c.unknown = f"cor supports only contacts of ODE, not of the physics {', '.join(sorted(engines))}."
+            c.number += 0 * (one[3] + two[3])  # NaN if one of both is
             deck.contacts.append(c)
     for one in found if not deck.contacts else []:  # a model without a world
         a, b = Body(one[0]), Body("any")
         c = Contact(name, one[2], "gazebo", (a, b), "GAZEBO_BOUNCE", number=one[3], threshold=one[4], time_step=step)
         c.notes.append("If the other body has a smaller e or threshold, the simulator uses that one.")
         deck.contacts.append(c)
+    for c in deck.contacts:
+        if math.isnan(c.number + c.threshold):
+            c.unknown = c.unknown or "Its restitution_coefficient or threshold is not a number."
     return deck

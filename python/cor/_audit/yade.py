@@ -29,6 +29,13 @@ _LOSSES: Tuple[str, ...] = ("DragEngine", "LinearDragEngine", "HydroForceEngine"
 _LOSSES += ("ViscousForceEngine", "SPHEngine", "FluidDomain", "OpenFoamCoupling")
 _FACETS = re.compile("facet[A-Z]\\w*|gtsSurface2Facets|stl|gmsh|unv|ele|iges")
 _NUMBERS = {"en", "betan", "tc", "kn", "cn", "damping"}
+_MATERIALS = "FrictMat FrictMatCDM FrictViscoMat ViscElMat ViscElCapMat LudingMat CohFrictMat JCFpmMat CpmMat WireMat"
+_FRICTIONAL = {  # functors of linear springs without dashpots, and the numbers of a material that bonds two spheres
+    "Ip2_FrictMat_FrictMat_FrictPhys": ("FrictPhys, CundallStrack", ()),
+    "Ip2_CohFrictMat_CohFrictMat_CohFrictPhys": ("CohFrictPhys, CohesionMoment", ("normalCohesion", "shearCohesion")),
+    "Ip2_JCFpmMat_JCFpmMat_JCFpmPhys": ("JCFpmPhys", ("tensileStrength", "cohesion")),
+    "Ip2_CpmMat_CpmMat_CpmPhys": ("CpmPhys", ("sigmaT",)),
+}
 
 
 @dataclass(eq=False)
@@ -78,6 +85,7 @@ class Script:
         self.remarks: Dict[Tuple[int, str], bool] = {}
         self.time_step: Any = None
         self.steps = self.depth = self.unsure = 0
+        self.is_run = False
         self.called: set[str] = set()
         self.makers: Dict[str, Any] = {}  # the materials that functions return
 
@@ -219,6 +227,7 @@ class Script:
                 self.note(node.lineno, f"the keywords of {name} are not constants", True)
         if isinstance(self.names.get(name), ast.FunctionDef) and of is None:
             return self.call(self.names[name], thing)
+        self.is_run |= name in ("run", "step") and of is self.names["O"]
         if name in ("reset", "resetThisScene") and of is self.names["O"]:
             self.bodies, self.materials, self.things = [], [], []
         if isinstance(of, Thing) and of.name in ("O.materials", "O.bodies", "O.engines", "SpherePack"):
@@ -420,8 +429,11 @@ class Script:
     def loop(self, statement: Any) -> None:
         items: Any = range(1000) if isinstance(statement, ast.While) else self.items(statement.iter)
         certain = isinstance(items, (list, tuple, range)) and len(items) <= MAX_ITEMS
-        self.unsure += not certain
         for item in items if certain else [UNKNOWN]:
+            if not certain or self.steps > MAX_STEPS // 2:  # one round with unknown values represents the others
+                certain, item = False, UNKNOWN
+                self.unsure += 1
+                self.forget(statement)
             if isinstance(statement, ast.For):
                 self.assign(statement.target, item, None)
             elif self.value(statement.test) in (UNKNOWN, False):
@@ -432,8 +444,15 @@ class Script:
                 if end.args or self.steps > MAX_STEPS:
                     raise
                 break
-        self.unsure -= not certain
-        for node in ast.walk(statement) if not certain else []:
+            if not certain:
+                break
+        if not certain:
+            self.unsure -= 1
+            self.forget(statement)
+
+    def forget(self, statement: ast.stmt) -> None:
+        """Makes the names unknown that a statement assigns."""
+        for node in ast.walk(statement):
             if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
                 self.names[node.id] = UNKNOWN
 
@@ -453,6 +472,11 @@ class Script:
                     if value is UNKNOWN:
                         self.note(target.lineno, "the time step cannot be read as a number; give --time-step")
             elif isinstance(of, Thing):
+                old = of.values.get(target.attr, value)
+                if self.is_run and target.attr in _NUMBERS and old != value:
+                    self.note(
+                        target.lineno, f"{of.name} gets another {target.attr} here; the contacts have the last one"
+                    )
                 of.values[target.attr] = UNKNOWN if self.unsure else value
                 if node is not None:
                     of.nodes[target.attr] = node
@@ -534,7 +558,7 @@ class _Reader:
         except RecursionError:
             raise DeckError("the script is nested too deeply") from None
         self.look_into_functions(tree)
-        self.engines()
+        self.engines(tree)
         self.contacts()
         remarks = [Remark(self.name, line, text, matters) for (line, text), matters in self.script.remarks.items()]
         self.deck.remarks = sorted(remarks, key=lambda remark: remark.line)
@@ -548,7 +572,7 @@ class _Reader:
                     text = f"the function {function.name} sets {node.attr}; what it does when YADE calls it is not read"
                     self.script.note(node.lineno, text, True)
 
-    def engines(self) -> None:
+    def engines(self, tree: ast.Module) -> None:
         things = self.script.things
         self.newton = next((t for t in reversed(things) if t.name == "NewtonIntegrator"), None)
         self.damping = self.newton.number("damping", 0.2) if self.newton else 0.0
@@ -558,6 +582,8 @@ class _Reader:
         known = isinstance(gravity, (tuple, list)) and len(gravity) == 3
         self.gravity = [number_of(g) for g in gravity] if known else [NAN] * 3
         self.losses = [f"{t.name} takes energy outside contacts." for t in things if t.name in _LOSSES]
+        if any(getattr(node, "attr", "") in ("addF", "setPermF") for node in ast.walk(tree)):
+            self.losses.append("The script adds forces by addF or setPermF, which eps does not include.")
         self.functors = [t for t in things if t.name.startswith("Ip2_")]
         self.step = number_of(self.script.time_step) if not any("TimeStepper" in t.name for t in things) else NAN
 
@@ -582,6 +608,9 @@ class _Reader:
                 old.count += body.count
         found = sorted(merged.values(), key=lambda b: kinds.index(b.kind))
         if not any(b.kind == "sphere" for b in found):
+            if self.functors and not script.materials:  # bodies of another file
+                unread = {"label": "material of another file", "young": NAN, "poisson": NAN, "density": NAN}
+                script.materials.append(Thing(self.functors[0].name.split("_")[1], self.functors[0].line, unread))
             of_walls = [b.material for b in found] if len(script.materials) > 1 else []
             found = [Spheres("sphere", m) for m in script.materials if m not in of_walls] + found
         count = sum(b.count for b in found if b.kind == "sphere")
@@ -637,25 +666,45 @@ class _Reader:
         """Sets model, number and spring from the materials' classes and the script's functors."""
         a, b = one.material, two.material
         names = [m.name if m else "FrictMat" for m in (a, b)]
-        suits = [t for t in self.functors if all(n in names or n == "FrictMat" for n in t.name.split("_")[1:3])]
+
+        def fits(functor: Thing, pair: List[str]) -> bool:
+            return all(n in (of, "FrictMat") for n, of in zip(functor.name.split("_")[1:3], pair))
+
+        suits = [t for t in self.functors if fits(t, names) or fits(t, names[::-1])]
         exact = [t for t in suits if t.name.split("_")[1:3] in (names, names[::-1])]
         functor = (exact or suits or [None])[-1]  # type: ignore[list-item]
         if functor is not None and not a:
             c.line = functor.line
-        if names == ["ViscElMat"] * 2 and (functor is None or functor.name.endswith("_ViscElPhys")) and a and b:
+        if functor is not None and functor not in exact and not set(names) <= set(_MATERIALS.split()):
+            c.style = "-".join(names)
+            c.unknown = f"cor does not know the materials {' and '.join(dict.fromkeys(names))}."
+        elif names == ["ViscElMat"] * 2 and (functor is None or functor.name.endswith("_ViscElPhys")) and a and b:
             self.set_viscoelastic(c, one, two, functor)
         elif functor is not None and functor.name == "Ip2_FrictMat_FrictMat_MindlinPhys":
             self.set_mindlin(c, functor, a, b)
-        elif functor is not None and functor.name == "Ip2_FrictMat_FrictMat_FrictPhys":
-            c.model, c.style, c.number, c.spring = "YADE_KN_CN", "FrictPhys, CundallStrack", 0.0, Spring.HOOKE
+        elif functor is not None and functor.name in _FRICTIONAL:
+            c.model, c.number, c.spring, c.line = "YADE_KN_CN", 0.0, Spring.HOOKE, functor.line
+            c.style, strengths = _FRICTIONAL[functor.name]
             c.stiffness = in_series([2 * b.young * r for b, r in zip(c.bodies, self.radii(c))])
-            c.line = functor.line
+            c.stiffness *= NAN if strengths == ("sigmaT",) else 1  # another stiffness, without effect on eps
+            self.set_bonds(c, functor, strengths, a, b)
         elif functor is None:
             c.style = "-".join(names)
             c.unknown = f"The script has no Ip2 functor for {' and '.join(dict.fromkeys(names))}."
         else:
             c.style = functor.name
             c.unknown = f"cor does not support the contact of {' and '.join(dict.fromkeys(names))} by {functor.name}."
+
+    def set_bonds(self, c: Contact, functor: Thing, strengths: Sequence[str], *materials: Optional[Thing]) -> None:
+        """Refuses contacts with a bond that pulls. A bond of the first step does not act on later contacts."""
+        strong = any(m is None or m.values.get(key, -1) != 0 for m in materials for key in strengths)
+        if strong and all(m and m.values.get("isCohesive") is not False for m in materials):
+            new, now = (functor.values.get(f"setCohesion{when}", False) for when in ("OnNewContacts", "Now"))
+            first = functor.values.get("cohesiveTresholdIteration", functor.values.get("cohesiveThresholdIter", 10))
+            if new is not False or not isinstance(first, (int, float)) or not 0 <= first <= 10:
+                c.unknown = "The cohesion changes eps."
+            elif now is not False or "normalCohesion" not in strengths:
+                c.notes.append("eps holds for contacts whose bond is broken or absent.")
 
     def set_mindlin(self, c: Contact, functor: Thing, a: Optional[Thing], b: Optional[Thing]) -> None:
         c.line, c.spring = functor.line, Spring.MATERIAL
