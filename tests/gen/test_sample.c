@@ -5,6 +5,8 @@
 
 #include "contact/sample.h"
 #include "cor/law.h"
+#include "embed/own_law.h"
+#include "embed/request.h"
 
 /* Returns a contact with unknown mass and stiffness. */
 static struct cor_scene_contact contact_of(struct cor_exponents law, int way, double damping)
@@ -22,7 +24,7 @@ static struct cor_scene_contact sphere_of(double g_star)
 
 static double eps_at(const struct sample_request *r, double speed)
 {
-    return scene_eps(r->contact, speed, (int)r->end);
+    return r->own ? own_law_value(r->own, speed) : scene_eps(r->contact, speed, (int)r->end);
 }
 
 static double place(const struct sample_request *r, double speed)
@@ -103,6 +105,18 @@ TEST(tolerances_hold)
                                                       .log = log,
                                                       .cubic = cubic});
         }
+}
+
+/* The power law min(1, v^-1/4), which has a kink at 1 m/s */
+TEST(kink)
+{
+    static const struct cor_scene_contact none;
+    static const double kink = 1;
+    static const struct own_law own = {.law = EMBED_LAW_POWER, .real = {1, 0.25}, .part = &kink, .parts = 1};
+    for (double tolerance = 0.05; tolerance > 1e-4; tolerance /= 7)
+        for (int log = 0; log < 2; log++)
+            check_sample(&(struct sample_request){
+                .contact = &none, .own = &own, .speed_min = 0.1, .speed_max = 7, .tolerance = tolerance, .log = log});
 }
 
 /* ---- an exhaustive search ---- */

@@ -120,6 +120,9 @@ def test_bounds(monkeypatch):
         assert time.process_time() - start < 4 and (interpreter.remarks or "\0" in "".join(out)), text[:40]
     for empty in ("variable e equal\nprint ${e}", "variable e format x\nprint ${e}", "variable e index\nprint $e"):
         assert "1" not in "".join(printed(empty, monkeypatch)[0])
+    monkeypatch.setattr(script, "MAX_COMMANDS", 9)
+    _, interpreter = printed("label l\njump SELF l\n", monkeypatch)
+    assert "more commands than cor reads" in str(interpreter.remarks)
     monkeypatch.setattr(script, "MAX_LINE", 150)
     for copies in (1, 3):  # each value is shorter than the bound
         _, interpreter = printed(f"variable a string {'x' * 60}\nprint '{'${a}' * copies}'", monkeypatch)
