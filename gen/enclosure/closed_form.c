@@ -3,7 +3,7 @@
 
 #include "support/local.h"
 
-/* acos(zeta)/sqrt(1-zeta^2) = 2F1(1, 1; 3/2; (1-zeta)/2); used where the quotient cancels */
+/* computes acos(zeta)/sqrt(1-zeta^2) as 2F1(1, 1; 3/2; (1-zeta)/2) where the quotient cancels */
 void closed_form_angle(arb_t angle, const arb_t zeta, slong prec)
 {
     LOCAL(arb, x, one, c);
@@ -38,7 +38,7 @@ static void linear_duration(arb_t time, const arb_t zeta, const arb_t om, const 
 
 void closed_form_linear(struct collision *c, const arb_t beta, const struct cor_exponents *law, slong prec)
 {
-    LOCAL(fmpq, critical); /* beta^2 at zeta = 1 */
+    LOCAL(fmpq, critical); /* at zeta = 1, beta^2 is 2 (a + 1) */
     LOCAL(arb, zeta, om, x);
     EXACT(critical, "2*(law->a + 1)", law);
     LET(zeta, prec, "beta/sqrt(critical)", beta, critical);
@@ -60,8 +60,8 @@ void closed_form_linear(struct collision *c, const arb_t beta, const struct cor_
     }
 }
 
-/* eps = (1 + W_0(-x))/beta, x = (1 + beta) exp(-1 - beta). Near beta = 0, the branch point of W, eps and x_max lose 2
- * log2(1/beta) bits. */
+/* Sets eps = (1 + W_0(-x))/beta, x = (1 + beta) exp(-1 - beta), and x_max. Near beta = 0, the branch point of W, both
+ * lose 2 log2(1/beta) bits. */
 void closed_form_hunt_crossley(struct collision *c, const arb_t beta, const struct cor_exponents *law, slong prec)
 {
     LOCAL(arb, w);

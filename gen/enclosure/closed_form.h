@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Collisions in closed form (docs/theory.md, 9): laws with q = 0, whose u = x^((a+1)/2) obeys a linear equation, and
- * the law of Hunt and Crossley, a = b. Also an integral of docs/laws.md. */
+/* Computes collisions in closed form (docs/theory.md, 9): laws with q = 0, whose u = x^((a+1)/2) obeys a linear
+ * equation, and the law of Hunt and Crossley, a = b. Also computes an integral of docs/laws.md. */
 #ifndef COR_GEN_ENCLOSURE_CLOSED_FORM_H
 #define COR_GEN_ENCLOSURE_CLOSED_FORM_H
 

@@ -11,7 +11,7 @@
 #include "series/series.h"
 #include "support/console.h"
 
-/* The requested fields besides x_max and t_max */
+/* The ends of contact whose fields are requested, besides x_max and t_max */
 enum ends { ENDS_BOTH, ENDS_ZERO_OVERLAP, ENDS_ZERO_FORCE };
 
 static slong accuracy_bits(const struct collision *c, enum ends ends)
@@ -41,17 +41,17 @@ enum {
     ATTEMPTS = 12
 };
 
-/* Growth of intervals relative to the contraction of the motion, a little above the growth measured in 20 laws. If a
- * motion loses more bits, the code tries again. */
+/* Growth of intervals relative to the contraction of the motion: slightly above the growth measured in 20 laws. If a
+ * motion loses more bits, the code tries again with more. */
 #define GROWTH_LOADING 2.0
 #define GROWTH_UNLOADING 1.13
-/* Growth for each bit by which beta is near the threshold, in Hertz's law with a dashpot */
+/* Growth for each bit of the distance from beta to the threshold, for Hertz's law with a dashpot */
 #define GROWTH_BELOW 2.7
 
-/* Chooses the route. The motion contracts by ln(1/mu) twice during loading and release (docs/theory.md, 8), and by k/mu
- * in unloading to zero overlap (9). The slow manifold replaces this unloading if k/mu suffices to reach `last` with the
- * requested bits. The estimate neglects a power of beta, so a motion just above the limit may miss the manifold. No
- * precision helps then, and the unloading is integrated. */
+/* Chooses the route. The logarithm of the motion's contraction is ln(1/mu) twice, for loading and release
+ * (docs/theory.md, 8), and k/mu for unloading to zero overlap (9). The slow manifold replaces the unloading if k/mu
+ * suffices to reach `last` with the requested bits. This estimate neglects a power of beta, so a motion just above the
+ * limit may miss the manifold at any precision. Then the unloading is integrated. */
 static struct route route_of(const arb_t beta, double below, const struct cor_exponents *law, enum ends ends,
                              slong bits)
 {
@@ -77,8 +77,8 @@ static struct route route_of(const arb_t beta, double below, const struct cor_ex
     return r;
 }
 
-/* Solves by the route. Closed forms replace results that the motion encloses less tightly. Near zeta = 1 it does not
- * enclose them at all. */
+/* Solves by the route. Closed forms replace results that the motion encloses less tightly, or, near zeta = 1, not at
+ * all. */
 static enum motion_outcome try_precision(struct collision *c, const arb_t beta, const struct cor_exponents *law,
                                          const struct route *r)
 {
@@ -96,7 +96,7 @@ static enum motion_outcome try_precision(struct collision *c, const arb_t beta, 
     return outcome;
 }
 
-/* below: the distance of beta below the threshold of zero overlap, if that is known */
+/* Solves for some ends. below: the distance from beta up to the threshold of zero overlap, if known */
 static int ends_solve(struct collision *c, const arb_t beta, double below, const struct cor_exponents *law,
                       enum ends ends, slong bits)
 {
@@ -233,7 +233,7 @@ int collision_final_speed(arb_t v_f, const struct cor_exponents *law, slong bits
 {
     if (law_fall_power(law).num <= 0)
         return fail("beta^(1/q) eps has a limit only for q > 0");
-    /* the motion from `last` contracts by exp(-depth), and the intervals grow by the same factor */
+    /* from `last` the motion contracts by exp(-depth), and intervals grow by the inverse factor */
     const slong manifold_bits = bits + MANIFOLD_BITS;
     slong prec = bits + GUARD_BITS + (slong)(slow_manifold_depth(law, manifold_bits) / log(2));
     for (int i = 0; i < ATTEMPTS; i++) {

@@ -13,7 +13,7 @@ int collision_solve(struct collision *c, const arb_t beta, const struct cor_expo
 /* Solves like collision_solve, but sets only x_max, t_max, eps_zero_overlap and t_zero_overlap. */
 int collision_solve_overlap(struct collision *c, const arb_t beta, const struct cor_exponents *law, slong bits);
 
-/* Solves like collision_solve_overlap if beta is about `below` under the threshold. More bits are lost close to it. */
+/* Solves like collision_solve_overlap if beta is about `below` under the threshold. Close to it more bits are lost. */
 int collision_solve_below(struct collision *c, const arb_t beta, double below, const struct cor_exponents *law,
                           slong bits);
 
@@ -24,7 +24,7 @@ int collision_solve_force(struct collision *c, const arb_t beta, const struct co
 /* Solves x'' + beta x^b x' + x^a = force >= 0 (docs/theory.md, 24) at one end, an enum cor_end, or at both, -1. The
  * fields of the other end are undefined. Under a force > 0, eps_zero_force and t_zero_force are values at the surface:
  * the bodies fly from zero force to x = 0. Bodies that are proved to stay together have eps exactly 0 and t = +inf.
- * Under a force it fails too near to the threshold, and for damping that is too strong to be integrated. */
+ * Under a force > 0 it fails very close to the threshold, and if the damping is too strong for the integration. */
 int collision_solve_pressed(struct collision *c, const arb_t beta, const arb_t force, const struct cor_exponents *law,
                             int end, slong bits);
 
@@ -36,7 +36,7 @@ int collision_sticking_force(arb_t force, const arb_t beta, const struct cor_exp
  * stay together at every speed up to 1e9. */
 int collision_sticking_speed(arb_t speed, const arb_t damping, const struct cor_exponents *law, int end, slong bits);
 
-/* Encloses the largest value of x^a + beta x^b x'. Fails for the few laws without law_force_has_one_peak(). */
+/* Encloses the largest value of x^a + beta x^b x'. Fails for the few laws without one peak (law_force_has_one_peak). */
 int collision_force_max(arb_t force, const arb_t beta, const struct cor_exponents *law, slong bits);
 
 /* Encloses v_f = lim beta^(1/q) eps_zero_overlap for large beta, for q > 0. */
@@ -45,7 +45,7 @@ int collision_final_speed(arb_t v_f, const struct cor_exponents *law, slong bits
 /* Encloses h* = v_f^q for spheres: for large beta, eps_zero_overlap tends to (h_star/beta)^5. */
 int collision_h_star(arb_t h_star, slong bits);
 
-/* Encloses beta_c, q <= 0: bodies part at zero overlap only below it. If q < 0 also C* = beta_c^(2/n) x_max there. */
+/* Encloses beta_c, q <= 0: bodies part at zero overlap only below it. If q < 0, also C* = beta_c^(2/n) x_max. */
 int collision_threshold(arb_t beta_c, arb_t c_star, const struct cor_exponents *law, slong bits);
 
 #endif

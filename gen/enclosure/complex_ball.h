@@ -5,7 +5,7 @@
  * Every radius is increased by far more than the rounding errors. An operation on centres has a relative error of a few
  * 2^-53; COMPLEX_BALL_ROUNDING = 2^-48 of the moduli covers it. A radius is computed from a few products and sums of
  * positive numbers, and is multiplied by 1 + 2^-45. These balls are a hundred times as fast as Arb's, which have any
- * precision. They serve where an accuracy of a per cent suffices. */
+ * precision. They are used where an accuracy of one per cent suffices. */
 #ifndef COR_GEN_ENCLOSURE_COMPLEX_BALL_H
 #define COR_GEN_ENCLOSURE_COMPLEX_BALL_H
 
@@ -35,7 +35,7 @@ static inline double ball_size(struct complex_ball x)
     return sqrt(x.re * x.re + x.im * x.im);
 }
 
-/* Return an upper and a lower bound of the modulus. */
+/* ball_above and ball_below return an upper and a lower bound of the modulus. */
 static inline double ball_above(struct complex_ball x)
 {
     return raise_bound(ball_size(x) + x.radius);

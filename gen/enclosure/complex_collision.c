@@ -14,7 +14,7 @@
 
 /* ---- the equation along a path; each function returns the slopes in the comment above it ----
  *
- * The dependent variable of loading and unloading in zeta is g. For paths in 1/Y it is k, and for all others y.
+ * The dependent variable is g for loading and unloading in zeta, k for paths in 1/Y, and y for all others.
  * before_turn_slopes and the functions below it have c1 = 1 and c2 = mu. */
 
 static struct complex_ball add_number(struct complex_ball x, double number)
@@ -192,7 +192,7 @@ static bool unload_far(struct complex_collision *c, struct path *p, struct path_
 }
 
 /* Where the domains of two paths overlap, both are followed. Each gives a function that is analytic in its part of the
- * ellipse. They agree in the ring where both are defined, because it meets the real axis, and therefore everywhere. */
+ * ellipse. Both agree where their ring meets the real axis, and therefore in the whole ring. */
 bool complex_collision_root(struct complex_collision *c, struct complex_ball z, bool overlap)
 {
     const double modulus[2] = {ball_below(z), ball_above(z)}, size = ball_size(z);

@@ -135,12 +135,12 @@ struct complex_law_path complex_law_path(const struct cor_exponents *law, double
     return (struct complex_law_path){fmin(APPROACH_MOST, end), strong, 1};
 }
 
-/* Computes ln(x) at the turning point. Sets the law of p. */
+/* Computes ln(x) at the turning point. Sets the exponents of p from the law. */
 static bool turning_point(struct path *p, struct path_state *y, const struct cor_exponents *law,
                           struct complex_ball beta, const struct complex_law_pressing *pressing,
                           const struct complex_law_path *path)
 {
-    const double s = pow(path->approach_end, 1.0 / POWER); /* x = s^4 is exactly the end */
+    const double s = pow(path->approach_end, 1.0 / POWER); /* x = s^4 equals the end exactly */
     const struct complex_ball end = ball_sqr(ball_sqr(ball_of(s, 0)));
     *p = (struct path){.c1 = beta,
                        .c3 = pressing->force,
@@ -157,8 +157,8 @@ static bool turning_point(struct path *p, struct path_state *y, const struct cor
     const double logarithm = POWER * log(s);
     *y = (struct path_state){ball_widened(ball_of(logarithm, 0), 0x1p-46 * (1 + fabs(logarithm))), zero};
     p->logarithm = true;
-    /* The path about the turning point starts at an exact kappa, so that only y is uncertain. If kappa were uncertain,
-     * bounds would add up its effect along the path, although that effect changes sign. */
+    /* The path about the turning point starts at an exact kappa, so that only y is uncertain. The effect of an
+     * uncertain kappa changes sign along the path, but bounds would add it up. */
     if (p->pressed) {
         if (!path_follow(p, turning_slopes, kappa, ball_centre(kappa), y))
             return false;

@@ -41,7 +41,7 @@ struct complex_law_pressing {
 };
 
 /* Encloses ln(eps) at zero overlap for all beta and v in balls. Returns false if they are too wide, or if ln(eps) is
- * not proved to be analytic there. Continued analytically from real beta, its imaginary part may exceed pi. */
+ * not proved to be analytic there. The continuation from real beta may have an imaginary part above pi. */
 bool complex_law_zero_overlap(struct complex_ball *log_eps, const struct cor_exponents *law, struct complex_ball beta,
                               const struct complex_law_pressing *pressing, const struct complex_law_path *path);
 

@@ -3,8 +3,8 @@
 
 #define MAX_STEPS 20000.0 /* at resolution 1 */
 
-/* Limits of the residual that a step adds to the residual of its ball, relative to that residual, to the slope and to
- * the value. The last two are multiplied by the resolution. */
+/* Limits of the residual that a step adds to the residual of its ball: relative to that residual, to the slope and to
+ * the value. The last two limits are multiplied by the resolution. */
 #define MORE_OF_RESIDUAL 0.25
 #define MORE_OF_SLOPE 0.004
 #define MORE_OF_VALUE 0.002

@@ -24,7 +24,7 @@ typedef struct slopes path_equation(const struct path *p, struct complex_ball x,
 struct path {
     path_equation *equation;
     struct complex_ball begin, end, length;
-    struct complex_ball s;          /* the argument of path_equation, as a fraction of the path */
+    struct complex_ball s;          /* the place of path_equation, as a fraction of the path */
     struct complex_ball c1, c2, c3; /* coefficients of the equation */
     double a, b;                    /* exponents of the equation; a - b and 2b + 1 - a, each rounded once */
     double difference, n;

@@ -6,7 +6,7 @@
 
 enum {
     BOUND_BITS = 96,
-    FIRST_Y = 6, /* where the bounds begin */
+    FIRST_Y = 6, /* Y at which the bounds begin */
     STEPS_PER_Y = 2,
     FIRST_ORDER = 3
 };
@@ -111,7 +111,7 @@ static void start_bound(arb_t bound, const struct formal_time *f)
     LET(bound, BOUND_BITS, "24*FIRST_Y^2/25", FIRST_Y);
     slong order = 0;
     for (slong i = FIRST_Y * STEPS_PER_Y; i < CREEP_SERIES_LEAST_Y * STEPS_PER_Y; i++) {
-        /* the best order at 1/r = i/STEPS_PER_Y; its last term is nearly the smallest */
+        /* use the best order at 1/r = i/STEPS_PER_Y: its last term is nearly the smallest term */
         const slong next = FLINT_MAX(FLINT_MIN(i / STEPS_PER_Y, CREEP_SERIES_ORDER), FIRST_ORDER);
         LET(high, BOUND_BITS, "STEPS_PER_Y/i", STEPS_PER_Y, i);
         LET(low, BOUND_BITS, "STEPS_PER_Y/(i + 1)", STEPS_PER_Y, i);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Time of a sphere from zero force to zero overlap at strong damping: a divergent series with a bounded remainder for
- * every beta (docs/theory.md, 8).
+/* Computes the time of a sphere from zero force to zero overlap at strong damping, by a divergent series whose
+ * remainder is bounded for every beta (docs/theory.md, 8).
  *
  * Let x = beta^-4 z, t = beta t', k = -z'/z and r = z^(-1/2). The unloading begins at k = 1 and r = 1/Y, where
  * Y = beta^2 sqrt(x) at zero force, and

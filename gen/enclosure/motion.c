@@ -75,8 +75,8 @@ static void motion_record(arb_t eps, arb_t time, const struct motion *m, const a
     arb_mul(time, time, m->length, m->y.prec);
 }
 
-/* The three events. Each function searches the current step for an event and records it. It returns false if the
- * intervals do not decide. */
+/* One function for each of the three events. It searches the current step for the event and records it. It returns
+ * false if the intervals do not decide. */
 
 static bool find_turning_point(struct motion *m)
 {
@@ -107,9 +107,9 @@ static bool find_zero_overlap(struct motion *m, arb_t end)
     return crossing != TAYLOR_UNDECIDED;
 }
 
-/* Shortens a step that passes the overlap of release under a constant force, so that it ends just above that overlap.
- * A contact force that vanishes during an approach to x = 0 can grow again only below that overlap. After the cut, the
- * signs at both ends of a step show whether the force vanishes in it. Returns true if `end` moved. */
+/* Shortens a step that passes the overlap of release under a constant force, so that it ends just above that overlap. A
+ * contact force that vanishes on the way to x = 0 can grow again only below that overlap. After the cut, its signs at
+ * both ends of a step therefore show whether it vanishes in the step. Returns true if `end` moved. */
 static bool cut_at_release(struct motion *m, arb_t end)
 {
     struct taylor *y = &m->y;
@@ -155,13 +155,14 @@ static bool record_release(struct motion *m, const arb_t root)
     return true;
 }
 
-/* Searches before `end`. If the overlap vanishes in the same step, the two events may be too close to be separated. */
+/* Searches before `end`. Does not separate the event from a zero of the overlap in the same step if both are too
+ * close. */
 static bool find_zero_force(struct motion *m, arb_t end)
 {
     LOCAL(arb, root);
     const bool passed = m->pressing.cut;
     if (m->pressing.any && !cut_at_release(m, end) && passed)
-        return false; /* at the overlap of release, and the energy has not decided */
+        return false; /* the step starts at the overlap of release, where the energy has not decided */
     const enum taylor_crossing crossing = taylor_crosses(root, &m->y, TAYLOR_FORCE, m->begin, end);
     m->released = crossing == TAYLOR_CROSSED;
     if (m->released && !record_release(m, root))
@@ -227,7 +228,7 @@ static void set_pressing(struct motion *m, const arb_t force)
         return;
     p->has_release = power > 0;
     if (power <= 0)
-        return; /* E = 0 is the least energy */
+        return; /* the least energy is E = 0 */
     /* (c2/c1)^2 X^(2(a-b)-1) = 2 c3: v^2 = 2 c3 X */
     arb_div(ratio, y->c1, y->c2, y->prec);
     LET(p->release, y->prec, "(2*ratio^2*y->c3)^(1/power)", ratio, y->c3, power);
@@ -306,7 +307,7 @@ static bool find_ends(struct motion *m)
     return !at_end || !p->any || !m->force_ends;
 }
 
-/* Steps until the goal is reached. If a slow manifold is given, the motion ends where it comes within 2^-bits of it. */
+/* Makes steps until the goal is reached, or until the motion is within 2^-bits of a given slow manifold. */
 static enum motion_outcome motion_follow(struct motion *m, enum motion_goal goal, const struct slow_manifold *manifold,
                                          slong bits)
 {
@@ -335,7 +336,7 @@ static enum motion_outcome motion_follow(struct motion *m, enum motion_goal goal
             manifold_state(place, slope, y);
             if (slow_manifold_reached(manifold, place, slope, bits))
                 return MOTION_DONE;
-            if (arb_gt(place, manifold->last)) /* it left the domain of the manifold */
+            if (arb_gt(place, manifold->last)) /* the motion left the domain of the manifold */
                 return arb_rel_accuracy_bits(slope) > bits ? MOTION_MISSED : MOTION_IMPRECISE;
         } else if (m->released && is_slow(y)) {
             set_stay(m->c->eps_zero_overlap, m->c->t_zero_overlap);
@@ -395,9 +396,9 @@ enum motion_outcome motion_solve_slow(struct collision *c, const arb_t beta, con
     return outcome;
 }
 
-/* docs/theory.md, 9. The force has one maximum within the contact, where its slope falls through zero while the bodies
- * approach. Where b = 0 the force may be larger at the first moment. A zero of the slope is then a minimum while the
- * damping force exceeds a/(a - 1) times the elastic force. */
+/* The force has one maximum within the contact, where its slope falls through zero while the bodies approach
+ * (docs/theory.md, 9). If b = 0 the force may be larger at the first moment. Then a zero of the slope is a minimum as
+ * long as the damping force exceeds a/(a - 1) times the elastic force. */
 enum motion_outcome motion_force_max(arb_t force, const arb_t beta, const struct cor_exponents *law, slong prec)
 {
     LOCAL_INIT(motion, m, (&m, NULL, beta, law, arf_cmp_si(arb_midref(beta), 1) > 0, prec));

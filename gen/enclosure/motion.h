@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The equation of motion from first contact to an event, step by step (docs/theory.md, 6). */
+/* Integrates the equation of motion from first contact to an event, step by step (docs/theory.md, 6). */
 #ifndef COR_GEN_ENCLOSURE_MOTION_H
 #define COR_GEN_ENCLOSURE_MOTION_H
 

@@ -3,9 +3,9 @@
  *
  *   X'' + B X^b X' + X^a = 1,   B = beta f^(n/(2a)),   impact speed V = f^(-(a+1)/(2a)).
  *
- * At the threshold of zero overlap the motion reaches X = 0 with speed 0. At the threshold of the surface a flight does
- * so, if 2 (a - b) > 1. The flight begins where the contact force vanishes, at X_s^(2(a-b)-1) = 2 B^2. Backward in
- * time from there the motion arrives at X = 0 with the speed V(B). Hence f = V^(-2a/(a+1)) and beta = B V^q. */
+ * At the threshold of zero overlap the motion reaches X = 0 with speed 0. At the threshold of the surface, if 2 (a - b)
+ * > 1, a flight does. The flight begins where the contact force vanishes, at X_s^(2(a-b)-1) = 2 B^2. Backward in time
+ * from there the motion arrives at X = 0 with the speed V(B). Hence f = V^(-2a/(a+1)) and beta = B V^q. */
 #include <math.h>
 
 #include "enclosure/collision.h"
@@ -74,7 +74,7 @@ static enum backward impact_speed(arb_t speed, const arb_t damping, const struct
         if (!taylor_choose_step(&y))
             return IMPRECISE;
         arb_zero(begin);
-        for (bool again = true; again;) { /* the turning point, then X = 0, which may follow in the same step */
+        for (bool again = true; again;) { /* first the turning point, then X = 0, which may follow in the same step */
             const enum taylor_crossing crossing = taylor_crosses(root, &y, turned ? TAYLOR_W : TAYLOR_V, begin, y.step);
             if (crossing == TAYLOR_UNDECIDED)
                 return IMPRECISE;
@@ -144,9 +144,9 @@ static bool curve_at(arb_t rest, arb_t force, const arb_t beta, const arb_t damp
     return prec <= MOST_SEARCH_BITS;
 }
 
-/* For strong damping and q > 0, B is next to the smallest B at which the motion escapes. Then f = (B/beta)^(2a/n) is
- * known as accurately as B. Halves a bracket with proved signs at both ends. A motion counts as escaping at X = w^d,
- * w = 2^FAR_BITS; it has at least the energy of this overlap. */
+/* For strong damping and q > 0, B is just below the smallest B at which the motion escapes, and f = (B/beta)^(2a/n) is
+ * known as accurately as B. Halves a bracket with proved signs at both ends. A motion counts as escaping at X = w^d, w
+ * = 2^FAR_BITS; it has at least the energy of this overlap. */
 static int squeeze_force(arb_t force, arb_t low, arb_t high, const arb_t beta, const struct cor_exponents *law, int end,
                          slong bits)
 {
@@ -166,7 +166,7 @@ static int squeeze_force(arb_t force, arb_t low, arb_t high, const arb_t beta, c
             return STATUS_OK;
         }
         LET(middle, prec, "(low + high)/2", low, high);
-        if (narrow) /* the end that has no proved sign yet */
+        if (narrow) /* try the end whose sign is not yet proved */
             arb_set(middle, proved[0] ? high : low);
         arb_get_mid_arb(middle, middle);
         const bool known = follow_curve(rest, force, beta, middle, law, end, prec), above = arb_is_negative(rest);
@@ -180,8 +180,8 @@ static int squeeze_force(arb_t force, arb_t low, arb_t high, const arb_t beta, c
     return fail_accuracy("the threshold of the force", bits);
 }
 
-/* Finds B of beta to some bits. It brackets B by factors of 2, halves the bracket in ln(B), and applies the Illinois
- * method. If motions escape above B, it returns only the bracket, low_end and high_end. */
+/* Finds the B that belongs to beta, to some bits: brackets B by factors of 2, halves the bracket in ln(B), and applies
+ * the Illinois method. If motions escape above B, it returns only the bracket, low_end and high_end. */
 static int find_damping(arb_t damping, arb_t low_end, arb_t high_end, const arb_t beta, const struct cor_exponents *law,
                         int end)
 {
@@ -255,7 +255,7 @@ int collision_sticking_force(arb_t force, const arb_t beta, const struct cor_exp
         arb_union(force, force, other, prec);
         if (proved && arb_rel_accuracy_bits(force) >= bits)
             return STATUS_OK;
-        if (proved && width == narrowest) { /* rounding limits the force, or it depends strongly on B */
+        if (proved && width == narrowest) { /* rounding errors limit the force, or the force depends strongly on B */
             prec += prec / 4;
             narrowest += GUARD_BITS / 3;
         }

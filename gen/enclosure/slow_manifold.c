@@ -10,8 +10,8 @@
 #include "support/local.h"
 
 /* Degree of the formal sum. At y = 1/(2 degree n), halfway to the smallest term, the truncated sum has a defect of
- * exp(-(1 + ln 2) degree). GUARD_BITS bits allow for constants. A law with a small n needs a higher degree, so that
- * (a-b) y is small. */
+ * exp(-(1 + ln 2) degree). GUARD_BITS more bits cover constant factors. A law with a small n needs a higher degree, so
+ * that (a-b) y is small. */
 enum { GUARD_BITS = 24, CLOSING = 4 };
 
 static slong formal_degree(const struct cor_exponents *law, slong bits)
@@ -39,7 +39,7 @@ static void abs_tail(arb_t sum, const arb_poly_t f, slong first, const arb_t y, 
     mag_zero(arb_radref(sum));
 }
 
-/* Computes p_0 = 1, p_m = (p^2)_(m-1) (a - b - n (m-1)/2). This is order y^m of N(p) = 0, because p p' = (p^2)'/2. */
+/* Computes p_0 = 1, p_m = (p^2)_(m-1) (a - b - n (m-1)/2). It is order y^m of N(p) = 0, because p p' = (p^2)'/2. */
 static void formal_sum(arb_poly_t p, const struct cor_exponents *law, slong degree, slong prec)
 {
     const struct ratio n = law_fall_power(law), a = law_elastic(law), b = law_damping(law);
@@ -51,11 +51,12 @@ static void formal_sum(arb_poly_t p, const struct cor_exponents *law, slong degr
         LET(p->coeffs + k, prec, "c*(a - b - n*(k - 1)/2)", c, a, b, n, k);
         _arb_poly_set_length(p, k + 1);
     }
-    /* the sum of Hunt and Crossley's law is 1 and may end with zeros */
+    /* for Hunt and Crossley's law the sum is 1, and its higher coefficients may be zeros */
     _arb_poly_normalise(p);
 }
 
-/* Bounds N(P) = 1 - P + (a-b) y P^2 - (n/2) y^2 (P^2)'. N(P) starts at y^(degree+1), because P has no higher terms. */
+/* Bounds N(P) = 1 - P + (a-b) y P^2 - (n/2) y^2 (P^2)'. N(P) starts at y^(degree+1): P is the formal sum up to
+ * y^degree. */
 static void bound_defect(struct slow_manifold *m, slong degree)
 {
     const struct ratio a = law_elastic(&m->law), b = law_damping(&m->law);
@@ -133,8 +134,8 @@ static bool follow_manifold(arb_t speed, arb_t time, const struct slow_manifold 
     return true;
 }
 
-/* Encloses end speed and time of all motions in the tube. -z' as a function of z obeys a scalar equation, so they keep
- * their order. The two edges enclose all others and converge. A faster trajectory needs less time. */
+/* Encloses end speed and time of all motions in the tube. -z' as a function of z obeys a scalar equation, so
+ * trajectories keep their order. The two edges enclose all others and converge. A faster trajectory needs less time. */
 static bool enclose_fall(struct slow_manifold *m, const arb_t eta)
 {
     LOCAL(arb, middle, edge, speed, time);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Unloading at strong damping, laws with n = 2b - a + 1 > 0: z'' + z^b z' + z^a = 0 approaches a slow manifold.
+/* Encloses unloading at strong damping for n = 2b - a + 1 > 0: z'' + z^b z' + z^a = 0 approaches a slow manifold.
  *
  * With x = beta^(-2/n) z, time in beta^((a-1)/n), p = -z'/z^(a-b) and y = z^-n the unloading obeys (docs/theory.md, 9)
  *

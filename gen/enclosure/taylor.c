@@ -8,7 +8,7 @@
 #include <stdlib.h>
 
 enum {
-    /* Norms and remainders are needed to a few digits only. */
+    /* Norms and remainders need only a few correct digits. */
     NORM_BITS = 40,
     /* A step is about 2^-STEP_BITS of the radius of convergence, so every term gains STEP_BITS bits. N = prec/STEP_BITS
      * terms cost about N^2 products, and a radius takes about 2^STEP_BITS steps. 2^q/q^2 is smallest near q = 3. */
@@ -18,14 +18,14 @@ enum {
     /* Coefficient n needs STEP_BITS n bits less than coefficient 0 and is computed with that many bits less. These bits
      * are added for the round-off of its sums. */
     COEFFICIENT_GUARD = 24,
-    /* With this number of coefficients or more, products of polynomials cost less than sums of products. */
+    /* From this number of coefficients on, products of polynomials cost less than sums of products. */
     ONLINE_FROM = 96
 };
 
 /* The product f g. exponent: its exponent if it is a power of w, otherwise 0. */
 struct taylor_product {
     slong exponent;
-    arb_ptr out, f, g; /* degree + 1 coefficients each */
+    arb_ptr out, f, g; /* arrays of degree + 1 coefficients */
 };
 
 static arb_ptr block_new(const struct taylor *y)
@@ -107,7 +107,7 @@ static void convolve_product(const struct taylor_product *product, slong n, slon
     const slong terms = n - first + 1, prec = coefficient_bits(y->prec, n);
     LOCAL(arb, sum, own);
     if (f == g) {
-        /* a square: each pair of different factors counts once with twice its value */
+        /* in a square, each pair of different factors is added once and doubled */
         arb_dot(sum, NULL, 0, f + first, 1, f + n - first, -1, first > 0 ? terms : (n + 1) / 2, prec);
         if (first == 0 && n % 2 == 0)
             arb_sqr(own, f + n / 2, prec);
@@ -223,9 +223,9 @@ static void residuals_at(arb_t residual_v, arb_t residual_t, const struct taylor
         residual_t);
 }
 
-/* Bounds the residuals. Polynomials of degree N solve the equations of motion up to the products' terms of degree N and
- * above. Any radius gives a valid bound. The best radius is a little inside the radius of convergence, 2^STEP_BITS h.
- * The logarithms of the bounds are convex functions of log R, so each has one minimum. */
+/* Bounds the residuals. Polynomials of degree N solve the equations of motion except for terms of degree N and above in
+ * the products. Any radius gives a valid bound. The best radius is a little inside the radius of convergence,
+ * 2^STEP_BITS h. The logarithms of the bounds are convex functions of log R, so each has one minimum. */
 static void bound_residuals(arb_t least_v, arb_t least_t, const struct taylor *y, const mag_t h)
 {
     enum { PER_OCTAVE = 2 };
@@ -313,7 +313,7 @@ bool taylor_choose_step(struct taylor *y)
 {
     LOCAL(mag, goal, scale);
     bool proved = false;
-    /* The goal is the size of the rounding errors, relative to the current velocity. */
+    /* The goal is the size of rounding errors relative to the current velocity. */
     arb_get_mag(goal, y->v);
     arb_get_mag(scale, y->w);
     mag_max(goal, goal, scale);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Enclosed Taylor steps on the polynomial form of the equation of motion (docs/theory.md, 6),
+/* Makes enclosed Taylor steps in the polynomial form of the equation of motion (docs/theory.md, 6),
  *
  *   x = w^d, dt = w^(d-1) dsigma:   dw/dsigma = v/d,  dv/dsigma = -w^(d-1) (c1 w^(bd) v + c2 w^(ad) - c3),
  *                                   dt/dsigma = w^(d-1).
@@ -15,8 +15,8 @@ struct taylor {
     struct cor_exponents law;
     slong degree, prec;
     arb_t c1, c2, c3;
-    arb_ptr one, w, v, t;                /* degree + 1 Taylor coefficients each */
-    arb_ptr force, whole_force;          /* c1 w^(bd-m) v + c2 w^(ad-m), m = min(ad, bd); and times w^(d-1+m) */
+    arb_ptr one, w, v, t;                /* arrays of degree + 1 Taylor coefficients */
+    arb_ptr force, whole_force;          /* c1 w^(bd-m) v + c2 w^(ad-m), m = min(ad, bd); this times w^(d-1+m) */
     arb_ptr time_slope, elastic, damped; /* w^(d-1), w^(ad-m), w^(bd-m) v */
     struct taylor_product *product;      /* in the order in which they are computed */
     int products;
@@ -41,7 +41,7 @@ enum taylor_component { TAYLOR_W, TAYLOR_V, TAYLOR_T, TAYLOR_FORCE, TAYLOR_FORCE
 /* Computes a component at sigma = s in [0, step], remainder included. */
 void taylor_value(arb_t value, const struct taylor *y, enum taylor_component component, const arb_t s);
 
-/* Replaces the state by the state at s. */
+/* Advances the state to sigma = s. */
 void taylor_advance(struct taylor *y, const arb_t s);
 
 /* Finds whether a component, positive at begin, is negative at end <= step. If so, encloses its zero, which must be the
@@ -51,7 +51,7 @@ enum taylor_crossing taylor_crosses(arb_t root, const struct taylor *y, enum tay
                                     const arb_t begin, const arb_t end);
 
 /* Makes steps until a component falls to zero, and encloses the zero in the last step. Returns false if intervals do
- * not decide. `what` names the progress. */
+ * not decide. what: the text of the progress line */
 bool taylor_follow(arb_t root, struct taylor *y, enum taylor_component component, const char *what);
 
 /* Root finder for balls, by the Illinois method. It finds where a function falls through zero, with f_low > 0 at `low`

@@ -15,9 +15,9 @@
  *     J = int_0^gamma x a/(D + 4 x^2 a b) dx + int_gamma^1 4 x^3 a^2 b/(D^2 + 16 x^4 a^2 b^2) dx
  *         - pi x_R a(x_R)/R'(x_R)
  *
- * x = gamma (1 - u^2) and x = 1 - (1 - gamma) u^2 remove the square roots at the ends of the integrals. For
- * gamma^2 = 1/2 both integrands are 0/0 at x = gamma. Near gamma^2 = 1/2, J is the imaginary part of int x a/R dx along
- * a path from 0 to 2 above gamma, 1 and x_R. Nothing is singular on this path. */
+ * x = gamma (1 - u^2) and x = 1 - (1 - gamma) u^2 remove the square roots at the ends of the integrals. For gamma^2 =
+ * 1/2 both integrands are 0/0 at x = gamma. Near gamma^2 = 1/2, J is instead computed as the imaginary part of int x
+ * a/R dx along a path from 0 to 2 that passes above gamma, 1 and x_R. Nothing is singular on this path. */
 
 struct wave_parameters {
     acb_srcptr gamma, gamma2;
@@ -157,7 +157,7 @@ void wave_factor_by(acb_t j, enum wave_route route, const acb_t tau, slong prec)
     }
 }
 
-/* The integrals along the axis are fast except for gamma^2 within 0.02 of 1/2, that is near tau = 1. */
+/* The integrals along the axis are slow if gamma^2 is within 0.02 of 1/2, near tau = 1. */
 void wave_factor(acb_t j, const acb_t tau, slong prec)
 {
     const double x = ball_middle(acb_realref(tau)) - 1;

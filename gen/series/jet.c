@@ -46,7 +46,7 @@ void jet_solve(arb_poly_t delta, const arb_poly_struct *f, slong count, slong n,
 
     arb_poly_zero(delta);
     /* Newton's method: the coefficients below beta^known are correct, and each pass doubles `known`. Correct
-     * coefficients are not computed again, so their intervals do not grow. */
+     * coefficients are not recomputed, so their intervals do not grow. */
     for (slong known = 1; known < n;) {
         const slong next = FLINT_MIN(2 * known, n);
         jet_compose(value, f, count, delta, next, prec);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Formal power series in beta at a point of a trajectory: f(delta; beta) = sum_m f_m(beta) delta^m with
- * delta = O(beta). They need no remainder, because each coefficient of the result depends on finitely many coefficients
- * of f. */
+/* Computes with formal power series in beta at a point of a trajectory: f(delta; beta) = sum_m f_m(beta) delta^m with
+ * delta = O(beta). The series need no remainder, because each coefficient of the result depends on finitely many
+ * coefficients of f. */
 #ifndef COR_GEN_SERIES_JET_H
 #define COR_GEN_SERIES_JET_H
 

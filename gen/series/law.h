@@ -40,7 +40,7 @@ struct ratio law_fall_power(const struct cor_exponents *law);
 /* Returns (a+1)/(b+1). With mu = beta^(-(a+1)/(b+1)) and x = beta^(-1/(b+1)) X the law is X'' + X^b X' + mu X^a = 0. */
 struct ratio law_mu_power(const struct cor_exponents *law);
 
-/* True if a > b: the force ends before the overlap does. Otherwise the two ends of contact coincide. */
+/* True if a > b: the force vanishes before the overlap. Otherwise the two ends of contact coincide. */
 bool law_force_ends(const struct cor_exponents *law);
 
 /* True if q = 0, that is b = (a-1)/2. Then u = x^((a+1)/2) obeys a linear equation. Examples: the linear dashpot (1, 0)
@@ -54,12 +54,12 @@ bool law_is_hunt_crossley(const struct cor_exponents *law);
  * b^2 >= a^2. */
 bool law_force_has_one_peak(const struct cor_exponents *law);
 
-/* Returns k = (b+1)^(n/(b+1))/n, n > 0. If damping is strong, loading changes unloading only by about exp(-k/mu). */
+/* Returns k = (b+1)^(n/(b+1))/n, n > 0. At strong damping, loading affects unloading only by about exp(-k/mu). */
 double law_forgetting(const struct cor_exponents *law);
 
-/* Return scales with an accuracy of a few digits. law_elastic_time: tau_0 of (51). law_elastic_radius: the radius of
- * convergence of the elastic trajectory in units of tau_0. It is the smaller of 2, the end of contact, and
- * 1/cos(pi/(a+1)), where x'' = x^a is singular. */
+/* Return scales to a few digits. law_elastic_time: tau_0 of (51). law_elastic_radius: the radius of convergence of the
+ * elastic trajectory in units of tau_0. This is the smaller of 2 (the end of contact) and 1/cos(pi/(a+1)), where x'' =
+ * x^a is singular. */
 double law_elastic_time(const struct cor_exponents *law);
 double law_elastic_radius(const struct cor_exponents *law);
 
@@ -77,7 +77,7 @@ struct law_text {
 struct law_text law_equation(const struct cor_exponents *law);
 
 double ratio_double(struct ratio x);
-void arb_set_upper(arb_t y, const mag_t m); /* sets y = m exactly */
+void arb_set_upper(arb_t y, const mag_t m); /* sets the ball y to the exact number m */
 /* Sets low and high to the exact midpoints of x (1 - 2^exponent) and x (1 + 2^exponent). */
 void arb_around(arb_t low, arb_t high, const arb_t x, slong exponent, slong prec);
 

@@ -4,7 +4,7 @@
 #include "series/jet.h"
 #include "support/local.h"
 
-/* Row k of the trajectory is about 2^(-ROW_BITS k) at small s. Without this factor, coefficients have similar size and
+/* Row k of the trajectory is about 2^(-ROW_BITS k) at small s. Divided by this factor, rows have similar size and
  * multiply faster. */
 enum { ROW_BITS = 2 };
 

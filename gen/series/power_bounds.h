@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Proved bounds of powers of a truncated trajectory: docs/theory.md, 3, equations (3.1) and (3.2).
+/* Proves bounds of powers of a truncated trajectory: docs/theory.md, 3, equations (3.1) and (3.2).
  *
  * A is the Banach algebra of power series in s whose coefficients are polynomials in u cut after u^order, with the norm
  * |f| = sum |f_kj| U^k rho^j. Z is X truncated after s^J. P is the truncated row polynomial of X^p, p = a and b + 1. It
@@ -10,7 +10,7 @@
  *   so |E| <= nu |N| / (J + 1 - p nu |th(Z)|) for any nu >= |1/Z|.
  *
  * The norms of columns f^(j), the coefficients of s^j in f, bound both 1 - Z V and N without a product of polynomials.
- * V is the inverse of a small block of Z. Outside this block Z is small where the bounds are useful. */
+ * V is the inverse of a small block of Z. Wherever the bounds are useful, Z is small outside this block. */
 #ifndef COR_GEN_SERIES_POWER_BOUNDS_H
 #define COR_GEN_SERIES_POWER_BOUNDS_H
 

@@ -39,7 +39,7 @@ void restitution_power(arb_poly_t z, const arb_poly_t eps, struct ratio power, c
 void restitution_zero_overlap(arb_poly_t c, const arb_poly_t y, slong order, const struct cor_exponents *law,
                               slong prec)
 {
-    /* With Z = E^(2/(1+a)) the equation is F(Z) = Z Y(-beta Z^p) - Y(beta) = 0, p = q (1+a)/2, and F' = Y(v) + p v
+    /* The equation for Z = E^(2/(1+a)) is F(Z) = Z Y(-beta Z^p) - Y(beta) = 0, p = q (1+a)/2, with F' = Y(v) + p v
      * Y'(v) at v = -beta Z^p. Newton's iteration on the series of Z solves it. */
     const struct ratio half_a1 = RATIO("(law->a + 1)/2", law), p = RATIO("law->b - (law->a - 1)/2", law);
     const slong n = order + 1;
@@ -75,7 +75,7 @@ void restitution_zero_overlap(arb_poly_t c, const arb_poly_t y, slong order, con
 
 /* Computes sum_(k,j) c[k][j] A^k B^j with A = -w T^(b+1), B = w T^(a+1), up to w^(n-1). The sum is X in backward time.
  * With velocity, the weights e + 1, e = k (b+1) + j (a+1), turn it into V = X + D X. Horner's rule sums each row in B,
- * and all rows in A. A and B are O(w), so factors that are multiplied more often need fewer terms. */
+ * and all rows in A. A and B are O(w), so inner sums, which are multiplied by them more often, need fewer terms. */
 static void backward_sum(fmpq_poly_t f, const fmpq_poly_struct *row, bool velocity, const fmpq_poly_t T, slong n,
                          const struct cor_exponents *law)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The turning point, t_max = sum tau_k beta^k, x_max = sum y_k beta^k, (50)-(62), and the restitution that follows from
- * it for both ends of contact (docs/theory.md, 4 and 5). */
+/* Computes the series of the turning point, t_max = sum tau_k beta^k, x_max = sum y_k beta^k, (50)-(62), and from it
+ * the restitution at both ends of contact (docs/theory.md, 4 and 5). */
 #ifndef COR_GEN_SERIES_RESTITUTION_H
 #define COR_GEN_SERIES_RESTITUTION_H
 

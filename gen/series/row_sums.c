@@ -9,9 +9,10 @@
 #include <math.h>
 
 enum {
-    /* Row k of the trajectory is about 2^(-ROW_BITS k). With this factor, rows have similar size. */
+    /* Row k of the trajectory is about 2^(-ROW_BITS k). Divided by this factor, rows have similar size. */
     ROW_BITS = 2,
-    /* The radii of row k grow about as 2^(COLUMN_BITS j). Without this factor, doubles would underflow. */
+    /* The radii of a row grow about as 2^(COLUMN_BITS j) and are stored without it, so that doubles do not
+     * underflow. */
     COLUMN_BITS = 1,
     /* Number of outputs per task of the error bound. The partition does not depend on the number of threads. */
     ERROR_BLOCK = 64,
@@ -257,7 +258,7 @@ static void error_block(struct row_sums *s, slong start, slong end)
                 s->error[n] += x_radius * y->size[n - j] + x_size * y->radius[n - j];
         }
     }
-    /* exceeds the rounding errors of this sum and its underflows */
+    /* the factor exceeds the rounding errors of this sum, and its underflows */
     for (slong n = start; n < end; n++)
         s->error[n] = s->error[n] * (1 + 1e-6) + 0x1p-900;
 }

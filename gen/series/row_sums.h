@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Sums of products X_i P_(k-i) of rows, which are power series in s:
+/* Computes sums of products X_i P_(k-i) of rows, which are power series in s:
  *
  *   S_k = p.den sum_{0<i<k} ((p+1) i - k) X_i P_(k-i).
  *
@@ -13,8 +13,8 @@
 
 #include "series/law.h"
 
-/* With fewer rows, products of polynomials are as fast. They keep the relative accuracy of small coefficients, which
- * the proofs of steep laws such as (24, 1/16) need. */
+/* With fewer rows, products of polynomials are as fast. They preserve the relative accuracy of small coefficients,
+ * which proofs for steep laws such as (24, 1/16) need. */
 enum { ROW_SUMS_MIN_ROWS = 12 };
 
 struct row_sums {

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The restitution series at either end with a guaranteed accuracy, for the other parts of corgen */
+/* Computes the series of restitution at either end, with a guaranteed accuracy. */
 #ifndef COR_GEN_SERIES_SERIES_H
 #define COR_GEN_SERIES_SERIES_H
 
 #include "cor/law.h"
 #include "series/law.h"
 
-/* Under a constant force the second end is the surface. Only options and names use END_SURFACE; all other code uses
- * COR_END_ZERO_FORCE. */
+/* The surface replaces zero force under a constant force. Only options and names use END_SURFACE; all other code uses
+ * COR_END_ZERO_FORCE for both. */
 enum { END_SURFACE = COR_END_ZERO_FORCE + 1 };
 extern const char *const contact_end_options[];         /* "zero-overlap", "zero-force", NULL */
 extern const char *const contact_end_options_pressed[]; /* also "surface" */

@@ -185,7 +185,7 @@ struct power {
     struct ratio p;
     void *row;             /* P_k */
     void *slope, *rest;    /* p X_0^(p-1), and Q_k of the current row */
-    struct row_sums *sums; /* for balls with many rows; otherwise NULL */
+    struct row_sums *sums; /* sums for balls with many rows; otherwise NULL */
 };
 
 static void set_rest(struct power *power, void *x, const void *x0_inverse, void *product, slong k,

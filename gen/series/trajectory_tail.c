@@ -6,8 +6,8 @@
  *   G(R)_kj = -([X^(b+1)]_(k-1),j / (b+1) + 2^shift [X^a]_k,(j-1) / e) / (e + 1),
  *                                                              e = k(b+1) + j(a+1), j > J.
  *
- * The iteration of G from 0 makes one coefficient after the other correct. If G maps the ball |R| <= delta of A into
- * itself, delta therefore bounds R. With nu >= |1/Z|:
+ * Iterating G from 0 makes one coefficient after the other correct. Therefore delta bounds R if G maps the ball |R| <=
+ * delta of A into itself. With nu >= |1/Z|:
  *
  *   |(Z+R)^p - Z^p| <= |Z^p| ((1 - nu |R|)^(-p) - 1).
  *
@@ -103,7 +103,7 @@ static const double trial_part[] = {0.9, 0.8, 0.7, 0.5, 0.25};
 enum { TRIAL_PARTS = sizeof trial_part / sizeof *trial_part, TRIAL_U_MAX = 3, TRIAL_U_MIN = -7 };
 
 /* Finds the pair of weights with the smallest errors in three coefficients of x at t0. They range from the last row to
- * the last derivative of the first row, which grows like t0^-m. Returns false if no pair proves a bound. */
+ * the last derivative of the first row, whose error grows like t0^-m. Returns false if no pair proves a bound. */
 static bool best_trial(struct trajectory_tail *tail, const struct power_evidence *e, const struct trajectory *t,
                        const arb_t t0)
 {

@@ -22,7 +22,7 @@ static const double SILENT_SECONDS = 0.5;
 
 struct step {
     char name[STEP_NAME];
-    long done, total; /* done: negative if unknown */
+    long done, total; /* done: number of parts done, negative if unknown */
     double left, since;
 };
 
@@ -99,7 +99,7 @@ int fail_accuracy(const char *quantity, long bits)
     return fail("cannot enclose %s to %ld bits; use fewer digits or less damping", quantity, bits);
 }
 
-/* Memory. GMP and FLINT would abort; exit() cleans up unfinished files. */
+/* Handles a failure of GMP or FLINT, which would abort: exit() cleans up unfinished files. */
 
 static FLINT_NORETURN void library_gave_up(void)
 {
@@ -180,7 +180,7 @@ void console_start(void)
 
 static bool line_watched;
 static const char *command_name = "";
-static int steps_entered; /* steps entered and not yet left */
+static int steps_entered; /* number of steps entered and not yet left */
 
 static void line_show(const struct step *step)
 {
@@ -244,7 +244,7 @@ static void step_set(struct step *step, const char *name, long done, long total,
 void progress_start(const char *command)
 {
     pthread_t watch;
-    sigset_t all, before; /* as in parallel.c, signals go to the thread that cleans up */
+    sigset_t all, before; /* signals go to the thread that cleans up, as in parallel.c */
     command_name = command;
     if (!isatty(STDERR_FILENO) || line_watched)
         return;

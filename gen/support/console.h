@@ -44,33 +44,32 @@ void progress_leave(void);
 /* --profile: prints the seconds of each named step on stderr when the program ends. Steps of the same name are added.
  * The names must be string literals. */
 void profile_enable(void);
-void profile_step(const char *name); /* ends the current step and starts the next; NULL starts none */
+void profile_step(const char *name); /* ends the current step and starts the next one; NULL: starts none */
 void profile_report(void);
 
 /* malloc, realloc, strdup and a printf that allocates. They end the program with a message and never return NULL. */
 void *xmalloc(size_t size);
 void *xrealloc(void *old, size_t size);
-void *xgrow(void *old, size_t count, size_t size); /* makes room for one more; `count` grows by one from call to call */
+void *xgrow(void *old, size_t count, size_t size); /* makes room for element `count`, one more in each call */
 char *xstrdup(const char *text);
-/* Returns the text for a terminal, a table or a picture: \xNN for each byte of a control character or not of UTF-8. */
+/* Returns a printable copy: \xNN replaces each byte of a control character or outside UTF-8. */
 char *xprintable(const char *text);
 char *xprintf(const char *format, ...) __attribute__((format(printf, 1, 2)));
 char *xvprintf(const char *format, va_list arguments) __attribute__((format(printf, 1, 0)));
 
 /* ---- words.c: unknown words of a command line, and names that a C function cannot have ---- */
 
-/* Returns the number of letters that are omitted, inserted, exchanged, or swapped with their neighbour, between two
- * words of at most WORD_MOST letters. Capitals count as small letters. */
+/* Returns the edit distance of two words of at most WORD_MOST letters: the number of letters omitted, inserted,
+ * replaced, or swapped with their neighbour. Ignores case. */
 enum { WORD_MOST = 63 };
 size_t slips_between(const char *a, const char *b);
 
-/* Reports a usage error about a word that is not in `words`, a list that ends with NULL. Prints the message, the
- * intended word if few typing errors lead from it to the given one, and all words, each after `dashes`. Returns
- * STATUS_USAGE. */
+/* Reports a usage error about a word that is not in `words`, a list that ends with NULL. Prints the message, the word
+ * that was probably meant, if one is close, and all words, each after `dashes`. Returns STATUS_USAGE. */
 int refuse_word(const char *word, const char *const *words, const char *dashes, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
-/* True for a keyword of C99 to C23 or C++11 to C++23, and for std. Compilers refuse other reserved names. */
+/* True for a keyword of C99 to C23 or C++11 to C++23, and for std. Compilers themselves refuse other reserved names. */
 bool c_name_is_reserved(const char *name);
 
 #endif

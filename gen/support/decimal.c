@@ -120,7 +120,7 @@ double decimal_value(const struct decimal *x)
 
 const char *decimal_text(char text[DECIMAL_TEXT], double x)
 {
-    if (isnan(x)) { /* of either sign */
+    if (isnan(x)) { /* NaN of either sign */
         snprintf(text, DECIMAL_TEXT, "nan");
         return text;
     }

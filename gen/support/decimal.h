@@ -30,14 +30,14 @@ bool decimal_parse(struct decimal *x, const char *text, int exponent_digits);
 /* Reads a constant of the program. Ends the program if the text is not a number. */
 void decimal_set(struct decimal *x, const char *text);
 
-void decimal_clear(struct decimal *x); /* x may be all zero, a number that was never given */
+void decimal_clear(struct decimal *x); /* x may be all zero: a number that was never given */
 
 /* The allowed range of a number. `low` and `high` are texts of numbers, or NULL for no limit. */
 struct decimal_range {
     const char *low, *high;
     bool low_allowed, high_allowed;
-    bool nearest;        /* the double nearest to the number must also be in the range, and finite */
-    const char *allowed; /* in words: "a number from 0 to 1e6" */
+    bool nearest;        /* the nearest double must also be finite and in the range */
+    const char *allowed; /* the range in words, such as "a number from 0 to 1e6" */
 };
 bool decimal_inside(const struct decimal_range *range, const fmpq_t x);
 

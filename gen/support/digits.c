@@ -17,7 +17,7 @@ slong digits_to_bits(slong digits)
     return (digits * 3322 + 999) / 1000 + GUARD_BITS; /* log2(10) < 3.322 */
 }
 
-/* Returns the shortest spelling that shows every digit of "-12345" with the point after the first `point` digits. */
+/* Returns the shortest text with all digits of "-12345" and the point after the first `point` digits. */
 static char *digits_spell(const char *mantissa, long point)
 {
     static const char zeros[LEADING_ZEROS_MAX + 1] = "0000";
@@ -39,7 +39,7 @@ char *digits_of_ball(const arb_t x, slong digits)
     if (arf_is_pos_inf(arb_midref(x)))
         return xstrdup("inf");
 
-    /* both ends, rounded outwards, and exact if x is */
+    /* bits that hold both ends, rounded outwards, and exactly if x is exact */
     const slong prec = FLINT_MAX(arb_bits(x), digits_to_bits(digits)) + GUARD_BITS;
     mpfr_t lower, upper;
     char *text = NULL;
@@ -87,7 +87,7 @@ struct precision precision_start(slong digits)
 
 struct precision precision_doubling(slong bits, slong limit)
 {
-    /* the step also doubles: bits, 2 bits, 4 bits, ...; beyond half of the limit no step follows */
+    /* bits and step both double: bits, 2 bits, 4 bits, ...; no step follows beyond half of the limit */
     return (struct precision){.bits = bits, .step = bits, .limit = limit / 2 + 1};
 }
 

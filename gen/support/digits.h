@@ -27,11 +27,11 @@ struct precision {
     slong bits, step, limit;
 };
 
-/* Starts for decimal digits, with steps of 32, 64, 128, ... bits up to three times the bits of the digits plus 512. A
+/* Starts a loop for decimal digits. It adds 32, 64, 128, ... bits, up to three times the bits of the digits plus 512. A
  * number that is undecided at that limit must be zero or a tie, which interval (ball) arithmetic cannot exclude. */
 struct precision precision_start(slong digits);
 
-/* Starts from `bits` bits, which double while they do not exceed `limit`. */
+/* Starts a loop from `bits` bits, which double up to `limit` at most. */
 struct precision precision_doubling(slong bits, slong limit);
 
 /* Raises the number of bits. Returns false at the limit. */

@@ -68,7 +68,7 @@ void emit_comment(struct emit *e, const char *format, ...)
     free(text);
 }
 
-/* Returns the fraction if x is exact and has a binary denominator of few bits, otherwise its digits. */
+/* Returns x as text: a fraction if x is exact with a small power of 2 as its denominator, otherwise its digits. */
 static char *number_text(const arb_t x)
 {
     if (!arb_is_exact(x) || arb_bits(x) > BITS_OF_SMALL || arf_cmpabs_2exp_si(arb_midref(x), BITS_OF_SMALL) > 0 ||
@@ -127,7 +127,7 @@ void emit_digits(FILE *file)
         fprintf(file, "table,row,column,value,digits\n");
 }
 
-/* Writes elements of a table, {...}, separated by commas, in lines that are filled. */
+/* Writes one number of a table; commas separate numbers and {rows}, and lines are filled. */
 static void put_number(struct emit *e, const char *number, bool opens, bool closes)
 {
     const int length = (int)strlen(number) + opens + closes;
@@ -167,7 +167,7 @@ static void table_open(struct emit *e, const char *name)
     e->column = 0;
 }
 
-/* Tables of one row stay local, because compilers make constants of their numbers. */
+/* A table of one row is local to its function, because compilers then use its numbers as constants. */
 void emit_rows_open(struct emit *e, const char *type, const char *name, slong rows, slong columns)
 {
     table_open(e, name);
@@ -331,7 +331,7 @@ void emit_lines(struct emit *e, const char *text, ...)
     va_end(arguments);
 }
 
-/* Writes c_0 + x * (c_1 + x * (... + x * c_n)), Horner's rule. text[k] is c_k; the last may be the number 1. */
+/* Writes Horner's rule, c_0 + x * (c_1 + x * (... + x * c_n)). text[k]: c_k, where c_n may be the number 1 */
 static void put_horner(struct emit *e, const char *name, const char *x, char (*text)[NUMBER_MAX], slong degree,
                        bool monic)
 {

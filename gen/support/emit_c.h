@@ -11,20 +11,20 @@
 
 struct emit {
     FILE *file;
-    bool single;              /* emit_lines and the functions after it write float */
+    bool single;              /* the real type of emit_lines and later functions is float */
     bool decimal;             /* rows and structs in 17 decimal digits, which every C and C++ compiler reads, instead of
                                * hexadecimal */
-    bool shared;              /* rows as in runtime/table/rows.h, decimal or not */
+    bool shared;              /* the text of rows is the one of runtime/table/rows.h, decimal or not */
     const char *table, *type; /* name of the current rows or structs, their type, the number of elements written, and
                                * the length of the last line */
     slong row;
     int column;
-    bool local; /* the table is local to its function */
+    bool local; /* true if the table is local to its function */
 };
 
-/* Also writes each double of emit_row and emit_struct to a csv file, table,row,column,value,digits, with 25 significant
- * digits (a fraction of small integers where the number is one). Headers with `decimal` that are not `shared` are
- * excepted. NULL ends the csv file. */
+/* From now on, also writes each double of emit_row and emit_struct to a csv file, table,row,column,value,digits. The
+ * digits are 25 significant ones, or a fraction of small integers if the number is one. Headers with `decimal` that are
+ * not `shared` are excepted. NULL ends the csv file. */
 void emit_digits(FILE *file);
 
 /* Writes the licence line, the banner and the include guard. The guard is written in capitals. The banner is plain text
@@ -47,9 +47,9 @@ void emit_comment(struct emit *e, const char *format, ...) __attribute__((format
 int emit_doubles(struct emit *e, const char *name, arb_srcptr value, slong length);
 
 /* Writes a function const TYPE *name(int i) that returns row i, TYPE double or float. The table is local to it if it
- * has one row, or if `decimal` and not `shared` (the text then also works on a GPU). Otherwise runtime/table/rows.h
- * decides. Call open, emit_row or emit_float_row for each row, and close. Numbers fill the lines. emit_row returns 0,
- * or 1 after reporting the interval that is too wide. emit_one_row writes a table of one row. */
+ * has one row, or if `decimal` is true and `shared` is not (the text then also works on a GPU). Otherwise
+ * runtime/table/rows.h decides. Call open, emit_row or emit_float_row for each row, and close. Numbers fill the lines.
+ * emit_row returns 0, or 1 after reporting the interval that is too wide. emit_one_row writes a table of one row. */
 void emit_rows_open(struct emit *e, const char *type, const char *name, slong rows, slong columns);
 int emit_row(struct emit *e, arb_srcptr value, slong columns);
 void emit_float_row(struct emit *e, const double *value, slong columns);
@@ -70,14 +70,14 @@ void emit_geometry_integer(struct emit *e, const char *table, const char *what, 
 /* In a function that builds a struct x, sets its field, a pair with hi and lo, from an interval. */
 int emit_pair_field(struct emit *e, const char *field, const arb_t value);
 
-/* Writes a text in which $T is the type of real numbers, $B its number of bits and $F the ending of its functions and
- * numbers, "f" or nothing. These take an argument: $s a text, $S a text in capitals, $d an int, and $x and $b a double
- * that the type contains. $x writes it so that it reads back to the same bits. $b writes its bits as an integer. */
+/* Writes a text. $T becomes the type of real numbers, $B its number of bits, $F the ending of its functions and
+ * numbers, "f" or nothing. Arguments replace $s (a text), $S (a text, in capitals) and $d (an int). $x and $b write a
+ * double: as text that reads back to the same bits, or its bits as an integer. */
 void emit_lines(struct emit *e, const char *text, ...);
-uint64_t emit_bits_of(bool single, double x); /* for $b */
+uint64_t emit_bits_of(bool single, double x); /* the bits of x, for $b */
 
-/* Define `name` as a polynomial in a variable by Horner's rule: of c[0], c[step], ... up to c[degree], or of a row of a
- * table. An addition follows every product, so compilers differ only if they fuse the two. */
+/* Define `name` as a polynomial in a variable by Horner's rule. Its coefficients are c[0], c[step], ... up to
+ * c[degree], or a row of a table. An addition follows every product, so compilers differ only if they fuse the two. */
 void emit_let_polynomial(struct emit *e, const char *name, const char *x, const double *c, slong degree, slong step);
 void emit_let_row_polynomial(struct emit *e, const char *name, const char *table, const char *row, const char *t,
                              slong degree);

@@ -5,12 +5,12 @@
 
 #include <math.h>
 
-/* A bound of a ratio is good enough within this factor of the value `known`. */
+/* A bound of a ratio suffices if it is at most this factor times the value `known`. */
 #define NEAR_KNOWN 1.03
 
 enum {
     MOST_DEGREE = 44,
-    NEGLIGIBLE = -100 /* terms below 2^NEGLIGIBLE of the value join the constant term's radius */
+    NEGLIGIBLE = -100 /* terms below 2^NEGLIGIBLE times the value are added to the constant term's radius */
 };
 
 void enclosed_shorten(arb_poly_t p)

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Enclosures of functions of t, -1 <= t <= 1. A polynomial with intervals as coefficients represents a function if, at
- * every t, the value of the function is the value of the polynomial for some numbers of the intervals. The numbers may
- * depend on t. Sums and products of such polynomials represent sums and products. Terms of high degree, which the sum
- * of their coefficients bounds, become part of the constant term's radius. */
+/* Encloses functions of t, -1 <= t <= 1. A polynomial with intervals as coefficients represents a function if, at every
+ * t, some numbers in the intervals give the function's value. The numbers may depend on t. Sums and products of such
+ * polynomials represent sums and products. Terms of high degree, which the sum of their coefficients bounds, become
+ * part of the constant term's radius. */
 #ifndef COR_GEN_SUPPORT_ENCLOSED_FUNCTION_H
 #define COR_GEN_SUPPORT_ENCLOSED_FUNCTION_H
 
@@ -40,8 +40,8 @@ bool enclosed_exp(arb_poly_t y, const arb_poly_t p);
 /* Computes the root of a positive function. Returns false if it is not proved to be positive. */
 bool enclosed_square_root(arb_poly_t y, const arb_poly_t p);
 
-/* Compute ln(p) and 1/p of a function that differs from its value at t = 0, which is positive, by less than half that
- * value. Return false otherwise. */
+/* Compute ln(p) and 1/p of a function that is positive at t = 0 and differs from p(0) by less than p(0)/2. Return false
+ * for other functions. */
 bool enclosed_logarithm(arb_poly_t y, const arb_poly_t p);
 bool enclosed_inverse(arb_poly_t y, const arb_poly_t p);
 
@@ -49,7 +49,7 @@ bool enclosed_inverse(arb_poly_t y, const arb_poly_t p);
 double enclosed_ratio_at(const arb_poly_t f, const arb_poly_t g, double t);
 
 /* Bounds |f/g| from above. The bound is infinite if g may vanish. Halves the range, at most `halvings` times, until the
- * bound is near `known`: a value that the ratio reaches, or one that is small enough. */
+ * bound is near `known`, a value that the ratio reaches or that is small enough. */
 double enclosed_largest_ratio(const arb_poly_t f, const arb_poly_t g, double known, int halvings);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Only this file handles the ways in which FLINT is installed. FLINT 3 has Arb in flint/. With FLINT 2.9, Arb is a
+/* This file hides the differences between installations of FLINT. FLINT 3 has Arb in flint/. With FLINT 2.9, Arb is a
  * separate library with headers at the top level. CMake sets COR_FLINT_HAS_ARB. Every header whose functions or macros
  * are used is included by name (tests/hygiene/run). The headers that it includes differ between versions of FLINT. */
 #ifndef COR_GEN_SUPPORT_FLINT_H

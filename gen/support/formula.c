@@ -8,7 +8,7 @@
 
 #include "support/local.h"
 
-/* A number of a formula: the rational number `exact` until it meets a ball */
+/* A number of a formula: the rational number `exact`, until an operation combines it with a ball */
 struct value {
     acb_t ball;
     arb_poly_t function;
@@ -33,7 +33,7 @@ static void value_clear(struct value *x)
 }
 LOCAL_STRUCT(value)
 
-/* Returns the real part, the first of both members. */
+/* Returns the real part, which is the first member of both types. */
 static arb_ptr real_of(struct value *x)
 {
     return (arb_ptr)x->ball;
@@ -54,7 +54,7 @@ static _Noreturn void refuse_formula(const struct reader *r)
     abort();
 }
 
-/* Reads the next character if it is in `which`. Otherwise returns 0 and reads nothing. */
+/* Reads and returns the next character if it is in `which`. Otherwise reads nothing and returns 0. */
 static char next_of(struct reader *r, const char *which)
 {
     while (*r->at == ' ')
@@ -227,13 +227,13 @@ static void read_function(struct value *y, struct reader *r, const char *name, s
     expect_sign(r, ")");
 }
 
-/* True for an operand's name, and for a law's name with its exponent .a, .b, ->a or ->b. */
+/* True if `name` is the operand's name, or for a law its name and exponent: .a, .b, ->a or ->b. */
 static bool is_operand(const struct operand *x, const char *name, size_t length)
 {
     if (!x->law)
         return is_named(x->name, name, length);
     const bool field = x->name[0] == '&';
-    const size_t stem = strlen(x->name + field), end = stem + (field ? 1 : 2); /* length of "." or "->" */
+    const size_t stem = strlen(x->name + field), end = stem + (field ? 1 : 2); /* the length of "." or "->" */
     return length == end + 1 && strncmp(x->name + field, name, stem) == 0 &&
            strncmp(field ? "." : "->", name + stem, end - stem) == 0 && (name[end] == 'a' || name[end] == 'b');
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Formulas in balls, written as formulas:
+/* Computes formulas, which are written as texts, in balls:
  *
  *     LET(y, prec, "2*x/(1 - exp(-2*x)) - k^(1/3)", x, k);       y = ..., with prec bits
  *     if (HOLDS(prec, "abs(x) + 1/8 < m->bound", x, m->bound))   false also where balls do not decide
@@ -9,7 +9,7 @@
  * At most 9 operands follow the text, with their C names: arb_t, fmpq_t, struct ratio, slong, int or double. The result
  * may be one of them. An operand law or &s->law, of the type struct cor_exponents, provides its exponents law->a and
  * law->b, s->law.a and s->law.b. + - * / ^ group as usual, -x^2 = -(x^2) and x^y^z = x^(y^z). Whole numbers, rational
- * operands and results of only these are exact. They are rounded only where they meet a ball or a double. Functions:
+ * operands and results of only these are exact. They are rounded only when combined with a ball or a double. Functions:
  * abs, acos, acosh, asin, digamma, exp, expm1, gamma, log, log1p, sinc, sinh, sqrt, and max and min of two numbers. The
  * number pi is available. A text that is not a formula ends the program.
  *
@@ -26,7 +26,7 @@
 
 struct ratio {
     slong num;
-    slong den; /* > 0, lowest terms */
+    slong den; /* above 0; the fraction is in lowest terms */
 };
 
 struct operand {
@@ -36,7 +36,7 @@ struct operand {
     const arb_poly_struct *function;
     const fmpq *exact;
     struct ratio ratio; /* den = 0: absent */
-    slong whole;        /* if all others are absent */
+    slong whole;        /* used if all others are absent */
     double real;        /* NaN: absent */
     const struct cor_exponents *law;
 };
@@ -50,8 +50,8 @@ struct operand {
 void formula_ball(arb_t y, slong prec, const char *text, const struct operand *operands);
 void formula_complex(acb_t y, bool analytic, slong prec, const char *text, const struct operand *operands);
 
-/* The operations of formulas of functions, LET_FUNCTION of enclosed_function.h. All but products return false where the
- * result is not proved to be defined. */
+/* The operations of LET_FUNCTION (enclosed_function.h), whose operands are functions. All except products return false
+ * if the result is not proved to be defined. */
 struct formula_algebra {
     slong bits;
     void (*multiply)(arb_poly_t z, const arb_poly_t x, const arb_poly_t y);

@@ -16,13 +16,13 @@
 
 #define CSS_PIXELS 96.0 /* in an inch */
 
-extern char **environ; /* no header of POSIX declares it */
+extern char **environ; /* POSIX has no header that declares environ */
 
 /* The variable `picture` of a script contains its format. */
 static const char *const format[] = {"svg", "png", "pdf"};
 enum { FORMATS = sizeof format / sizeof *format };
 
-/* Returns the place in the list, or FORMATS. */
+/* Returns the index of the path's format in the list, or FORMATS if it is not there. */
 static int format_of(const char *path)
 {
     const char *const dot = strrchr(file_name(path), '.');

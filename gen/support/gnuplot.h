@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Pictures by the program gnuplot, in the style of the project's figures (docs/style.gp). */
+/* Draws pictures by the program gnuplot, in the style of the project's figures (docs/style.gp). */
 #ifndef COR_GEN_SUPPORT_GNUPLOT_H
 #define COR_GEN_SUPPORT_GNUPLOT_H
 
 #include <stddef.h>
 #include <stdio.h>
 
-/* Checks the format of a picture, the ending of its file: .svg, .png or .pdf; svg without an ending. Returns STATUS_OK,
- * or STATUS_USAGE after a message that names the option --plot. */
+/* Checks the format of a picture, which is the ending of its file name: .svg, .png or .pdf; without an ending svg.
+ * Returns STATUS_OK, or STATUS_USAGE after a message that names the option --plot. */
 int gnuplot_check(const char *path);
 
 /* Begins a script: terminal, colours (black, grey, light, blue, red, green, violet, amber), axes. Returns NULL after a

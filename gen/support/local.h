@@ -80,7 +80,7 @@ LOCAL_TYPE(acb, acb_struct)
 LOCAL_TYPE(arb_poly, arb_poly_struct)
 LOCAL_TYPE(acb_poly, acb_poly_struct)
 
-/* Return the double nearest to the middle of a ball, and doubles that bound |x| above, and x above or below. */
+/* Return the double nearest to the middle of a ball x, an upper bound of |x|, and upper and lower bounds of x. */
 static inline double ball_middle(const arb_t x)
 {
     return arf_get_d(arb_midref(x), ARF_RND_NEAR);

@@ -49,7 +49,7 @@ void output_report_size_limit(void)
 /* ---- the file of a path ---- */
 
 #define TEMPORARY ".corgen-XXXXXX"
-enum { LINKS_MOST = 40 /* the limit of the kernel */ };
+enum { LINKS_MOST = 40 /* the kernel's limit of symbolic links */ };
 
 const char *file_name(const char *path)
 {
@@ -57,7 +57,7 @@ const char *file_name(const char *path)
     return slash ? slash + 1 : path;
 }
 
-/* Returns `last` in the folder of the path, malloc'ed. */
+/* Returns the malloc'ed path of a file named `last` in the folder of `path`. */
 static char *path_next_to(const char *path, const char *last)
 {
     return xprintf("%.*s%s", (int)(file_name(path) - path), path, last);
@@ -117,7 +117,7 @@ static void signals_block(sigset_t *before)
 static bool folder_accepts(const char *target)
 {
     char *const name = path_next_to(target, TEMPORARY);
-    sigset_t before; /* an interruption leaves no file */
+    sigset_t before; /* block signals: an interruption leaves no file */
     signals_block(&before);
     const int fd = mkstemp(name);
     if (fd >= 0) {
@@ -210,7 +210,7 @@ int output_open(struct output *out, const char *path)
 
 /* ---- committing ---- */
 
-/* Closes files that are written directly, and completes the bytes of the others. */
+/* Closes an output that is written directly; otherwise completes its bytes in memory. */
 static int output_complete(struct output *out)
 {
     errno = 0;
@@ -259,7 +259,7 @@ int output_commit_all(struct output *out, int n)
     int result = STATUS_OK;
     for (int i = 0; i < n && result == STATUS_OK; i++)
         result = output_complete(&out[i]);
-    sigset_t before; /* an interruption leaves no temporary file, and all new files or none */
+    sigset_t before; /* block signals: an interruption leaves no temporary file, and either all new files or none */
     signals_block(&before);
     for (int i = 0; i < n && result == STATUS_OK; i++)
         result = out[i].target ? output_prepare(&out[i]) : STATUS_OK;
@@ -388,7 +388,7 @@ int table_read(struct table *t, const char *option, const char *path, const char
     free(all);
     if (!bytes)
         return usage_error("--%s: cannot read %s: %s", option, path, strerror(errno));
-    char *const start = strncmp(bytes, "\xef\xbb\xbf", 3) == 0 ? bytes + 3 : bytes; /* behind a byte order mark */
+    char *const start = strncmp(bytes, "\xef\xbb\xbf", 3) == 0 ? bytes + 3 : bytes; /* after a byte order mark */
     for (char *line = start, *next; line && !wrong; line = next) {
         char *field[COLUMNS];
         next = strchr(line, '\n');
@@ -479,7 +479,7 @@ static bool is_integer(const char *text)
     return is_number(text) && text[strspn(text, "-0123456789")] == '\0';
 }
 
-/* Prints progress once in a thousand cells, and only on a terminal. */
+/* Updates the progress after every thousandth cell, only on a terminal. */
 static void print_progress(const struct table *t, long cell)
 {
     if (cell > 0 && cell % 1024 == 0)
@@ -542,7 +542,7 @@ void table_print_end(enum output_format format, FILE *file)
     fputs(format == FORMAT_JSON ? "\n]\n" : "", file);
 }
 
-/* Integers are aligned right, other numbers left, with their signs in a separate column. */
+/* The layout of a text column. Integers are aligned right; other numbers left, with signs in a separate column. */
 struct text_column {
     int width;
     bool whole, sign;

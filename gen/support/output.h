@@ -16,7 +16,7 @@ enum output_format { FORMAT_TEXT, FORMAT_CSV, FORMAT_JSON, FORMAT_LATEX };
  * All other paths are written directly: standard output (path NULL or /dev/stdout), a terminal, a pipe, /dev/null. */
 struct output {
     FILE *file;
-    FILE *screen;     /* a terminal that also shows progress, so that `bytes` are written at once; or NULL */
+    FILE *screen;     /* a terminal that also shows progress: `bytes` are written at once; or NULL */
     const char *path; /* as given, for messages; NULL = standard output */
     char *target;     /* the file to be replaced, behind all links; NULL = written directly */
     char *temporary;  /* the temporary file with the new text, during a commit */
@@ -24,8 +24,8 @@ struct output {
     size_t size;
 };
 
-/* Makes a write beyond the limit of a file's size fail, which is reported, instead of ending the process. output_open
- * also does this. */
+/* Makes a write beyond the limit of a file's size fail with an error, instead of ending the process. output_open also
+ * does this. */
 void output_report_size_limit(void);
 
 /* Sets the text that SIGINT, SIGTERM and SIGHUP print before they end the process, or NULL. The caller owns it. */
@@ -38,10 +38,10 @@ bool output_is_direct(const char *path);
 bool output_same_file(const char *path, const char *other);
 
 /* These functions return STATUS_OK, or STATUS_FAILED after reporting the reason on stderr. A failure leaves no files
- * behind. output_check refuses a path that output_open would refuse, before a computation is done in vain. */
+ * behind. output_check refuses every path that output_open would refuse, so that no computation is wasted. */
 int output_check(const char *path);
 int output_open(struct output *out, const char *path);
-int output_commit(struct output *out); /* also reports a full disk behind standard output */
+int output_commit(struct output *out); /* also reports a full disk at standard output */
 
 /* Commits a set of files. Every file is complete before the first rename, and signals are blocked between
  * the renames. If one file fails, all are discarded. */
@@ -62,15 +62,15 @@ const char *file_name(const char *path);
 char *read_file(const char *path, size_t most, size_t *size);
 
 /* A table of strings. The header row names the columns exactly as the contract does. In JSON the table is an array of
- * objects. Numbers are numbers, with all their digits; missing and infinite numbers are null. In csv a missing number,
- * an empty cell, is nan. */
+ * objects. Its numbers have all digits; missing and infinite numbers are null. In csv a missing number, an empty cell,
+ * is nan. */
 enum {
     TABLE_NUMBER = 'n',
-    TABLE_DIGITS = 'd', /* numbers with more digits than a double may hold: texts with json_strings */
+    TABLE_DIGITS = 'd', /* numbers that may have more digits than a double: strings with json_strings */
     TABLE_TEXT = 't'
 };
 struct table {
-    char *header;  /* its commas are zeros; column[] points into it */
+    char *header;  /* names, separated by zeros in place of commas; column[] points into it */
     char **column; /* names */
     int columns;
     char *kinds; /* kinds of the columns, a letter each */

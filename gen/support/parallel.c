@@ -44,7 +44,7 @@ static const double PROGRESS_SECONDS = 0.2;
 struct loop {
     void (*task)(void *context, slong i);
     void *context;
-    int (*finish)(void *context, slong i); /* or NULL; then `tick` and `ready` are unused */
+    int (*finish)(void *context, slong i); /* NULL without order; then `tick` and `ready` are unused */
     void (*tick)(void *context);
     slong count;
     atomic_long next;
@@ -108,7 +108,7 @@ static void loop_run(struct loop *loop)
     const slong wanted = FLINT_MIN((slong)parallel_threads(), loop->count);
     pthread_t *thread = xmalloc((size_t)FLINT_MAX(wanted, 1) * sizeof *thread);
     pthread_condattr_t attributes;
-    sigset_t all, before; /* the threads receive no signals; the thread that cleans up does */
+    sigset_t all, before; /* only the thread that cleans up receives signals */
     slong started = 0;
     pthread_condattr_init(&attributes);
     pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC); /* the clock of clock_seconds */

@@ -18,7 +18,7 @@ static size_t smaller_of(size_t x, size_t y)
 
 size_t slips_between(const char *a, const char *b)
 {
-    size_t slips[WORD_MOST + 1][WORD_MOST + 1]; /* between the first letters of both */
+    size_t slips[WORD_MOST + 1][WORD_MOST + 1]; /* distance between the first letters of both words */
     const size_t m = strlen(a), n = strlen(b);
     for (size_t i = 0; i <= m; i++)
         for (size_t j = 0; j <= n; j++) {
@@ -33,7 +33,7 @@ size_t slips_between(const char *a, const char *b)
     return slips[m][n];
 }
 
-/* Returns the nearest word, or NULL if none is near. */
+/* Returns the most similar word, or NULL if none is similar. */
 static const char *nearest_word(const char *word, const char *const *words)
 {
     const char *nearest = NULL;

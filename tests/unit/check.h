@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Shared by the unit tests: errors in units of the last place, and a seeded random state. COR_SEED=<number> repeats a
- * run. COR_TEST_MULTIPLIER=<number> draws that many times more points. COR_TEST_DIVISOR draws that many times fewer,
- * for tests of memory use. COR_TEST_LONG=1, which tests/run --long sets, runs all cases where a normal run selects a
- * few. */
+ * run. COR_TEST_MULTIPLIER=<number> multiplies the number of random points. COR_TEST_DIVISOR divides it, for tests of
+ * memory use. COR_TEST_LONG=1, which tests/run --long sets, runs all cases; a normal run selects a few. */
 #ifndef COR_TESTS_CHECK_H
 #define COR_TESTS_CHECK_H
 
@@ -44,7 +43,7 @@
         check_before = before;                                                                                         \
         check_after = after;                                                                                           \
     }
-#define AT_START __attribute__((constructor)) static void /* compilers differ in the order of such functions */
+#define AT_START __attribute__((constructor)) static void /* compilers differ in the order of constructors */
 
 #define check(condition, ...)                                                                                          \
     do {                                                                                                               \
@@ -108,7 +107,7 @@ static inline int in_turn(size_t i, size_t n)
     return check_number("COR_TEST_WHOLE", 0) || (i + (size_t)check_number("COR_TEST_TURN", 0)) % few_or_all(n, 1) == 0;
 }
 
-/* True if tests/run leaves this case to another turn, as in_turn does. False without COR_TEST_TURN. */
+/* True if tests/run --turn leaves this case to another turn, chosen as in in_turn. False without COR_TEST_TURN. */
 static inline int left_to_turn(size_t i, size_t n)
 {
     return getenv("COR_TEST_TURN") && !in_turn(i, n);
@@ -131,7 +130,7 @@ static inline struct random_state random_start(void)
     return random_seeded(check_seed());
 }
 
-/* The random numbers of a test function, independent of the tests before it */
+/* The state of random numbers; each test function starts it again, so tests are independent */
 static struct random_state draw;
 
 static inline void draw_begin(void)

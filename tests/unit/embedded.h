@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The functions of embedded_unit.c that test_embedded.c calls, across languages. */
+/* Declares the functions of embedded_unit.c, which test_embedded.c calls from another language. */
 #ifndef COR_TESTS_EMBEDDED_H
 #define COR_TESTS_EMBEDDED_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* generated/cor_sphere.h in its intended use: compiled into the user's own unit, in C99, C++11 or CUDA
- * (tests/header/run). Included twice, which must be harmless. */
+/* Uses generated/cor_sphere.h as a user does: compiled into another unit, in C99, C++11 or CUDA (tests/header/run). The
+ * file includes it twice, which must be harmless. */
 #include "cor_sphere.h"
 
 #include "embedded.h"
@@ -12,7 +12,7 @@ const struct embedded_function embedded_functions[EMBEDDED_FUNCTIONS] = {
 };
 
 #if defined(__CUDACC__) || defined(__HIPCC__)
-/* Every function in a kernel; compiled always, run only if a device exists. */
+/* Calls every function in a kernel. nvcc always compiles it; it runs only if a device exists. */
 __global__ void embedded_kernel(const double *x, double *y, int n)
 {
     const int i = (int)(blockIdx.x * blockDim.x + threadIdx.x);

@@ -33,7 +33,7 @@ static double uniform(struct bit_source *source, double low, double high)
     return low + (high - low) * ((double)(bits(source) >> 11) * 0x1p-53);
 }
 
-/* Uses no exp or log, so the bits do not depend on the C library. */
+/* Draws without exp and log, so that the bits do not depend on the C library. */
 double draw_size(struct bit_source *source, double low, double high)
 {
     int first, last;
@@ -43,7 +43,7 @@ double draw_size(struct bit_source *source, double low, double high)
     return fmin(fmax(ldexp(uniform(source, 0.5, 1), exponent), low), high);
 }
 
-/* Returns the double with these bits, or a quiet NaN, because a signalling NaN raises FE_INVALID wherever it goes. */
+/* Returns the double with these bits, or a quiet NaN, because any use of a signalling NaN raises FE_INVALID. */
 static double of_bits(uint64_t x)
 {
     double value;
@@ -154,7 +154,7 @@ static void without_subnormals(void *numbers, size_t size)
     }
 }
 
-/* Returns a contact as an init sets it. by_hand: any numbers, except subnormal numbers, which no init sets. */
+/* Returns a contact as the init functions set it. by_hand: any numbers that are not subnormal */
 static struct cor_sphere_contact contact(struct bit_source *source, int by_hand)
 {
     struct cor_sphere_contact drawn;
@@ -216,7 +216,7 @@ static void disk_draw(struct arguments *a, struct bit_source *source, size_t i)
     a->tolerance[i] = draw_below(source, 4) ? draw_size(source, 1e-6, 1) : any_number(source);
 }
 
-/* Copies a table of the library. Replaces some entries by other entries, or numbers in them by numbers of no mode. */
+/* Copies a table of the library and damages it by entries of other modes, or by numbers of no mode. */
 static void harm_modes(struct cor_disk_mode *mode, struct bit_source *source)
 {
     memcpy(mode, cor_disk_modes_nu033.mode, PUBLIC_MODES * sizeof *mode);
@@ -242,7 +242,7 @@ void arguments_draw(struct arguments *a, struct bit_source *source, size_t n, in
 #include "public_functions.inc"
         a->elastic_exponent[i] =
             draw_below(source, 2) ? 1.5 - 0.5 * (double)draw_below(source, 2) : a->elastic_exponent[i];
-        a->contact[i] = contact(source, i > 0); /* arrays use the first one */
+        a->contact[i] = contact(source, i > 0); /* array functions use the first contact for all elements */
         a->body_1[i] = body(source);
         a->body_2[i] = body(source);
         a->sphere[i] = body(source);
@@ -353,7 +353,7 @@ int public_is_part(const struct public_function *function, size_t j, size_t n)
     }
 #include "public_functions.inc"
 
-/* ---- the others ---- */
+/* ---- functions of other kinds ---- */
 
 /* Appends the values (kind 0), the arrays (1) or the floats (2) for a->n numbers. Covers every combination of law, end
  * and quantity, and some that do not exist. */
@@ -507,10 +507,10 @@ static void call_cor_disk_rayleigh_tolerance(const struct arguments *a, struct r
     results_put(r, (double)modes);
 }
 
-/* Not allocated, so that all allocations are the library's */
+/* A static workspace, so that only the library allocates memory */
 static unsigned char workspace[1 << 22];
 
-/* For a soft or a rigid wall: one collision without an observer, and one with it */
+/* Calls the functions of a soft or a rigid wall: one collision without an observer, and one with an observer */
 #define COLLISIONS(wall, moment_of_wall, n_modes, numbers, last)                                                       \
     static void put_##wall(struct results *r, const struct cor_disk_##wall *out)                                       \
     {                                                                                                                  \
@@ -558,7 +558,7 @@ static void call_cor_disk_collision_array(const struct arguments *a, struct resu
 
 static void call_cor_disk_hard_wall_nu(const struct arguments *a, struct results *r)
 {
-    if (a->n_modes[0] % 4 != 0) /* it computes its modes, which is slow */
+    if (a->n_modes[0] % 4 != 0) /* each call computes its modes, which is slow */
         return;
     const struct cor_disk_hard_wall_options options = {fmax(a->disk_hard_wall_options[0].tolerance, 1e-2), 0};
     struct cor_disk_hard_wall out;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A call of every public function, from the list public_functions.inc, for tests of their common guarantees. */
+/* Declares a call of every public function of the list public_functions.inc, for tests of their common guarantees. */
 #ifndef COR_TESTS_PUBLIC_CALLS_H
 #define COR_TESTS_PUBLIC_CALLS_H
 
@@ -14,7 +14,7 @@
 /* More numbers than any loop of the library processes at once */
 enum { PUBLIC_COUNT = 150, PUBLIC_MODES = 320 }; /* enough modes for two levels of the rigid wall */
 
-/* n arguments for each parameter name in the headers */
+/* Arguments: n values for each parameter name in the headers */
 struct arguments {
 #define NUMBER(name)                                                                                                   \
     double name[PUBLIC_COUNT];                                                                                         \
@@ -46,7 +46,7 @@ struct random_bits {
 
 uint64_t random_bits_next(struct bit_source *source);
 size_t draw_below(struct bit_source *source, size_t n);               /* 0, 1, ... or n - 1 */
-double draw_size(struct bit_source *source, double low, double high); /* all magnitudes about equally likely */
+double draw_size(struct bit_source *source, double low, double high); /* makes all magnitudes about equally likely */
 
 /* Draws arguments inside and outside the domains: special and extreme values, any magnitude, and ordinary values. No
  * subnormal values if `subnormal` is 0. */
@@ -65,12 +65,12 @@ enum public_type { PUBLIC_double, PUBLIC_float, PUBLIC_size_t, PUBLIC_several };
 
 struct public_function {
     const char *name;
-    void (*call)(const struct arguments *a, struct results *r);     /* calls at all n, or once */
-    void (*elements)(const struct arguments *a, struct results *r); /* for an array: calls one by one; or NULL */
+    void (*call)(const struct arguments *a, struct results *r);     /* one call for all n, or one call at all */
+    void (*elements)(const struct arguments *a, struct results *r); /* for an array: a call for each; or NULL */
     enum public_type type;
 };
 
-/* True if result j of a call with n arguments is eps or 1 - eps, and so in [0, 1]. The function's name decides. */
+/* True if result j of a call with n arguments is eps or 1 - eps, which is in [0, 1]. Decides by the function's name. */
 int public_is_part(const struct public_function *function, size_t j, size_t n);
 
 extern const struct public_function public_functions[];

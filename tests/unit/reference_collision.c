@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { GAUSS = 16, MOST_ORDER = 34, MOST_STEPS = 1000000 }; /* GAUSS: points of a panel */
+enum { GAUSS = 16, MOST_ORDER = 34, MOST_STEPS = 1000000 }; /* GAUSS: number of points of a panel */
 
 struct effort {
     int wide, order;  /* wide: quad precision instead of long double */
@@ -14,21 +14,21 @@ struct effort {
     double panels;    /* number of panels relative to the first guess */
 };
 
-/* ln of the factor below the tolerance at which a pressure is negligible */
+/* A pressure below exp(-MARGIN) times the tolerance is negligible. */
 #define MARGIN 12.0
 
 /* A disk and the results of a run */
 struct disk {
     const struct cor_disk_mode *mode;
-    size_t n, rows; /* rows: two for each n from 0 onward, cos(n phi) cos(phi) and -sin(n phi) sin(phi) */
+    size_t n, rows; /* rows: two for each n >= 0: cos(n phi) cos(phi) and -sin(n phi) sin(phi) */
     double alpha, speed;
     const struct effort *effort;
-    size_t points, active; /* active: only the points before it have a pressure */
-    double *path, *load;   /* the series of a step: [k][1 + n] of x_0 + 1 and Q, and [k] */
+    size_t points, active; /* active: number of points that have a pressure */
+    double *path, *load;   /* series of a step: path[k][1 + n] of x_0 + 1 and Q, load[k] */
     long double eps;
     double one_minus_eps2, max_compression, max_load;
     double level, start, end;           /* level: load where contact begins and ends, 0 if unknown; start, end: times */
-    double *after, *integral, *average; /* of each mode; average may be NULL */
+    double *after, *integral, *average; /* energies of each mode; average may be NULL */
 };
 
 static void *take(size_t count, size_t bytes)
@@ -47,7 +47,7 @@ static double negligible_position(const struct disk *disk)
     return fmin(0, (log(disk->effort->tolerance * disk->alpha * disk->speed * disk->speed) - MARGIN) / disk->alpha);
 }
 
-/* Returns the largest distance (or, with speed, velocity) that free modes can give the rim, if all amplitudes had one
+/* Bounds the distance (with `speed`, the velocity) that free modes can give the rim, as if all amplitudes had one
  * sign. */
 static double swing(const struct disk *disk, int speed)
 {
@@ -60,7 +60,7 @@ static double swing(const struct disk *disk, int speed)
     return sum;
 }
 
-/* Returns the longest step for which the last two orders change no velocity by more than the tolerance. */
+/* Returns the longest step in which the last two orders of the series change no velocity by more than the tolerance. */
 static double step_allowed(const struct disk *disk)
 {
     const size_t width = 1 + disk->n;
@@ -74,7 +74,7 @@ static double step_allowed(const struct disk *disk)
 
 /* ---- moments within a step, from its series ---- */
 
-/* sum c_k t^k, k < count, or its slope; the coefficients are `apart` elements apart. */
+/* A polynomial: sum c_k t^k, k < count, or its slope. The coefficients are `apart` elements apart. */
 struct track {
     const double *c;
     size_t apart;
@@ -144,7 +144,7 @@ static void follow(struct disk *disk, double time, double h)
                 integrate_energies(disk, t, disk->integral, disk->average);
         } else if (level > 0 && isnan(disk->start)) {
             disk->start = time + t;
-            if (disk->average != NULL) /* so that the integral is 0 here */
+            if (disk->average != NULL) /* subtracts the integral so far, so that it is 0 here */
                 integrate_energies(disk, t, disk->integral, disk->integral);
             for (size_t i = 0; disk->average != NULL && i < disk->n; i++)
                 disk->integral[i] = -disk->integral[i];
@@ -175,7 +175,7 @@ static long double long_exp(long double x)
 __extension__ typedef __float128 quad;
 #define REAL quad
 #define NAME(x) quad_##x
-/* The nearest long double, plus the remainder */
+/* Returns pi: the nearest long double plus the remainder. */
 static quad quad_pi(void)
 {
     return (quad)3.141592653589793238462643383279502884L + (quad)-5.0165576126683320235e-20L;
@@ -211,8 +211,8 @@ static int disk_collide(struct disk *disk)
     return long_collide(disk);
 }
 
-/* Returns the panels for about 16 digits. The pressure decays over alpha^(-2/3) at the edge of the contact, and over
- * alpha^(-1/2) in a small contact. A mode has n_max waves. */
+/* Returns the number of panels for about 16 digits. The pressure decays over the length alpha^(-2/3) at the edge of the
+ * contact, and over alpha^(-1/2) in a small contact. A mode has up to n_max waves. */
 static double panels_needed(const struct disk *disk)
 {
     const double contact = sqrt(disk->speed) * pow(disk->alpha, 2.0 / 3);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The collision of a disk with the wall exp(alpha x)/alpha, (40), (44), (45) of Gerl and Zippelius, by Taylor series in
- * time. It is the reference for tests of cor_disk_collision and shares neither code nor method with that function. */
+/* Computes the collision of a disk with the wall exp(alpha x)/alpha, (40), (44), (45) of Gerl and Zippelius, by Taylor
+ * series in time. This reference for cor_disk_collision shares neither code nor method with that function. */
 #ifndef COR_TESTS_REFERENCE_COLLISION_H
 #define COR_TESTS_REFERENCE_COLLISION_H
 
@@ -11,7 +11,7 @@
 struct reference_collision {
     double eps, one_minus_eps2, contact_time, max_compression; /* as in struct cor_disk_collision */
     double energy_drift;
-    double error; /* four times the difference in eps of the last two runs, mainly the error of the earlier one */
+    double error; /* four times the difference in eps of the last two runs, mainly the error of the earlier run */
 };
 
 /* Solves the equations of motion, with the signs that conserve energy, in the variables x_0 and Q,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A whole collision in the type REAL, which is wider than double. reference_collision.c, which defines struct disk,
- * includes this file once for each such type. NAME(x) is x with the prefix of the type. */
+/* Computes a whole collision in the type REAL, which is wider than double. reference_collision.c, which defines struct
+ * disk, includes this file once for each such type. NAME(x) is x with the prefix of the type. */
 
 /* Computes cos(angle) - 1 and sin(angle) for |angle| < 1. */
 static void NAME(small_angle)(REAL angle, REAL *cos_less_1, REAL *sine)
@@ -36,12 +36,12 @@ static void NAME(gauss_rule)(REAL node[GAUSS], REAL weight[GAUSS])
     }
 }
 
-/* Coefficients of t^k. `rise` is alpha k x_k, for the recurrence of the exponential. */
+/* Coefficients of t^k. `rise` is alpha k x_k, from which the recurrence computes the exponential. */
 struct NAME(series) {
     REAL *table;           /* [point][row]: displacement of the rim per unit of the row's sum */
     REAL *shape, *weight;  /* [point]: alpha (cos(phi) - 1); weights of the rule, for both quadrants */
     REAL *position;        /* [k][1 + n]: x_0 + 1 and Q; the state is k = 0 and 1 */
-    REAL *rise, *pressure; /* [k][point]: without the shape; with the weight */
+    REAL *rise, *pressure; /* [k][point]: alpha k x_k without the shape of the disk; pressure times weight */
     REAL *sum;             /* [row] */
 };
 

@@ -13,7 +13,7 @@ static int modes, angles;
 static double rim[MOST_MODES][MOST_ANGLES]; /* sqrt(w_i) s_i */
 static double omega[MOST_MODES], q[MOST_MODES], q_dot[MOST_MODES];
 static double compliance[MOST_ANGLES][MOST_ANGLES], reach[MOST_ANGLES], force[MOST_ANGLES];
-static double equation[MOST_ANGLES][MOST_ANGLES + 1]; /* last column: the right side, then the solution */
+static double equation[MOST_ANGLES][MOST_ANGLES + 1]; /* last column of the system: the right side, then the solution */
 static int touches[MOST_ANGLES];
 
 static double rim_function(const struct cor_disk_mode *mode, double phi)
@@ -26,7 +26,7 @@ static double angle(int j)
     return j * pi / wall->nyquist;
 }
 
-/* Returns the static compliance of every n up to Nyquist's number, docs/paper-figures.md, Fig. 10, times pi. */
+/* Returns pi times the static compliance, summed over n up to Nyquist's number (docs/paper-figures.md, Fig. 10). */
 static double static_compliance(double nu, double phi, double psi)
 {
     double sum = (1 - nu) / 2 * cos(phi) * cos(psi);
@@ -111,7 +111,7 @@ static int balance(void)
     return 0;
 }
 
-/* Changes one angle at a time: removes the most attractive one, or else adds the deepest one (Lawson and Hanson). */
+/* Changes one angle at a time: removes the most attractive one, otherwise adds the deepest one (Lawson and Hanson). */
 static int press(void)
 {
     for (int round = 0; round < 100 * angles; round++) {

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* A disk at a rigid wall by the formulas of derivation 17, used directly. Every sum is written out and every contact
- * found from scratch. Plain kicks have an error of h^2. Slow; tests compare runtime/disk/hard_wall_*.c with it. */
+/* Computes the collision of a disk with a rigid wall directly by the formulas of derivation 17: every sum is written
+ * out, and every contact is found anew. Plain kicks have an error of h^2. Slow; the reference for
+ * runtime/disk/hard_wall_*.c. */
 #ifndef COR_TESTS_REFERENCE_HARD_WALL_H
 #define COR_TESTS_REFERENCE_HARD_WALL_H
 
 #include <cor/disk.h>
 
 struct reference_wall {
-    double omega;  /* modes below it move */
+    double omega;  /* modes below omega move */
     int fade_next; /* w = (1 - r^2)^2 (1 + fade_next r^2) */
     double h;
     int nyquist; /* angles are pi/nyquist apart; n goes up to nyquist */

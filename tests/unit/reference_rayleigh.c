@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The cosine integral of cor/disk.h along the real axis, mode after mode,
+/* Computes the cosine integral of cor/disk.h along the real axis for one mode after the other,
  *
  *     I(omega) = int_0^(pi/2) sin(theta) cos(omega s(theta)) dtheta,     s(theta) = int_theta^(pi/2) sqrt(y/2) dtheta',
  *     y = 1 + t,     t - ln(1 + t) = 2 ln(v_limit/(v sin(theta))),
@@ -13,7 +13,7 @@
 typedef long double real;
 enum { POINTS = 28, HALVINGS = 40 }; /* points of a panel; halvings towards each end, until only rounding remains */
 #define PHASE 30                     /* a panel spans at most this much of omega s, at the highest frequency */
-#define NEAR 1e-11L                  /* a relative step below this was the last: its square is rounding */
+#define NEAR 1e-11L                  /* the last relative step is below this: its square is rounding */
 
 static const real pi = 3.14159265358979323846264338327950288L;
 
@@ -60,7 +60,7 @@ static void rule_init(struct rule *rule)
 
 /* ---- the contact law ---- */
 
-/* Newton's method from above, where it decreases to the root without overshooting. */
+/* Computes t of q by Newton's method. It starts above the root and decreases without overshooting. */
 static real lambert(real q)
 {
     if (!(q > 0))

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Calls of every function of scene.h, from the list public_functions.inc; public_calls.h calls the other functions. The
- * arguments have the names of the parameters. scene_arguments_draw draws them beforehand. */
+/* Calls every function of scene.h in the list public_functions.inc; public_calls.h calls the other functions. The
+ * arguments have the names of the parameters, and scene_arguments_draw draws them. */
 #ifndef COR_TESTS_SCENE_CALLS_H
 #define COR_TESTS_SCENE_CALLS_H
 
@@ -13,18 +13,18 @@ enum { SCENES = 4 };
 
 struct scene_arguments {
     struct cor_scene scene;
-    struct cor_scene_contact contact; /* of the scene, or filled at random */
+    struct cor_scene_contact contact; /* the contact of the scene, or filled at random */
     double x[4], steps, tolerance;
     const struct cor_simulator_model *model;
     int end, number;
 };
 static struct arguments *sets;
-static struct scene_arguments *scene_sets; /* SCENES of each of sets[] */
+static struct scene_arguments *scene_sets; /* SCENES scenes for each of sets[] */
 
 /* Numbers of a scene: mostly ordinary ones from `low` to `high`, or not given */
 static const struct {
     double low, high;
-    unsigned given, of; /* given in `given` of `of` scenes */
+    unsigned given, of; /* the number is given in `given` out of `of` scenes */
 } scene_numbers[COR_SCENE_NUMBERS] = {[COR_SCENE_YOUNG] = {1e6, 1e12, 1, 1},
                                       [COR_SCENE_POISSON] = {1e-3, 0.5, 1, 1},
                                       [COR_SCENE_RADIUS] = {1e-6, 1, 1, 1},
@@ -93,10 +93,10 @@ static void scene_arguments_draw(struct scene_arguments *s, struct bit_source *r
     const clock_t start = clock();
     cor_scene_step_error(&(struct cor_step_error){0}, &s->contact, s->x[0], s->end, 4, s->number % COR_INTEGRATORS);
     if (clock() - start > CLOCKS_PER_SEC / 1000 || !(cor_scene_beta(&s->contact, s->x[0]) < 1))
-        s->steps = 0; /* no time step, because a thousand steps need milliseconds */
+        s->steps = 0; /* no time step: a thousand steps would need milliseconds */
 }
 
-/* Draws the scenes for one of sets[], which is already drawn. */
+/* Draws the scenes that belong to sets[i], whose other arguments are already drawn. */
 static void scene_sets_draw(size_t i, struct bit_source *source)
 {
     for (size_t k = 0; k < SCENES; k++)

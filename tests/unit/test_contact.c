@@ -65,7 +65,7 @@ TEST(against_long_double)
         check_ulp(c.beta_per_root, beta_per_root, COR_CONTACT_MAX_ULP);
         check_ulp(c.scale, 1 / root, COR_CONTACT_MAX_ULP);
         check_ulp(cor_contact_beta(&c, speed), beta, COR_CONTACT_MAX_ULP);
-        /* a fifth power has twice the bound and may leave the range */
+        /* g*, a fifth power, has twice the bound and may leave the range */
         if (g_star < 0.9 * COR_SI_MOST && g_star > 1.1 * COR_SI_LEAST)
             check_ulp(computed_g_star, g_star, 2 * COR_CONTACT_MAX_ULP);
     }
@@ -79,8 +79,8 @@ static double (*const eps_at_beta[2])(double) = {cor_sphere_eps_zero_overlap, co
 static double (*const time_of_eps[2])(const struct cor_sphere_contact *, double, double) = {
     cor_contact_dissipation_time_s_zero_overlap, cor_contact_dissipation_time_s_zero_force};
 
-/* The functions of a speed; those with results in seconds or metres need a scale. Values at the speeds 0 and infinity,
- * and at infinity without dissipation. */
+/* The functions of a speed, and their values at the speeds 0 and infinity, and at infinity without dissipation.
+ * Functions with results in seconds or metres need a scale. */
 static const struct {
     const char *name;
     contact_function *of;
@@ -173,7 +173,7 @@ static void all_nan(const struct cor_sphere_contact *c)
     special_speeds(c, 0);
 }
 
-/* Puts a wrong value into one member of a good body, and uses it as the first and as the second body. */
+/* Checks that a body with one wrong member is refused, as the first and as the second body. */
 static void refused(size_t member, double value, int status)
 {
     struct cor_body wrong = glass;
@@ -216,7 +216,7 @@ TEST(wrong_inputs)
         refused(time, *extreme, COR_ERROR_RANGE);
     }
 
-    /* values for both bodies, and the ends of the range */
+    /* a value for both bodies, and the ends of its range */
     const struct {
         size_t member;
         double value;
@@ -257,7 +257,7 @@ TEST(wrong_inputs)
 
 TEST(status_texts)
 {
-    /* a characteristic word of each sentence, by number, with | between them */
+    /* a characteristic word of the text of each status, in their order, with | between them */
     char words[] =
         "No error|NULL|Young's modulus of|Poisson's|dissipation|radius of|mass of|radii|masses|Young's moduli|"
         "characteristic|double|of a disk|datum|cor_disk_speed_limit|by increasing|tolerance must|opened|"
@@ -295,7 +295,7 @@ TEST(dissipation_time)
     assert_true(cor_dissipation_time_s(3, 1, 1e9, 0.25) == 0); /* 3 eta_2 = eta_1 */
     assert_true(cor_dissipation_time_s(1, 1, 1e9, 0.5) == 0);  /* incompressible */
     assert_true(cor_dissipation_time_s(0, 0, 1e9, 0.25) == 0);
-    assert_true(cor_dissipation_time_s(0, 1e200, 1e9, 0.25) > 0); /* the square does not overflow */
+    assert_true(cor_dissipation_time_s(0, 1e200, 1e9, 0.25) > 0); /* the square in the formula does not overflow */
     assert_true(isfinite(cor_dissipation_time_s(0, 1e200, 1e9, 0.25)));
     assert_true(cor_dissipation_time_s(3e-200, 1e-200, 1e9, 1e-200) == 0); /* nor does 1/nu^2 */
     const double bad[][4] = {{1, 2, 1e9, 0},           {1, 2, 1e9, -0.0},        {1, 2, 1e9, -1},
@@ -420,7 +420,7 @@ TEST(dimensions_against_long_double)
     }
 }
 
-/* A -> eps -> A is exact up to the rounding of eps. */
+/* A -> eps -> A returns A up to the effect of rounding eps. */
 TEST(dissipation_time_from_eps)
 {
     for (size_t i = 0; i < points(20000); i++) {
@@ -428,7 +428,7 @@ TEST(dissipation_time_from_eps)
         body.dissipation_time_s = random_log(&draw, 1e-12, 1e-2);
         body.radius_m = random_log(&draw, 1e-5, 1);
         const struct cor_sphere_contact c = contact_of(body, body);
-        body.dissipation_time_s = 1; /* the time in the contact is ignored */
+        body.dissipation_time_s = 1; /* the dissipation time of the given contact is ignored */
         const struct cor_sphere_contact other = contact_of(body, body);
         const double speed = random_log(&draw, 1e-6, 1e3), beta = cor_contact_beta(&c, speed);
         for (int end = 0; end < 2; end++) {

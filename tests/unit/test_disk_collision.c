@@ -15,8 +15,8 @@ static const double pi = 3.14159265358979323846;
 /* Error that the reference may have in eps, and in energies relative to (pi/2) v^2 */
 static const double slack = 1e-13;
 
-/* Looser bounds, as in disk.h, at a tolerance of 1e-11, for values interpolated between two moments of the contact.
- * Depth is relative to v, time relative, averages relative to (pi/2) v^2. */
+/* Looser bounds of disk.h, at a tolerance of 1e-11, for values interpolated between two moments of the contact. The
+ * error of a depth is relative to v, of a time to the time, of an average to (pi/2) v^2. */
 static const double depth_bound = 1e-7, time_bound = 1e-6, average_bound = 1e-6, soft_average_bound = 1e-4;
 
 enum { TABLE = 1800 };
@@ -61,7 +61,7 @@ static void same_results(const struct cor_disk_collision *x, const struct cor_di
 
 /* ---- values ---- */
 
-/* Known eps, to all digits given here; nu = 0.33, alpha = 500, v = 0.1 */
+/* Collisions with known eps, right to all digits given here; nu = 0.33, alpha = 500, v = 0.1 */
 TEST(known_answers)
 {
     static const struct {
@@ -86,7 +86,7 @@ TEST(known_answers)
 
 /* ---- the reference ---- */
 
-/* Calm collisions reach the tolerances from here upward; below, round-off may exceed them. */
+/* Calm collisions reach this tolerance; round-off may exceed smaller ones. */
 static const double least_tolerance = 1e-11;
 
 static struct reference_collision truth_of(const struct cor_disk_modes *modes, size_t n, double alpha, double v)
@@ -170,8 +170,8 @@ static struct cor_disk_modes modes_cut(const struct cor_disk_modes *modes, const
     return (struct cor_disk_modes){modes->nu, count, some};
 }
 
-/* Each scene has the modes with n in of_n and the modes below a frequency, or all modes if of_n is NULL. Tolerances
- * decrease from `from` by `ratio`. `from` = 0: only 1e-11, and compares all numbers with a reference. */
+/* Each scene has the modes with n in of_n and the modes below a frequency, or all modes if of_n is NULL. The tolerance
+ * decreases from `from` by the factor `ratio`. `from` = 0: only 1e-11, comparing all numbers with a reference. */
 TEST(reference)
 {
     const struct {
@@ -215,7 +215,7 @@ TEST(reference)
         const size_t n = scene[i].n;
         const struct cor_disk_modes modes =
             scene[i].of_n ? modes_cut(material(nu), scene[i].of_n, scene[i].below, n) : *material(nu);
-        /* the value for 940 modes is a known answer, because the reference would need a second for it */
+        /* for 940 modes, where the reference would need a second, eps is the known answer */
         struct reference_collision truth = {.eps = 0.9504656552925,
                                             .one_minus_eps2 = 1 - 0.9504656552925 * 0.9504656552925};
         if (n < 940)
@@ -248,15 +248,15 @@ TEST(other_modes)
     }
 }
 
-/* One strong mode takes nearly all of the speed. The disk has moved 0.07 away from the wall when the rim returns, 3.5
- * later. */
+/* One strong mode absorbs nearly all of the speed. The disk is 0.07 away from the wall when its rim returns to it,
+ * after a time of 3.5. */
 TEST(second_contact)
 {
     some[0] = (struct cor_disk_mode){2, 0, 1.2, 0.84, 0};
     const struct cor_disk_modes modes = {0.33, 1, some};
     const struct reference_collision truth = truth_of(&modes, 1, 800, 0.1);
     judge(&modes, 1, 800, 0.1, least_tolerance, &truth, 1);
-    /* the larger the tolerance, the closer is the disk when the first contact has become negligible */
+    /* with a larger tolerance the disk is closer when the first contact has become negligible */
     for (double tolerance = 1e-8; tolerance < 1e-3; tolerance *= 10)
         judge(&modes, 1, 800, 0.1, tolerance, &truth, 0);
 }
@@ -287,7 +287,7 @@ TEST(no_resonance)
 
 /* ---- tolerances ---- */
 
-/* At the limits of the allowed tolerances */
+/* The limits of the allowed tolerances */
 TEST(extreme_tolerances)
 {
     struct cor_disk_collision finest, coarsest;
@@ -299,7 +299,7 @@ TEST(extreme_tolerances)
     assert_true(fabs(finest.energy_drift) < 1e-12);
 }
 
-/* The force of the wall at a number of angles chosen by the caller */
+/* The caller may choose the number of angles at which the wall's force is computed. */
 TEST(phi_points)
 {
     struct cor_disk_collision truth, out;
@@ -387,14 +387,14 @@ TEST(moments)
         assert_true(diary.first.time < 0 && fabs(diary.first.velocity / diary.speed - 1) < 1e-6);
         assert_true(fabs((diary.first.position + 1) / (diary.speed * diary.first.time) - 1) < 1e-6);
         assert_true(diary.first.wall_energy < scene[k].tolerance * energy);
-        /* after the contact: the last run itself is not extrapolated */
+        /* after the contact; only the last run, which is not extrapolated */
         assert_true(diary.last.wall_energy < scene[k].tolerance * energy);
         double off = fabs(diary.last.velocity / -diary.speed - out.eps);
         for (size_t i = 0; i < diary.n; i++)
             off = fmax(off, fabs(diary.energy[i] / energy - after[i]));
         assert_true(diary.astray < 0.01);
         assert_true(off < 1e-4);
-        /* during contact the modified potential replaces the wall's, up to the square of the step */
+        /* the modified potential differs from the wall's by the square of the step */
         assert_true(diary.wander <= scene[k].wander);
         /* the disk may be deeper between moments; no moment is deeper than the result, up to order 4 */
         assert_true(fabs(diary.max_position + 1 - out.max_compression) < 1e-3 * out.max_compression &&
@@ -532,7 +532,7 @@ TEST(workspaces)
             }
             assert_memory_equal(after, after_first, sizeof after);
             assert_memory_equal(average, average_first, sizeof average);
-            /* with the contents that another collision left */
+            /* the workspace has the contents that another collision left */
             cor_disk_collision_in(workspace, bytes, material(1.2 - scene[i].nu), (n + 1) / 2, &options, 0.05, &out,
                                   NULL);
             assert_int_equal(cor_disk_collision_in(workspace, bytes, modes, n, &options, scene[i].v, &out, NULL),
@@ -550,8 +550,8 @@ TEST(workspaces)
     assert_true(cor_disk_collision_workspace(&cor_disk_modes_nu033, 1000, &plain) > bytes);
 }
 
-/* Many speeds have the bits of single calls, in any order. The number of angles stays, grows or shrinks, speeds are
- * refused, tolerances are not reached, and each speed has its own budget. */
+/* Many speeds have the bits of single calls, in any order. From speed to speed the number of angles stays, grows or
+ * shrinks. Some speeds are refused, or do not reach the tolerance. Each has its own budget. */
 TEST(many_speeds)
 {
     static const double speed[] = {0.1, 0.1, 0.002, 0.3, NAN, 0.05, 0.500001, 0, -1, INFINITY, 0.5, 1e-9, 0.1, -0.0};
@@ -657,7 +657,7 @@ TEST(refusals)
                                         {INT_MAX, 0, 9, 1, 1},
                                         {COR_DISK_MODES_MAX_N + 1, 0, 9, 1, 1},
                                         {2, 0, some[3].omega, 1, 1}};
-    for (size_t i = 0; i + 1 < 2 * COUNT_OF(bad); i++) { /* as mode 5 and mode 1; the last one as mode 5 only */
+    for (size_t i = 0; i + 1 < 2 * COUNT_OF(bad); i++) { /* each as mode 5, then as mode 1, except the last */
         some[i % 2 ? 0 : 4] = bad[i / 2];
         refused(&mine, i % 2 ? 1 : 5, &good, 0.1, COR_ERROR_MODES);
         some[0] = modes->mode[0];

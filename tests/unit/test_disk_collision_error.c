@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The guarantees of cor_disk_collision about its error: COR_OK means within the tolerance, error_estimate is at least
  * the error, and no call exceeds its budget. The reference is reference_collision.h: Taylor series in time, in long
- * double or, for collisions that amplify errors much, in quad precision. For more modes the reference is a call with a
- * hundredth of the tolerance.
+ * double or, for collisions that amplify errors strongly, in quad precision. If the modes are too many for it, the
+ * reference is a call with a hundredth of the tolerance.
  *     COR_TEST_LONG=1 COR_TEST_MULTIPLIER=834 test_disk_collision_error
  * judges 10^4 random scenes of each kind, in half an hour and in two hours. Another COR_SEED gives other scenes. */
 #include "check.h"
@@ -42,9 +42,9 @@ static struct scene random_scene(struct random_state *random)
     return s;
 }
 
-/* Returns a scene with more modes than Taylor series can treat in time, and larger tolerances. In half of the scenes
- * the wall is so hard and the disk so fast that the rim hits the wall often, which amplifies the error of the
- * angles. */
+/* Returns a scene with more modes than the Taylor series can treat in acceptable time, and a larger tolerance. In half
+ * of the scenes, the wall is so hard and the disk so fast that the rim hits the wall many times. This amplifies the
+ * error of the angles. */
 static struct scene larger_scene(struct random_state *random)
 {
     const int blows = random_uniform(random, 0, 1) < 0.5;
@@ -104,12 +104,12 @@ static void scene_judge(const struct scene *s, struct tally *tally)
         judge_numbers(s, status, &out, &reference, tally);
 }
 
-/* Judges a call that was COR_OK, and one with another tolerance, by a call with a hundredth of the tolerance. */
+/* Judges a call that returned COR_OK, and one with another tolerance, by a call with a hundredth of the tolerance. */
 static void scene_judge_by_tighter(const struct scene *s, struct tally *tally)
 {
     struct scene other = *s, tighter = *s;
     struct cor_disk_collision out, of_other, truth;
-    other.tolerance = 1e-8 / s->tolerance; /* also from 1e-6 to 1e-2 */
+    other.tolerance = 1e-8 / s->tolerance; /* in the same range, 1e-6 to 1e-2 */
     tighter.tolerance = 0.01 * s->tolerance;
     const int status = scene_collide(s, 0, &out);
     if (status != COR_OK)
@@ -126,8 +126,8 @@ static void scene_judge_by_tighter(const struct scene *s, struct tally *tally)
         judge_numbers(&other, second, &of_other, &reference, tally);
 }
 
-/* Judges `count` scenes. The share `ok` of the calls, less two standard deviations, must reach the tolerance. The share
- * `undecided`, plus `slack` standard deviations, may be without a reference. */
+/* Judges `count` scenes. At least the share `ok` of the calls, less two standard deviations, must reach the tolerance.
+ * At most the share `undecided`, plus `slack` standard deviations, may lack a reference. */
 static void judge_all(int larger, size_t count, double ok, double undecided, double slack)
 {
     struct random_state random = random_start();
@@ -160,9 +160,9 @@ TEST(larger_scenes)
 
 /* ---- known scenes ---- */
 
-/* Scenes with eps by reference_disk_collision, within `known`; COR_TEST_MULTIPLIER computes the references again.
- * Extreme speeds and walls, few modes at hard walls, where round-off of the speed grows 10^4 to 10^6 times, and other
- * hard cases. */
+/* Hard scenes, and eps by reference_disk_collision with the error `known`; COR_TEST_MULTIPLIER computes it again. They
+ * have extreme speeds and walls, or few modes at hard walls, where the round-off of the speed grows 10^4 to 10^6
+ * times. */
 static const struct known_scene {
     struct scene scene;
     double exact, known;
@@ -189,10 +189,10 @@ static const struct known_scene {
      0},
     /* repeated impacts amplify the error of the angles; the load does not show this */
     {{0.9, 80, 2018.0773948944377, 0.15687429682060067, 3e-3}, 0.80948591625, 1e-9, {8.65e-3}, 0},
-    /* the next two: only in one turn of three */
+    /* the next two run only in one turn of three */
     {{0.33, 24, 4000, 0.1, 1e-4}, 0.92397154646327462, 1e-14, {1e-8, 1e-9}, 1e-4},
     {{0.33, 1, 1e5, 0.5, 1e-3}, 0.64017708980255905, 1e-14, {0}, 0}, /* a million steps */
-    /* only in long runs */
+    /* runs only with COR_TEST_LONG */
     {{0.33, 88, 1946.4152313318912, 0.16442487641337461, 7.65e-4}, 0.89870605479, 1e-9, {0}, 0},
     {{0.33, 102, 1370.0253151840241, 0.29538227585475529, 4.02e-3}, 0.83262076629, 1e-9, {0}, 0},
     {{0.9, 217, 2222.3460280325576, 0.11609046550177622, 5.34e-5}, 0.85338185490, 1e-9, {0}, 0},
@@ -235,7 +235,7 @@ TEST(known)
 TEST(known_in_turn)
 {
     leave_to_turn(2, 3);
-    scenes_known(KNOWN - LONG_ONLY - IN_TURN, KNOWN - LONG_ONLY - (points(2) < 2)); /* few points: not the last */
+    scenes_known(KNOWN - LONG_ONLY - IN_TURN, KNOWN - LONG_ONLY - (points(2) < 2)); /* with few points, skip it */
 }
 
 /* ---- the amplification of errors ---- */
@@ -290,7 +290,7 @@ TEST(budgets)
         reached += status == COR_OK;
     }
     assert_true(reached > 0);
-    /* a single run, which cannot be compared */
+    /* a single run has no other run for comparison */
     assert_int_equal(scene_collide(&s, 1000, &out), COR_TOLERANCE_NOT_REACHED);
     assert_true(out.error_estimate == 1 && isnan(out.contact_time) && out.max_compression > 0);
     /* averages need a third run */

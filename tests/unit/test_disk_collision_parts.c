@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Tests the parts of a collision one by one: a drift, a kick against the gradient of its potential, the window of
- * angles. Tests the extrapolation of artificial series, and the error from artificial movements. */
+ * angles. Tests the extrapolation of artificial series, and the error from artificial changes between runs
+ * (movements). */
 #include "check.h"
 
 #include <cor/disk.h>
@@ -128,7 +129,7 @@ TEST(kick)
         COR_CLEAR_DOUBLES(m->size.cells, m->p);
         stage.now.depth = random_uniform(&draw, -1, 0.5) / p.alpha;
         stage.now.v = 0;
-        cor_collision_drift(m, 0, &stage.now); /* no time, but the angles of h: turns the modes and adds them up */
+        cor_collision_drift(m, 0, &stage.now); /* turns the modes by the angles of h, without time, and adds them up */
         y[0] = stage.now.depth;
         for (size_t i = 0; i < p.modes; i++)
             y[1 + i] = m->q[m->place[i]] / sqrtl(mass * (long double)m->mode[i].omega);
@@ -156,7 +157,7 @@ TEST(kick)
     }
 }
 
-/* h^2 alpha a may be at most 3. It grows with the square of the step. */
+/* The stiffness h^2 alpha a may be at most 3, and grows with the square of the step. */
 TEST(stiffness)
 {
     static const struct {
@@ -180,7 +181,7 @@ TEST(stiffness)
     }
 }
 
-/* A scan reports if an angle outside the window had a pressure above 1e-14 of the load, unless the load is 0. */
+/* A scan reports an angle outside the window whose pressure exceeds 1e-14 of the load, unless the load is 0. */
 TEST(window)
 {
     enum { PHI = 256 };
@@ -217,7 +218,7 @@ TEST(window)
 
 /* ---- extrapolation ---- */
 
-/* Series in h^4, h^6, ... and h^2, h^4, ... with one term fewer than runs are extrapolated exactly. */
+/* Series in h^4, h^6, ... and h^2, h^4, ... are extrapolated exactly if they have fewer terms than runs. */
 TEST(extrapolation)
 {
     enum { LEVELS = COR_COLLISION_LEVELS };
@@ -272,9 +273,9 @@ TEST(energies)
     const struct cor_motion m = {.size.modes = 2, .after = {after[0], after[1]}};
     struct cor_collision_run run[2] = {{.number = 1, .eps = 0.8}, {.eps = 0.8}};
     struct cor_disk_collision out = {0};
-    /* a change of the energies without a change of eps counts, too: 4/3 of the differences */
+    /* a change of the energies counts even if eps does not change: 4/3 of the differences */
     assert_true(fabs(cor_collision_movement(&m, run, 2) - 0.5 * 4 / 3 * 0.01 * sqrt(2)) < 1e-15);
-    /* a negative energy counts as 0, and the results report its size: weights 4/3 and -1/3 */
+    /* a negative extrapolated energy, by the weights 4/3 and -1/3, counts as 0; the result reports its size */
     after[1][0] = 0.25;
     after[1][1] = 0.0025;
     const double less = cor_collision_results(&m, run, 2, &out, found);
@@ -309,7 +310,7 @@ TEST(step_error)
         for (double ratio = 0.01; ratio < 0.8; ratio += 0.02) {
             const double left = remainder_of(&evidence, runs, 1e-3, ratio);
             const double error = cor_collision_step_error(&soft, &evidence, 0), last = evidence.movement[runs - 1];
-            /* two runs show no ratio; a ratio up to 2/3 is allowed for */
+            /* two runs show no ratio, so the error assumes a ratio up to 2/3 */
             if (runs > 2 || ratio < 0.6)
                 check(error >= left * (1 - 1e-12), "%d runs, ratio %g: %g, not %g", runs, ratio, error, left);
             /* the error is at least this part of the last movement, even for faster convergence */
@@ -371,7 +372,7 @@ TEST(other_errors)
     cor_collision_other_errors(&stage.m, &run, 0, &wild, &more);
     assert_true(error.round_off > sqrt(1000) * 0x1p-53 && error.round_off < 10 * sqrt(1000) * 0x1p-53);
     assert_true(more.round_off > 1e6 * sqrt(1000) * 0x1p-53 && more.round_off < 1e7 * sqrt(1000) * 0x1p-53);
-    /* rotations that drift, for modes with a tenth of the energy */
+    /* phases that drift, for modes with a tenth of the energy */
     const double walk = more.round_off;
     cor_collision_other_errors(&stage.m, &run, 0.1, &calm, &error);
     cor_collision_other_errors(&stage.m, &run, 0.1, &wild, &more);
@@ -384,8 +385,8 @@ TEST(other_errors)
     assert_true(cor_collision_lasting_error(&large) == 0.5 && cor_collision_total_error(&large) == 1);
 }
 
-/* The collision amplifies the error of the angles. The factor is a bound (a thousandth of the bound for calm
- * collisions), a measured value, or the result of a run with other angles. */
+/* The collision amplifies the error of the angles. The factor of amplification is a bound (for calm collisions a
+ * thousandth of it), a measured value, or the result of a run with other angles. */
 TEST(angles_error)
 {
     struct stage stage;

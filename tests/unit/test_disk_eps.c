@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The restitution of a disk with all its modes at a rigid wall. The table is interpolated by another route, its
- * uncertainty is compared with collisions, and its limits with other known facts. */
+/* The restitution of a disk with all its modes at a rigid wall. Another route interpolates the table. The uncertainty
+ * is compared with collisions, and the limits with other known facts. */
 #include "check.h"
 
 #include "cor/disk.h"
@@ -75,7 +75,7 @@ TEST(test_cells)
         assert_non_null(cell_at[k]);
 }
 
-/* Squares and places lead to the piece that contains a point, close to all of its corners. */
+/* Squares and places give the piece that contains a point, even close to the corners of pieces. */
 TEST(test_places)
 {
     const struct cor_disk_limit_table table = {COR_DISK_LIMIT_X_ROOTS, COR_DISK_LIMIT_NU_ROOTS, COR_DISK_LIMIT_X_FIRST,
@@ -181,7 +181,7 @@ TEST(test_between)
 
 /* ---- borders ---- */
 
-/* A random place on a side of a rectangle. The two sides of the border are at distance `off` (v, nu) from it. */
+/* A random place on a side of a rectangle, the border. Points on either side are at the distance `off` (v, nu). */
 struct border {
     double v, nu, off[2];
     long double x, y;
@@ -211,7 +211,7 @@ static double at_border(double (*f)(double v, double nu), const struct border *a
     return f(at->v + side * at->off[0], at->nu + side * at->off[1]);
 }
 
-/* The sides of all pieces, in v and in nu: no jump except rounding. COR_TEST_MULTIPLIER=250: 24 10^6 pairs. */
+/* At the sides of all pieces no function jumps, except by rounding. COR_TEST_MULTIPLIER=250: 24 10^6 pairs. */
 TEST(test_borders)
 {
     size_t pairs = 0;
@@ -236,7 +236,7 @@ TEST(test_borders)
 
 /* ---- against collisions ---- */
 
-/* Of one test: the largest error relative to the uncertainty, and the largest absolute error */
+/* The largest error of a test relative to the uncertainty, and its largest absolute error */
 static double worst_part, worst_error;
 
 static void compare(double v, double nu, double uncertainty)
@@ -270,8 +270,8 @@ TEST(test_uncertainty)
     print_worst("off the grid");
 }
 
-/* Where a cell borders on smaller cells, and in it up to a third of its side from there, the uncertainty of either side
- * covers the error. COR_TEST_MULTIPLIER=250: 500 places. */
+/* At a border with smaller cells, and up to a third of a side from it, the uncertainty covers the error.
+ * COR_TEST_MULTIPLIER=250: 500 places. */
 TEST(test_uncertainty_at_borders)
 {
     for (size_t places = points(2); places > 0;) {

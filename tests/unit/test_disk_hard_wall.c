@@ -52,7 +52,7 @@ static void same_results(const struct cor_disk_hard_wall *x, const struct cor_di
 
 /* ---- values ---- */
 
-/* From the prototype of the method, a program by another author, with the errors stated there */
+/* Results of another author's prototype of the method, with the errors that it states */
 TEST(known_answers)
 {
     static const struct {
@@ -72,7 +72,7 @@ TEST(known_answers)
           least);
 }
 
-/* The proved table of 1800 modes, 1800 computed modes, and fewer: the length of the table must not matter */
+/* The length of the table does not matter: the proved table of 1800 modes, 1800 computed modes, and fewer. */
 TEST(proved_modes)
 {
     const struct cor_disk_hard_wall_options options = {1e-3, 0};
@@ -124,7 +124,7 @@ TEST(errors)
 }
 
 /* At random scenes, the operations exceed a budget by at most one batch of steps. If a budget of operations or of steps
- * ends the sequence, result and estimate equal the ones from a table that has only the modes of the finished levels. */
+ * ends the sequence, the result and its estimate are the same as with a table that ends at the finished levels. */
 TEST(budgets)
 {
     leave_to_turn(2, 3);
@@ -209,12 +209,12 @@ TEST(levels_that_agree_by_chance)
         check(fabs(out.one_minus_eps2 - scene[i].one_minus_eps2) + scene[i].error <= out.error_estimate,
               "%.6f +- %.1e, not %.6f", out.one_minus_eps2, out.error_estimate, scene[i].one_minus_eps2);
     }
-    /* few levels: the estimate also holds for a table that ends early */
+    /* the estimate also holds for a table of few levels */
     for (size_t levels = 2; levels <= 6; levels++)
         for (size_t i = 0; i < 2; i++) {
             const struct cor_disk_hard_wall out = wall_collide(scene[i].nu, levels, scene[i].speed, 1e-6);
             assert_true(out.omega_levels == levels && out.error_estimate > 1e-6);
-            /* two levels have no change to judge by: within 1.5 times the estimate */
+            /* two levels show no earlier change: the error may be 1.5 times the estimate */
             check(fabs(out.one_minus_eps2 - scene[i].one_minus_eps2) <= (levels > 2 ? 1 : 1.5) * out.error_estimate,
                   "%zu levels: %.6f +- %.1e", levels, out.one_minus_eps2, out.error_estimate);
         }
@@ -222,7 +222,7 @@ TEST(levels_that_agree_by_chance)
 
 /* ---- any speed ---- */
 
-/* The results approach Rayleigh's theory slowly; the ratio to its fraction oscillates at first. */
+/* For slow disks the results approach Rayleigh's theory slowly; at first their ratio to its fraction oscillates. */
 TEST(slower_and_slower)
 {
     double apart = INFINITY;
@@ -247,7 +247,7 @@ TEST(slower_and_slower)
     check(apart < 0.1, "%g from Rayleigh at v = 1e-300", apart);
 }
 
-/* The point contact and the full method join; the smallest normal and the smallest double are speeds, too. */
+/* The point contact and the full method agree where they meet. Even the smallest double is a valid speed. */
 TEST(joins)
 {
     const double speed = COR_DISK_HARD_WALL_POINT_SPEED;
@@ -275,7 +275,7 @@ struct watched {
     size_t moments, n;
     const struct cor_disk_mode *mode;
     const double *q, *q_dot;
-    double largest_energy, left;         /* left: in the modes at the last moment */
+    double largest_energy, left;         /* left: energy in the modes at the last moment */
     double contact_time, contact_energy; /* integral of the modes' energy over the contact */
     double reach;                        /* least distance that the rim may still move into the wall */
     size_t not_to_return;                /* moments since no part of the rim can return to the wall */
@@ -381,7 +381,7 @@ TEST(details)
               out.max_compression);
         check(w.last.load <= 0 && w.last.time >= out.contact_time, "ends at %g", w.last.time);
         check(w.reach < 0, "ends where the rim may come %g into the wall", w.reach);
-        /* tested after every eighth kick */
+        /* the method tests this after every eighth kick */
         check(w.not_to_return <= 9, "ends %zu kicks after the last that could matter", w.not_to_return);
         check(w.largest_energy < energy * 1.01, "energy %g of %g", w.largest_energy, energy);
         check(speed < 1e-7 ? w.widest <= 0 : fabs(w.widest / (1.42 * sqrt(speed)) - 1) < 0.1, "widest %g", w.widest);
@@ -431,7 +431,7 @@ TEST(refusals)
     mode[1700].n = COR_HARD_WALL_MAX_N + 1;
     assert_int_equal(cor_disk_hard_wall(&wrong, 1800, &good, 0.1, &out), COR_ERROR_MODES);
     mode[1700] = modes->mode[1700];
-    mode[1799].omega = 1000; /* moves at no level */
+    mode[1799].omega = 1000; /* a table whose mode moves at no level */
     for (int i = 0; i < 2; i++) {
         mode[1799].n = COR_DISK_MODES_MAX_N + i;
         struct cor_disk_hard_wall high;
@@ -487,7 +487,7 @@ TEST(parts_of_the_estimate)
         check(estimate >= (3 * change[0] + noise + unseen) * (1 - 1e-9), "v = %g, %zu levels: %g, changed by %g", speed,
               levels, estimate, change[0]);
     }
-    /* the second last change counts; the usual error at Omega = 240 is below three times the last change */
+    /* here the second last change decides; the usual error at Omega = 240 is below three times the last change */
     double estimate = estimate_and_changes(0.1285, 0.06194, tolerance, 8, change);
     check(relative_error(estimate, change[1] + noise + UNSEEN / pow(first_omega(7), 2)) < 1e-9, "%.17g", estimate);
     EACH (tolerances, tolerance, 3e-6) { /* a larger tolerance adds noise beyond the noise for 1e-6 */

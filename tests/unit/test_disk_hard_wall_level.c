@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* One level of the rigid wall (runtime/disk/hard_wall_level.c, hard_wall_contact.c) against the written-out formulas,
- * which share no sum, no contact solver and no step with it. Also tests two fades, a point contact, energy, contacts in
- * pieces. All instruction sets give the same bits. */
+/* Tests one level of the rigid wall (runtime/disk/hard_wall_level.c, hard_wall_contact.c) against the written-out
+ * formulas (reference_hard_wall.h), which share no sum, contact solver or step with it. Also tests two cutoffs, a point
+ * contact, energy, contacts in pieces and instruction sets. */
 #include "check.h"
 
 #include <cor/status.h>
@@ -91,7 +91,7 @@ TEST(written_out)
     }
 }
 
-/* nu -> 1 and speeds at which the contact splits, so that there is pivoting */
+/* nu close to 1, and speeds at which the contact splits into pieces, so that the solver changes the touching angles */
 TEST(in_pieces)
 {
     leave_to_turn(1, 3);
@@ -107,7 +107,7 @@ TEST(in_pieces)
     check(fabs(level.one_minus_eps2 - reference) < 2e-5, "%.9f, not %.9f", level.one_minus_eps2, reference);
 }
 
-/* Successive contacts with any pieces: forces push, no angle reaches into the wall, and angles with a force touch
+/* Successive contacts of any pieces: all forces push, no angle is inside the wall, and every angle with a force touches
  * it. */
 TEST(contacts)
 {
@@ -155,7 +155,7 @@ TEST(contacts)
 
 /* ---- invariances ---- */
 
-/* Returns R from two levels. */
+/* Returns the result R, extrapolated from two levels. */
 static double extrapolated(const struct cor_disk_modes *modes, double speed, double omega, enum cor_hard_wall_fade fade)
 {
     double l[2];
@@ -167,7 +167,7 @@ static double extrapolated(const struct cor_disk_modes *modes, double speed, dou
     return 2 * l[1] - l[0];
 }
 
-/* Both cutoffs tend to one limit; at Omega = 170 they are within 2e-5 of it in hard scenes, closer elsewhere. */
+/* Both cutoffs have the same limit. At Omega = 170 they are within 2e-5 of it in hard scenes, and closer in others. */
 TEST(two_fades)
 {
     leave_to_turn(0, 3);
@@ -183,8 +183,8 @@ TEST(two_fades)
 }
 
 /* The compliance under kicks removes the error h^2 of the steps: from Omega h = 0.8 to 0.2 nothing changes, while plain
- * kicks are off by 1e-4. true_depth does this for the largest depth. The energy of the modes is the loss of the centre
- * of mass. */
+ * kicks are off by 1e-4. true_depth corrects the largest depth in the same way. The energy of the modes is the loss of
+ * the centre of mass. */
 TEST(steps_and_energy)
 {
     const double speed = 0.1, omega = 120;
@@ -203,8 +203,8 @@ TEST(steps_and_energy)
           depth[2]);
 }
 
-/* With half of the work it needs, counted in multiplications or in steps, a level gives up a few steps later. Its work
- * grows from level to level as the sequence expects. */
+/* With half of the work that it needs, counted in multiplications or in steps, a level gives up within a few steps. Its
+ * work grows from level to level as the sequence expects. */
 TEST(budget)
 {
     EACH (speeds, 0.3, 0.01, 1e-9) {
@@ -232,7 +232,7 @@ TEST(budget)
 
 /* ---- a point ---- */
 
-/* In their common range, a point contact and the full method have the same L at each Omega. */
+/* In their common range, a point contact and the full method have the same loss L at each Omega. */
 TEST(point_contact)
 {
     static const double speeds[] = {1e-4, 1e-5, 1e-6, 1e-7};
@@ -270,7 +270,7 @@ TEST(coarse_angles)
     check(same_bits(coarse, least), "%.17g with the spacing 1, %.17g with pi/%d", coarse, least, lanes + 2);
 }
 
-/* Sums of cosines, by Clenshaw and in parts, against cosines of the C library */
+/* Sums of cosines by Clenshaw's recurrence and in parts agree with cosines of the C library. */
 TEST(cosines)
 {
     enum { Q = COR_HARD_WALL_PANEL, M = 5, N = M * Q / 2, POINTS = 3 * Q };
@@ -302,7 +302,7 @@ TEST(cosines)
 
 /* ---- instruction sets ---- */
 
-/* A point, one piece and several, of few modes and many; a sum of no cosines is 0 */
+/* All sets agree for a point, one piece and several, and for few and many modes. A sum of no cosines is 0. */
 TEST(every_set)
 {
     double factor = 7, twice_cosine[COR_HARD_WALL_PANEL] = {0}, none[COR_HARD_WALL_PANEL];
@@ -348,7 +348,7 @@ TEST(modes_of_every_set)
 
 /* ---- hard inputs ---- */
 
-/* A range that the contact outgrows is reported, as are modes that no disk has. */
+/* The functions report a contact that outgrows its range, and modes that no disk has. */
 TEST(refusals)
 {
     struct cor_disk_modes modes = modes_of(0.33, 30);

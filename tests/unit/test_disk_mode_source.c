@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Modes in double arithmetic (cor_disk_modes_compute): against the proved tables, by the sum rules, and by the count.
- * nu between -1 and 1, and close to both; refusals. */
+/* Tests modes in double arithmetic (cor_disk_modes_compute) against the proved tables, by sum rules and by the count of
+ * modes, for nu between -1 and 1 and close to both. Tests refusals. */
 #include "check.h"
 
 #include <cor/disk.h>
@@ -20,7 +20,7 @@ static struct cor_disk_modes compute(double nu, size_t count)
     return modes;
 }
 
-/* n, l, omega, c, s of every mode of a proved table */
+/* Every mode has n, l, omega, c and s of the proved table. */
 TEST(as_proved)
 {
     const struct cor_disk_modes *const tables[] = {&cor_disk_modes_nu033, &cor_disk_modes_nu090};
@@ -63,7 +63,7 @@ TEST(starts_alike)
     }
 }
 
-/* No root is found twice and none is missed. Compares with the number of modes below a frequency, (11.3). */
+/* No root is found twice or missed: the number of modes below a frequency is (11.3). */
 TEST(counted)
 {
     for (size_t i = 0; i < points(8); i++) {
@@ -81,7 +81,7 @@ TEST(counted)
 }
 
 /* Checks that l counts from 0 for each n and that frequencies grow. The sums over l of C^2/omega^2 and C S/omega^2 are
- * below (11.5) by about 2 sqrt(1 - nu^2)/(pi Omega), or half of it for n = 0: the omitted modes. */
+ * below (11.5) by about 2 sqrt(1 - nu^2)/(pi Omega), the part of the omitted modes; for n = 0 half of this. */
 static void sum_rules(double nu, size_t count)
 {
     enum { ORDERS = 2000, CHECKED = 12 };
@@ -132,7 +132,7 @@ TEST(ends)
             for (int n = 1; n < 20; n++)
                 check(mode[n].n == n && fabs(mode[n].omega / sqrt((n + 1) * (n + 2) / 2.0) - 1) < 1e-6,
                       "nu = %.17g, n = %d: %.9f", *nus, n, mode[n].omega);
-        if (*nus == -1 + 1e-12) /* corgen disk-modes --poisson -0.999999999999 --count 300 */
+        if (*nus == -1 + 1e-12) /* from corgen disk-modes --poisson -0.999999999999 --count 300 */
             check(fabs(mode[299].omega / 212.48529360875795621 - 1) < COR_DISK_MODES_OMEGA_MAX_ERROR / 10, "%.17g",
                   mode[299].omega);
     }

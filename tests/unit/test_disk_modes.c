@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Mode files: a file reads back as written, and a damaged one is refused at its line. tests/gen/test_disk_modes.c
- * proves the tables of the library. */
+/* Tests mode files: a file is read as it was written, and a damaged file is refused at the damaged line.
+ * tests/gen/test_disk_modes.c proves the tables of the library. */
 #define _XOPEN_SOURCE 700 /* mkstemp, P_tmpdir */
 
 #include "check.h"
@@ -84,7 +84,7 @@ static void start(int lines, size_t count)
         add_line("modes %zu", count);
 }
 
-/* Writes a file that promises a number of modes and may have another. */
+/* Writes a file that states one number of modes and contains another. */
 static void write_modes(size_t promised, const struct cor_disk_mode *mode, size_t count)
 {
     start(4, promised);
@@ -136,7 +136,7 @@ TEST(reads_what_was_written)
         size_t line = 77;
         write_modes(count, cor_disk_modes_nu033.mode, count);
         put_file(text.bytes, text.length);
-        /* their number first, then all of them */
+        /* read their number first, then all modes */
         assert_int_equal(cor_disk_modes_read(path, NULL, 0, &modes, NULL), COR_ERROR_CAPACITY);
         assert_int_equal(modes.count, count);
         assert_int_equal(cor_disk_modes_read(path, room, count - 1, &modes, &line), COR_ERROR_CAPACITY);
@@ -151,7 +151,7 @@ TEST(reads_what_was_written)
     }
 }
 
-/* Any byte replaced by another one, anywhere; any end that is too early; anything after the end. */
+/* A file with one changed byte, with an early end, or with something after its end is refused. */
 TEST(harmed_bytes)
 {
     const size_t lines = FIRST_MODE_LINE + MODES_OF_FILE;
@@ -190,7 +190,7 @@ TEST(first_line)
     refused(damaged, strlen(damaged), COR_ERROR_FILE_DAMAGED, 1, "version 1 with a wrong check");
 }
 
-/* Lines that no writer writes, with right checks. */
+/* Lines that the program never writes, but with correct checks, are refused. */
 TEST(harmed_lines)
 {
     static const struct {
@@ -278,7 +278,7 @@ static int lowest_descriptor(void)
 
 static int first_descriptor;
 
-/* Runs after all tests above, most of which end in a refusal */
+/* No file remains open after the tests above, most of which end in a refusal. */
 TEST(files_are_closed)
 {
     assert_int_equal(lowest_descriptor(), first_descriptor);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The quasistatic contact law of the disk (runtime/disk/quasistatic.c): known contact times, the leading logarithms,
- * special values. Errors and limits: tests/accuracy/test_disk_law.c. */
+/* Tests the quasistatic contact law of the disk (runtime/disk/quasistatic.c): known contact times, leading logarithms,
+ * special values. tests/accuracy/test_disk_law.c tests errors and limits. */
 #include "check.h"
 
 #include <limits.h>
@@ -37,7 +37,7 @@ static double random_argument(struct random_state *r, double limit)
     return kind < 7 ? limit * random_log(r, 1e-3, 1) : limit * random_log(r, 1e-290, 1);
 }
 
-/* From the check of the theory, nu = 0.33 and the printed b */
+/* Values from the check of the theory, for nu = 0.33 and the printed b */
 TEST(contact_time)
 {
     static const double speed[] = {1e-8, 1e-4, 1e-2, 0.1};

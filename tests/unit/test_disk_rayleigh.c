@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Rayleigh's energy (runtime/disk/rayleigh.c): modes against printed values, sums and tails against sums over twenty
- * thousand modes, the tolerance, statuses, the edges of the domain. tests/accuracy/test_disk_rayleigh.c compares single
- * modes with the motion, to all digits. */
+/* Tests Rayleigh's energy (runtime/disk/rayleigh.c): modes against known values, sums and tails against sums over
+ * twenty thousand modes, the tolerance, statuses, the edges of the domain. tests/accuracy/test_disk_rayleigh.c compares
+ * single modes with the motion, to all digits. */
 #include "check.h"
 
 #include <cor/disk.h>
@@ -35,7 +35,7 @@ static struct cor_disk_rayleigh rayleigh(const struct cor_disk_modes *modes, siz
     return out;
 }
 
-/* Values computed in arbitrary precision, nu = 0.33: COR_DISK_DATUM_PRINTED, the last COR_DISK_DATUM_CENTRE_OF_MASS */
+/* Values for nu = 0.33 in arbitrary precision; COR_DISK_DATUM_PRINTED, in the last row COR_DISK_DATUM_CENTRE_OF_MASS */
 TEST(test_values)
 {
     static const struct {
@@ -61,8 +61,8 @@ TEST(test_values)
     check(fabs(fractions[0] / 2.0424708e-4 - 1) < 3e-8, "%.15g", fractions[0]);
 }
 
-/* All modes together, from the 20 000 lowest and their own tail, whose relative error is below `error`. In the fourth
- * row a reflected wave is in phase, in the sixth the surface wave. */
+/* Sums over all modes, from the 20 000 lowest modes and the tail after them; relative error below `error`. In the
+ * fourth row a reflected wave is in phase with the motion, in the sixth row the surface wave. */
 static const struct {
     int table, datum;
     double speed, all, error;
@@ -80,7 +80,7 @@ static const struct {
     {1, 0, 0.03, 5.083223410399e-01, 2e-10},   {1, 1, 0.1, 7.520479714269e-01, 5e-9},
 };
 
-/* The estimate is an upper bound, and a useful one: from 100 modes onward it is typically a few times the error. */
+/* The estimate is an upper bound; for 100 modes and more it is typically a few times the error. */
 TEST(test_tail)
 {
     for (size_t n = 1; n <= MODES; n += 1 + n / 40) {
@@ -104,7 +104,7 @@ TEST(test_tail)
                   speed, n, error / all, out.error_estimate / all);
         }
         check(n < 100 || n > 1000 || estimates < 30 * errors, "%zu modes: %g, %g", n, estimates, errors);
-        /* no term is lost, large or small: the sums of the fitted terms */
+        /* neither a large nor a small term of the fit is lost */
         if (n == 12 || n == 1797)
             check_near(estimates, n == 12 ? 1.84848433 : 3.64785667e-4, 1e-8);
     }
@@ -131,7 +131,7 @@ TEST(test_any_speed)
             check(fabs(fractions[j] - others[j]) <=
                       fmax(COR_DISK_RAYLEIGH_MAX_ERROR * fractions[j], COR_DISK_RAYLEIGH_MAX_ABSOLUTE * all.fraction),
                   "v = %a, mode %zu: %g, %g", speed, j, fractions[j], others[j]);
-        /* within the whole table, only the border between sum and tail moves */
+        /* within the table, a change of n only moves terms between sum and tail */
         const struct cor_disk_rayleigh same = rayleigh(table(t), n, datum, speed, others);
         double sum = 0;
         for (size_t j = 0; j < n; j++) {
@@ -231,7 +231,7 @@ TEST(test_array)
     for (int t = 0; t < 2; t++) {
         const enum cor_disk_datum datum = datums[(t + 1) % 3];
         const double limit = cor_disk_speed_limit(table(t)->nu, datum);
-        /* speeds so dense that spectra are interpolated: slow, fast, and close to the limit of the law */
+        /* ranges of speeds so dense that spectra are interpolated: slow, fast, and close to the limit of the law */
         const double from[] = {1e-9, 1e-5, 0.3 * limit, 0.9 * limit}, to[] = {1e-6, 1e-3, 0.95 * limit, limit};
         for (size_t k = 0; k < 4; k++) {
             for (size_t i = 0; i < LIST; i++)
@@ -272,8 +272,8 @@ TEST(test_limits)
           "too fast");
 }
 
-/* Checks that all three functions refuse one speed or two and change nothing. In a list each speed has its own status.
- * A tolerance refers to all modes. */
+/* Checks that all three functions refuse one speed or two and change no results. In a list each speed has its own
+ * status. A tolerance is for the sum over all modes. */
 static void refused(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum, double speed,
                     int expected)
 {
@@ -328,7 +328,7 @@ TEST(test_statuses)
     mode[1] = good;
     mode[2].c = NAN;
     refused(&modes, 3, datum, 0.01, COR_ERROR_MODES);
-    refused(&modes, 2, datum, 0.01, COR_ERROR_MODES); /* the tail needs a third one */
+    refused(&modes, 2, datum, 0.01, COR_ERROR_MODES); /* the tail needs a third mode */
     modes.count = 2;
     check(cor_disk_rayleigh(&modes, 2, datum, 0.01, out, NULL) == COR_OK && out->fraction > 0, "only what there is");
     out->fraction = 7;

@@ -114,7 +114,7 @@ TEST(test_sums_by_every_set)
     }
 }
 
-/* Interpolated in q0, at the ends of a piece, at a node and between */
+/* Interpolation in q0 at the ends of a piece, at a node and between nodes */
 TEST(test_pieces)
 {
     const double high = 440, allowed = 1e-13;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The dissipation time of a Kelvin-Voigt solid and its limits. It is compared with the contact modulus in the complex
- * plane, which defines it, and with the hereditary integral of viscoelastic contact at finite rates. */
+/* Tests the dissipation time of a Kelvin-Voigt solid and its limits against the complex contact modulus, which defines
+ * it. Also tests it against the hereditary integral of viscoelastic contact at finite rates. */
 #include "check.h"
 
 #include <cor/cor.h>
@@ -40,7 +40,7 @@ TEST(derivative_of_the_modulus)
     }
 }
 
-/* The formula in long double */
+/* The result is the formula in long double, rounded. */
 TEST(rounding)
 {
     for (size_t i = 0; i < points(100000); i++) {

@@ -7,7 +7,7 @@
 #include "cor_sphere.h"
 #include "embedded.h"
 
-/* Returns eps at beta^5 = x by the library, with beta_per_root 1; by the header if x is not a speed in range. */
+/* Returns eps at beta^5 = x: by the library with beta_per_root 1 or, if x is not a speed in range, by the header. */
 static double contact_eps(int end, double x)
 {
     struct cor_sphere_contact c;

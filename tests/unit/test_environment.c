@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The floating-point environment and every public function, from the list that the bindings read. For any arguments, no
- * function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW, even with traps, and none sets errno. Flushing to zero
- * changes results by less than 1e-9, relatively, and is not altered by a call. */
+/* Tests the floating-point environment of every public function, from the list that the bindings read. For any
+ * arguments, no function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW, even with traps, and none sets errno. If the
+ * caller flushes subnormal numbers to zero, results change by a relative 1e-9 at most, and a call keeps this mode. */
 #ifdef __linux__
 #define _GNU_SOURCE /* feenableexcept */
 #endif
@@ -44,11 +44,11 @@ static const struct public_function *any_function(size_t k)
 
 /* ---- arguments and results ---- */
 
-/* Where subnormal arguments count as 0, results may be the results for 0. Every second set has no such arguments. */
+/* If subnormal arguments count as 0, the results may be the ones for 0. Every second set has no subnormal arguments. */
 enum { WITHOUT_SUBNORMALS = 1 };
 static size_t set_count;
-static struct results *expected;  /* function k for set i is at k set_count + i */
-static unsigned char *takes_long; /* too slow for every mode */
+static struct results *expected;  /* of function k for set i at k set_count + i */
+static unsigned char *takes_long; /* 1: function k is too slow for every mode */
 
 static int setup(void **state)
 {

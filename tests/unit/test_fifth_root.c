@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The fifth root and the exact arithmetic under it (runtime/number/fifth_root.h, runtime/number/pair.h) against long
- * double. */
+/* Tests the fifth root and the arithmetic of pairs that it uses (runtime/number/fifth_root.h, runtime/number/pair.h)
+ * against long double. */
 #include "check.h"
 
 #include "runtime/number/fifth_root.h"
@@ -44,7 +44,7 @@ TEST(parts)
     }
 }
 
-/* The bound of a pair, 2^-58, before the sum is rounded; long double has 11 bits more than a double. */
+/* The pair has the bound 2^-58 before its sum is rounded. long double has 11 bits more than a double. */
 TEST(of_pair)
 {
     for (size_t i = 0; i < points(20000); i++) {
@@ -56,7 +56,7 @@ TEST(of_pair)
     }
 }
 
-/* The seed is an integer fifth of the bits, so its error repeats every five octaves. Tests all five, densely. */
+/* The seed comes from a fifth of the bits of x, so its error repeats every five octaves. Tests all five densely. */
 TEST(five_octaves)
 {
     for (double x = 1; x < 32; x += 0x1p-12) {
@@ -82,7 +82,7 @@ TEST(special_values)
     assert_true(same_bits(cor_inline_fifth_root(0.0), 0.0) && same_bits(cor_inline_fifth_root(-0.0), -0.0));
     assert_true(cor_inline_fifth_root(INFINITY) == INFINITY);
     assert_true(isnan(cor_inline_fifth_root(NAN)));
-    assert_true(cor_inline_fifth_root(-32) == -32); /* accepted here; its callers refuse it */
+    assert_true(cor_inline_fifth_root(-32) == -32); /* this function accepts such numbers; its callers refuse them */
     EACH (edge, 0x1p-900, 0x1p900, DBL_MIN, DBL_MAX, 5e-324) {
         const double side[3] = {nextafter(*edge, 0), *edge, nextafter(*edge, DBL_MAX)};
         for (int k = 0; k < 3; k++)

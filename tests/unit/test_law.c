@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* law.h: special values, hard cases, both directions, integration of the equation of motion. tests/accuracy/test_laws.c
- * tests errors in units of the last place at very many points. */
+/* Tests law.h: special values, hard cases, a function after its inverse, and the equation of motion.
+ * tests/accuracy/test_laws.c tests errors in units of the last place at very many points. */
 #include "check.h"
 
 #include <cor/cor.h>
@@ -150,9 +150,10 @@ static void check_back(enum cor_law law, int end, int of_loss, double e, double 
     }
 }
 
-/* Returns the allowed error of the way back, in units of eps, with L = -ln(eps). Small eps is a power of the damping,
- * so rounding the damping costs no more than two roundings of eps. At zero overlap, with a damping ratio, it costs L (1
- * + L^2/pi^2) = |d ln(eps)/d ln(zeta)|. Close to beta_c of the dashpot the cost is the rounding of beta. */
+/* Returns the allowed error, in units of eps, of the way to the damping and back; L = -ln(eps). A small eps is a power
+ * of the damping, so rounding the damping costs no more than two roundings of eps. At zero overlap, with a damping
+ * ratio, it costs L (1 + L^2/pi^2) = |d ln(eps)/d ln(zeta)|. Close to the dashpot's beta_c the rounding of beta
+ * counts. */
 static double cost_of(enum cor_law law, int end, double e)
 {
     const double l = -log(e);
@@ -164,7 +165,7 @@ static double cost_of(enum cor_law law, int end, double e)
                                                                        : 8;
 }
 
-/* At random, where rows and series meet */
+/* Random places where rows and series meet */
 TEST(back_at_random)
 {
     for (size_t i = 0; i < points(20000); i++) {
@@ -184,7 +185,7 @@ TEST(every_size)
             for (int end = 0; end < ENDS; end++) {
                 const enum cor_law law = (enum cor_law)l;
                 const int is_ratio = law == COR_LAW_LINEAR || law == COR_LAW_TSUJI,
-                          of_approach = l % 4 == 0 && end == COR_END_APPROACH_ONLY; /* of spheres and dashpots */
+                          of_approach = l % 4 == 0 && end == COR_END_APPROACH_ONLY; /* rows of spheres and dashpots */
                 check_back(law, end, 0, e, cost_of(law, end, e));
                 if (!is_ratio || (k > -1073 && k < (end == COR_END_ZERO_OVERLAP ? -1 : 0)))
                     check_back(law, end, 1, e, of_approach ? 5 : 8);
@@ -192,7 +193,7 @@ TEST(every_size)
     }
 }
 
-/* Away from critical damping, where slopes are Taylor series on one side of a seam and quotients on the other */
+/* Near critical damping, slopes are Taylor series on one side of a seam and quotients on the other. */
 TEST(near_critical_damping)
 {
     for (int i = -64; i <= 64; i++)
@@ -251,8 +252,8 @@ static struct motion_course course(const struct law *law)
     return motion_course(&(struct motion){4, 0, law_force, law, free, 0});
 }
 
-/* Every function of a damping, at each end. beta: its value at damping 1. The bodies part too late at zero overlap if
- * the damping is above overlaps_until. */
+/* Every function of a damping agrees with the integrated motion, at each end. beta: its value at damping 1. If the
+ * damping is above overlaps_until, the bodies part too late at zero overlap to be integrated. */
 TEST(against_the_equation_of_motion)
 {
     static const struct {
@@ -320,7 +321,7 @@ static double random_crossley_beta(void)
     case 4:
         return -1 + random_log(&draw, 1.2e-16, 0.9);
     default:
-        return random_uniform(&draw, 0, 4); /* two methods for the end of the rebound meet at 2 */
+        return random_uniform(&draw, 0, 4); /* at 2 the method for the end of the rebound changes */
     }
 }
 
@@ -339,7 +340,7 @@ static double random_crossley_exponent(void)
     }
 }
 
-/* Quadrature at run time: any exponent, pumped collisions */
+/* Quadrature at run time, for any exponent, and for collisions that gain energy (beta < 0) */
 TEST(crossley_times)
 {
     static const struct {
@@ -368,7 +369,7 @@ TEST(crossley_times)
         check_near(cor_hunt_crossley_duration(back, 1.5) * unit, cor_hunt_crossley_duration(beta, 1.5),
                    1e-12 / (1 + back));
     }
-    /* the elastic limit; and a constant force, whose duration is (1 + eps) over its mean, exact for a = 0 */
+    /* the elastic limit; a constant force, a = 0, whose duration is exactly (1 + eps) over its mean */
     check_near(cor_hunt_crossley_duration(1e-20, 2), cor_hunt_crossley_duration(0, 2), 1e-13);
     check_near(cor_hunt_crossley_duration(1, 0), log(2) - log1p(-crossley_eps(1)), COR_HUNT_CROSSLEY_TIME_MAX_ERROR);
 }
@@ -380,7 +381,7 @@ static double dashpot(enum cor_end end, enum cor_quantity quantity, double x)
     return cor_law_value(COR_LAW_HERTZ_DASHPOT, end, quantity, x);
 }
 
-/* Integrations by another program, 18 digits */
+/* Values from another program's integration, 18 digits */
 TEST(hertz_dashpot_known)
 {
     const struct {
@@ -451,8 +452,8 @@ TEST(hertz_dashpot_slowest_speed)
 /* ---- oblique impacts ---- */
 
 /* x'' = -x^a, and two linear systems that start at the turning point: displacements s'' = -kappa x^(a-1) s, and
- * velocities u' = -f with forces f' = kappa x^(a-1) u. Each has an even and an odd solution. State: x, x', then s, s'
- * twice, then f, u twice, the even solution first. */
+ * velocities u' = -f with forces f' = kappa x^(a-1) u. Each system has an even and an odd solution. State: x, x', s and
+ * s' of both solutions, f and u of both solutions; the even solution comes first. */
 enum { OBLIQUE = 10 }; /* the next element is r; the time is -r^4, so x^(a-1) is smooth in r if 4 a is an integer */
 
 static void oblique_slopes(long double *dy, const long double *y, const void *of)
@@ -476,7 +477,7 @@ static void oblique_ratios(long double ratio[2], long double a, long double kapp
     long double y[OBLIQUE + 1] = {powl((a + 1) / 2, 1 / (a + 1)), 0, 1, 0, 0, 1, 0, 1, 1, 0, first};
     struct ode o = {.slopes = oblique_slopes, .of = a_kappa, .n = OBLIQUE + 1, .longest = 0.1L};
     ode_advance(&o, y, first);
-    /* the combination that vanishes at the start, where the odd solution has minus its value at the end */
+    /* the combination of both that vanishes at the start; there the odd solution has minus its value at the end */
     ratio[0] = (y[2] * y[5] + y[4] * y[3]) / (y[2] * y[5] - y[4] * y[3]);
     ratio[1] = (y[8] * y[7] + y[6] * y[9]) / (y[8] * y[7] - y[6] * y[9]);
 }
@@ -503,7 +504,7 @@ TEST(oblique_impacts)
         assert_true(cor_tangential_no_slip(n * n, 1) == 0);
     check_ulp(cor_tangential_no_slip(0.25 * (1 + DBL_EPSILON), 1),
               -acosl(-1) * (DBL_EPSILON / 4) * (1 - 0.25L * DBL_EPSILON), COR_NO_SLIP_MAX_ULP);
-    /* digits of mpfr close to zeros */
+    /* near zeros of the function; digits computed by MPFR */
     check_ulp(cor_tangential_no_slip(0.00031801765149485283, 0.0006364401013624106), 1.4691851383330200549e-16L,
               COR_NO_SLIP_MAX_ULP);
     check_ulp(cor_tangential_no_slip(543421.90086554212, 0.03145269842658744), 6.9979058592045206601e-12L,

@@ -5,7 +5,7 @@
 
 #include "runtime/table/law.h"
 
-/* Replaces a table: no closed form reads a row. */
+/* Stands in for a table, because a closed form reads no row. */
 static const double *no_rows(int row)
 {
     static const double zeros[16];
@@ -113,7 +113,7 @@ TEST(falling_beta)
     }
 }
 
-/* Both exponents count. A number that is 200 octaves smaller is omitted. */
+/* Both exponents count. A summand that is 200 octaves smaller is omitted. */
 TEST(sums_of_scaled_pairs)
 {
     for (size_t i = 0; i < points(2000); i++) {

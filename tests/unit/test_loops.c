@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The loops of arrays equal their scalar functions to the last bit: every function of laws and contacts, every
- * instruction set, any length, any place. The error of float arrays. test_environment.c tests public functions. */
+/* Tests that array functions equal their scalar functions to the last bit: for all laws and contacts, every instruction
+ * set, any length and alignment. Tests the error of float arrays. test_environment.c tests public functions. */
 #define _POSIX_C_SOURCE 200809L
 #include "check.h"
 
@@ -69,8 +69,8 @@ static int same(const struct loop *l, const void *a, const void *b)
 
 /* ---- arguments ---- */
 
-/* Draws arguments of every kind, so that a vector has numbers inside and outside the tables. Then, block by block:
- * numbers for which every function has rows, numbers near 0, and numbers whose products may be subnormal floats. Rows
+/* Draws arguments of every kind, so that a vector has numbers inside and outside the tables. Later blocks have only
+ * numbers for which every function has rows, numbers near 0, or numbers whose products may be subnormal floats. Rows
  * end or change at the seams. */
 static void fill(double *drawn)
 {
@@ -136,7 +136,7 @@ static void compare(const struct loop *l, const char *how, size_t first, size_t 
               i - first, n, first);
 }
 
-/* Runs a page of arguments whose next page cannot be read. */
+/* Runs a loop over arguments at the end of a page whose next page cannot be read. */
 static void check_page(const struct loop *l)
 {
     const size_t page = (size_t)sysconf(_SC_PAGESIZE), n = page / (l->floats ? sizeof(float) : sizeof(double));
@@ -155,7 +155,7 @@ static void check_loop(const struct loop *l, const double *drawn)
     const int widest = set;
     for (size_t i = 0; i < many; i++) {
         const double mirrored = fabs(drawn[many - 1 - i]);
-        if (l->floats) { /* one by one, without vectors */
+        if (l->floats) { /* a call for each number, without vectors */
             x.of_floats[i] = (float)drawn[i];
             set = COR_PORTABLE;
             l->law->arrayf(&x.of_floats[i], &exact.of_floats[i], 1);

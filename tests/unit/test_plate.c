@@ -76,7 +76,7 @@ TEST(refused)
         assert_int_equal(cor_plate_contact_init(&c, &s.sphere, &s.plate), wrong[i].status);
         assert_true(isnan(c.beta_per_root) && isnan(c.dissipation_time_s) && isnan(c.effective_mass_kg));
     }
-    /* a viscoelastic sphere adds its own time, by its share of the compliance */
+    /* a viscoelastic sphere adds its own dissipation time, in proportion to its share of the compliance */
     s = good;
     s.sphere.dissipation_time_s = 1e-6;
     struct cor_sphere_contact with;

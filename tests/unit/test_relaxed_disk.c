@@ -87,7 +87,7 @@ static double energy_of_smooth_pressure(const struct relaxed_disk *disk, size_t 
     return 2 * step * step * sum;
 }
 
-/* The part of the modes beyond omega is proportional to 1/omega, so 2 G(4 N) - G(N) contains nearly all of it. */
+/* The part of the modes beyond omega is proportional to 1/omega, so 2 G(4 N) - G(N) nearly contains all modes. */
 TEST(all_modes_are_the_limit_of_many)
 {
     enum { POINTS = 60 };

@@ -55,7 +55,7 @@ TEST(unlike_bodies)
 }
 
 /* C = beta m (K/m)^((b+1)/(a+1)) g^-q; zeta = beta/sqrt(2 (a + 1)) where q = 0; A = C/(3 K/2); eps at either end; 1 -
- * eps = (g/g*)^q for slow impacts. A liquid takes speed once before the contact and once after it. The contact itself
+ * eps = (g/g*)^q for slow impacts. A liquid removes speed once before the contact and once after it. The contact itself
  * is dry. */
 TEST(every_law)
 {
@@ -112,8 +112,8 @@ TEST(every_law)
     }
 }
 
-/* Each number of two bodies is given or not. The first missing number takes precedence over density and mass of a body,
- * and these take precedence over the numbers that a wall lacks. */
+/* Each number of two bodies is given or not. The refusal names the first missing number; otherwise density and mass of
+ * a body; otherwise the numbers that a wall lacks. */
 TEST(incomplete_bodies)
 {
     static const int number[] = {COR_SCENE_YOUNG,   COR_SCENE_POISSON, COR_SCENE_RADIUS,    COR_SCENE_DISSIPATION_TIME,
@@ -145,7 +145,7 @@ TEST(incomplete_bodies)
     }
 }
 
-/* Checks IEEE 754, but results above 2^1022 may be infinite and powers below 2^-1019 may be 0; x^NaN is NaN. */
+/* Checks IEEE 754, except that results above 2^1022 may be infinite, powers below 2^-1019 0, and x^NaN is NaN. */
 static void check_quiet(double quiet, double exact, char operation, double x, double y)
 {
     const int is_power = operation == '^', is_edge = (isinf(quiet) && exact > 0x1p1022) ||

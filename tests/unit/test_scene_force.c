@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The largest force of a collision: limits, and two methods that must agree.
- * tests/gen/test_contact.c integrates the force. */
+/* Tests the largest force of a collision by its limits and by two methods that must agree. tests/gen/test_contact.c
+ * integrates the force. */
 #include "../reference/ode.h"
 #include "scene.h"
 
@@ -40,7 +40,7 @@ TEST(forces)
             check(fabs(cor_law_force_max(&tsuji, 1 + sign * gap) / middle - 1) < 1.5 * gap + 4e-15, "gap %g: %.17g",
                   gap, cor_law_force_max(&tsuji, 1 + sign * gap));
     assert_true(cor_law_force_max(&tsuji, 1e8) > 1e6 && isfinite(cor_law_force_max(&tsuji, 1e8)));
-    /* the integration, next to a closed form: (1, 0) and (3/2, 3/2) are limits of other exponents */
+    /* the integration for exponents next to (1, 0) and (3/2, 3/2), which have closed forms */
     const struct cor_exponents near = {6, 6, 4};
     check_near(cor_law_force_max(&near, 3), cor_law_force_max(&crossley, 3), 1e-15);
     for (double beta = 0.05; beta < 100; beta *= 3)
@@ -57,8 +57,8 @@ TEST(forces)
     const struct cor_exponents many = {900000007, 700000001, 999999989};
     const double begin = processor_seconds();
     assert_true(isnan(cor_law_force_max(&many, 0.5)) && processor_seconds() - begin < 0.1);
-    /* a sphere of strong damping: loading ignores the spring, F = beta^(2/3) max sqrt(X) V of X'' + sqrt(X) X' = 0, V =
-     * 1 - (2/3) X^(3/2), so that F = beta^(2/3) (3/4) (3/8)^(1/3) */
+    /* a sphere at strong damping: the spring does not affect the loading, F = beta^(2/3) max sqrt(X) V of X'' + sqrt(X)
+     * X' = 0, V = 1 - (2/3) X^(3/2), so that F = beta^(2/3) (3/4) (3/8)^(1/3) */
     check_near(cor_law_force_max(&sphere, 1e9), pow(1e9, 2.0 / 3) * 0.75 * cbrt(0.375), 1e-12);
 }
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Tests spheres with JKR adhesion by other methods. These are the energy of the tail by quadrature of the force, a
- * motion in time and contact radius in long double, and the limit without adhesion. */
+/* Tests spheres with JKR adhesion by other methods. These are quadrature of the force for the energy of the tail,
+ * integration of the motion in long double over the contact radius, and the limit without adhesion. */
 #include "../reference/ode.h"
 #include "scene.h"
 
@@ -41,7 +41,7 @@ static long double last_radius(const struct cor_scene_contact *s, int end)
     return first_radius(s) * powl(end == COR_JKR_TAIL ? 0.25L : 0.75L, 2 / 3.0L);
 }
 
-/* The energy from the first touch to the end: Simpson's rule for the force over the overlap */
+/* The energy from the first touch to the end is the integral of the force over the overlap, by Simpson's rule. */
 TEST(elastic)
 {
     struct cor_scene_contact s = spheres(0, 0.1);
@@ -140,7 +140,7 @@ TEST(damped)
         }
 }
 
-/* Near the sticking speed, where the end moves by the rounding errors of eps^2 */
+/* Near the sticking speed the end of the contact moves by the rounding errors of eps^2. */
 TEST(durations)
 {
     draw_begin();
@@ -156,8 +156,8 @@ TEST(durations)
     }
 }
 
-/* Damping of any strength has a result. Bodies part above the sticking speed, which may be infinite; bodies that creep
- * to rest do not. */
+/* Damping of any strength has a result. Bodies part above the sticking speed, which may be infinite. Bodies that creep
+ * to rest never part. */
 TEST(creeping)
 {
     draw_begin();
@@ -176,7 +176,7 @@ TEST(creeping)
     }
 }
 
-/* Without adhesion: the viscoelastic sphere at zero overlap, in eps, duration, overlap and force */
+/* With little adhesion the sphere is nearly a viscoelastic one at zero overlap: eps, duration, overlap and force. */
 TEST(little_adhesion)
 {
     for (double time = 1e-9; time < 1e-6; time *= 7) {

@@ -7,7 +7,7 @@
 
 static const double young = 1e7, poisson = 0.3, radius[] = {5e-3, 2e-2}, mass[] = {2e-3, 8e-3};
 
-/* Returns spheres of the material, the second one at index `second` of the arrays; -1: a wall. */
+/* Returns two spheres of one material; the second one has the sizes at index `second` of the arrays; -1: a wall */
 static struct cor_scene bodies(enum cor_law law, int second)
 {
     struct cor_scene scene = scene_without_numbers(law);
@@ -20,7 +20,7 @@ static struct cor_scene bodies(enum cor_law law, int second)
     return scene;
 }
 
-/* corrected_step_s above 0: the next texts are corrected for this time step. all_speeds, steps: of the next texts */
+/* Settings of the next texts. corrected_step_s above 0: the time step for which they are corrected */
 static double corrected_step_s, all_speeds[4], steps;
 
 static long lines_for(char *text, size_t size, const char *simulator, const char *version,
@@ -102,20 +102,20 @@ TEST(walls)
           "\nfix cor_wall all wall/gran model hertz/stiffness tangential off primitive type 2 zplane 0 limitForce "
           "on\n");
     found(text_for("chrono", NULL, &scene, 1), "no model of Chrono has lines for a wall");
-    /* a spring at a wall */
+    /* a linear spring at a wall */
     scene = scene_without_numbers(COR_LAW_LINEAR);
     scene.wall = 1;
     scene_give(scene, {COR_SCENE_STIFFNESS, 1e5}, {COR_SCENE_EFFECTIVE_MASS, 2e-3}, {COR_SCENE_RESTITUTION, 0.5});
     const double l = log(2) / PI, zeta = l / sqrt(1 + l * l);
     is_near(strchr(found(text_for("lammps", NULL, &scene, 0), "\nfix cor_wall all wall/gran granular hooke "), ' '),
             2 * zeta * sqrt(1e5 * 2e-3), 1e-11);
-    /* At a wall YADE makes other contacts from tc and en. */
+    /* At a wall YADE computes other contacts from the same tc and en. */
     text = text_for("yade", NULL, &scene, 0);
     found(text, "ViscElMat(kn=");
     assert_null(strstr(text, "tc="));
 }
 
-/* The active block has the requested end. If no block has, the text states the realised e and an alternative. */
+/* The active block has the requested end. If no block has it, the text states the realised e and an alternative. */
 TEST(ends)
 {
     struct cor_scene scene = scene_without_numbers(COR_LAW_LINEAR);
@@ -134,7 +134,7 @@ TEST(ends)
         const char *const text = text_for(cor_simulators[i / 3].name, NULL, &scene, 0), *at = strstr(text, "realises ");
         check(strncmp(text, "refused: ", 9) == 0 || strncmp(at, "realises eps = 0.5 at every speed", 33) == 0, "%s",
               text);
-        const char *const instant = strstr(text, "contacts end at an instant"); /* then every end is right */
+        const char *const instant = strstr(text, "contacts end at an instant"); /* an instant contact has every end */
         check(!(instant && instant < strchr(text, '\n') && strstr(text, "has no contacts of this law")), "%s", text);
         const int newton = strcmp(cor_simulators[i / 3].name, "newton") == 0;
         if (!newton && strcmp(cor_simulators[i / 3].name, "yade") != 0)
@@ -207,12 +207,12 @@ TEST(versions)
         "29 Sep 2021|29Sep2021|29 Sept 2021|4 february 2025|20250204|20230802-1~deb12|3.8.1|3.8|2023.02a|2022|"
         "31 Foo 2021|32 Jan 2021|1 Ja 2021|1 Jan 21|-1|202308021|3.8.1\nx|3.8 1|latest|Sep 2021";
     const long number[20] = {20210929, 20210929, 20210929, 20250204, 20250204,
-                             20230802, 30801,    30800,    20230200, 20220000}; /* the last ten are not versions */
+                             20230802, 30801,    30800,    20230200, 20220000}; /* the last ten are no versions */
     size_t i = 0;
     for (const char *text = strtok(version, "|"); text; text = strtok(NULL, "|"), i++)
         check(cor_simulator_version(text) == number[i], "%s: %ld", text, cor_simulator_version(text));
     assert_true(i == COUNT_OF(number) && cor_simulator_version("") == 0);
-    /* the model of the named version, otherwise of Debian's */
+    /* the model belongs to the named version, otherwise to Debian's version */
     struct cor_scene scene = bodies(COR_LAW_TSUJI, 0);
     scene.number[COR_SCENE_RESTITUTION] = 0.5;
     const char *text = text_for("lammps", NULL, &scene, 1);

@@ -3,7 +3,7 @@
 #include "../reference/ode.h"
 #include "scene.h"
 
-/* ---- another method: the displacement, force or rescaled memory z in y = {u, x', w, z}, x = u^d ---- */
+/* ---- another method: y = {u, x', w, z}, x = u^d; z is the displacement, the force or the rescaled memory ---- */
 
 struct reference {
     struct cor_exponents law; /* d = law.denominator, which is even */
@@ -27,7 +27,7 @@ static int remembers_force(const struct reference *r)
     return r->memory == COR_REMEMBERS_FORCE || r->memory == COR_REMEMBERS_FORCE_RESCALED;
 }
 
-/* Returns half of d on the way back of a rescaled memory. */
+/* Returns d/2 during unloading with a rescaled memory, which shrinks; otherwise 0. */
 static int shrinks(const struct reference *r)
 {
     const int rescaled = r->memory == COR_REMEMBERS_DISPLACEMENT_RESCALED || r->memory == COR_REMEMBERS_FORCE_RESCALED;
@@ -124,7 +124,7 @@ static long double speed_left(const long double *y, const void *of)
     return ((const struct reference *)of)->returns ? 1 : y[1];
 }
 
-/* Returns the acceleration of the slip (`damped`: damped slip) minus the threshold's, in the slip's direction. */
+/* Returns the acceleration of the slip (damped: of a damped slip) minus the threshold's, in the slip's direction. */
 static long double over_threshold(const long double *y, const struct reference *r, int damped)
 {
     const long double f = normal_force(y, r), step = 1e-6L;
@@ -177,7 +177,7 @@ static long double reference_restitution(struct reference *r, long double tangen
                                              force_left,     speed_left, creep_below, creep_above};
     struct ode o = {.slopes = reference_slopes, .of = r, .n = 4, .h = 1e-4L};
     const int d = r->law.denominator, a = r->law.elastic, b = r->law.damping;
-    const long double u = 1e-8L, early[] = {u, 1, tangent, 0}; /* the first terms decide the first mode */
+    const long double u = 1e-8L, early[] = {u, 1, tangent, 0}; /* just after the touch; decides the first mode */
     const long double first = r->kappa * power(u, r->p + d) * tangent / (remembers_force(r) ? 1 + r->p / (double)d : 1);
     long double y[4] = {0, 1, tangent, 0};
     r->side = r->sign = 1;
@@ -278,7 +278,7 @@ static void compare(const struct impact *i)
 TEST(against_another_method)
 {
     static const struct impact rare[] = {
-        /* a damper outside the cap holds w between slip and stick, once with a cap that pulls before the end */
+        /* a damper outside the cap holds w between slip and stick; in one case the cap pulls before the end */
         {COR_LAW_HERTZ_DASHPOT, 1, COR_REMEMBERS_FORCE, 0, 0, 0.05, 0, 4, 0.7, 0.32, 1.8},
         {2, 0, 3, 0, 0, 0.031626973606115716, 0, 1.3718264680914363, 0.083633820266818537, 0.11072672221065727,
          1.2509808058731937},
@@ -310,11 +310,11 @@ TEST(against_another_method)
                   rescaled =
                       i.memory == COR_REMEMBERS_DISPLACEMENT_RESCALED || i.memory == COR_REMEMBERS_FORCE_RESCALED;
         i.constant_stiffness = !rescaled && random_below(&draw, 4) == 0;
-        i.law = rescaled && i.law == COR_LAW_LINEAR ? COR_LAW_VISCOELASTIC : i.law; /* it has no contact radius */
+        i.law = rescaled && i.law == COR_LAW_LINEAR ? COR_LAW_VISCOELASTIC : i.law; /* no contact radius */
         i.damping = random_below(&draw, 2) || i.memory == COR_REMEMBERS_NOTHING ? random_log(&draw, 1e-3, 10) : 0;
         if (random_below(&draw, 4) == 0) /* near 4.5 elastic spheres slip just before the end */
             i.kappa = 4.5 + random_uniform(&draw, -1, 1) * random_log(&draw, 1e-6, 0.3);
-        i.tangent = 3.5 * i.mu / i.kappa; /* stick begins here if the displacement is remembered */
+        i.tangent = 3.5 * i.mu / i.kappa; /* the tangent at which stick begins if the displacement is remembered */
         if (random_below(&draw, 4) == 0)
             i.tangent *= (force ? 1.5 : 1) * (1 + random_uniform(&draw, -1, 1) * random_log(&draw, 1e-8, 0.1));
         else
@@ -323,7 +323,7 @@ TEST(against_another_method)
     }
 }
 
-/* u'/u of elastic spheres whose displacement is remembered; u/v = w L, L = 7 mu/(2 kappa) (docs/theory.md, 20) */
+/* u'/u of elastic spheres, remembered displacement; u/v = w L, L = 7 mu/(2 kappa) (docs/theory.md, 20) */
 TEST(table_of_the_theory)
 {
     static const double nus[] = {0, 0.3, 0.5}, ws[] = {0.1, 0.25, 0.5, 1, 2, 4, 8};

@@ -23,7 +23,7 @@ TEST(eps_of_the_speed)
         check_ulp(eps, printed_eps(x), COR_ELASTIC_PLASTIC_EPS_MAX_ULP);
         check(eps <= 1, "x = %a: eps = %a", x, eps);
         /* closer to 1 the printed formula loses digits of 1 - eps; the next test has its limit */
-        if (x > 1.125) { /* where eps determines x: d ln x/d ln eps is 4 or more */
+        if (x > 1.125) { /* d ln x/d ln eps is 4 or more: eps determines x well */
             check_ulp(cor_elastic_plastic_loss(x), 1 - printed_eps(x), COR_ELASTIC_PLASTIC_LOSS_MAX_ULP);
             const double back = cor_elastic_plastic_speed_ratio(eps);
             long double low = back * (1 - 1e-10L), high = back * (1 + 1e-10L);
@@ -55,7 +55,7 @@ TEST(onset_and_limits)
     check_nan(cor_elastic_plastic_eps(-1), cor_elastic_plastic_eps(NAN), cor_elastic_plastic_loss(NAN),
               cor_elastic_plastic_speed_ratio(1.1), cor_elastic_plastic_speed_ratio(NAN),
               cor_elastic_plastic_speed_ratio(-0.5));
-    for (double eps = 1; eps > 0.01; eps -= 1.0 / 512) { /* decreases through both methods */
+    for (double eps = 1; eps > 0.01; eps -= 1.0 / 512) { /* the inverse decreases across the limit of both methods */
         const double x = cor_elastic_plastic_speed_ratio(eps);
         check(fabs(cor_elastic_plastic_eps(x) - eps) < 4e-15 && x < cor_elastic_plastic_speed_ratio(eps - 1.0 / 512),
               "eps %g: x %g", eps, x);
@@ -67,7 +67,7 @@ TEST(onset_and_limits)
 struct spheres {
     long double modulus, radius, mass, yield_pressure; /* E*, R, m, p_y */
     long double yield_overlap, yield_force;
-    long double larger, rest; /* of the unloading: its radius, and the remaining overlap; 0: loading */
+    long double larger, rest; /* state of the unloading: its radius and the remaining overlap; 0: loading */
 };
 
 static long double hertz(long double modulus, long double radius, long double overlap)
@@ -132,7 +132,7 @@ TEST(piecewise_contact)
     check_near(COR_YIELD_FACTOR, sqrtl(powl(pi_long, 5) / 30), 1e-15);
     check_near(cor_scene_yield_stress(&contact, (double)onset), 1e9L, 1e-14);
     draw_begin();
-    for (int i = 0; i < 100; i++) { /* any speed, also above the contact's */
+    for (int i = 0; i < 100; i++) { /* any yield speed, also above the contact's */
         const double speed = (double)onset * random_log(&draw, 1e-6, 1e6);
         check_near(cor_scene_yield_speed(&contact, cor_scene_yield_stress(&contact, speed)), speed, 2e-14);
     }
@@ -191,7 +191,7 @@ static double luding_force(const double number[3], double radius, double x, doub
 }
 
 /* The lines for LIGGGHTS are integrated: eps and overlap of the spheres at the speed of the lines, and the stated eps
- * at other speeds. Lines for a simulator without such a model state that it is missing. */
+ * at other speeds. The text for a simulator without such a model states that it is missing. */
 TEST(lines_of_luding)
 {
     static const char *const names[] = {"LoadingStiffness", "UnloadingStiffness", "coefficientPlasticityDepth"};

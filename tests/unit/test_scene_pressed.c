@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Collisions under a constant force: integrated, limits and thresholds */
+/* Tests collisions under a constant force by integration, by limits and by thresholds. */
 #include "../reference/ode.h"
 #include "scene.h"
 
@@ -52,7 +52,7 @@ TEST(impacts)
     assert_in_range(stuck, 10, 100);
 }
 
-/* eps on both sides of the sticking speed, which another integration finds backward in time */
+/* eps is 0 below and positive above the sticking speed, which another integration finds backward in time. */
 TEST(sticking)
 {
     const struct cor_scene_contact strong = scaled_contact(&cor_law_exponents[COR_LAW_LINEAR], 1.975, 1);
@@ -93,7 +93,7 @@ TEST(limits)
     for (int law = 0; law < COR_LAW_PLATE; law++) {
         if (!law_is_complete(law))
             continue;
-        /* without damping nothing is lost */
+        /* without damping no energy is lost */
         struct cor_scene_contact c = scaled_contact(&cor_law_exponents[law], 0, 0.7);
         for (int end = 0; end < COR_SCENE_ENDS; end++)
             check_near(scene_impact(&c, 1).eps[end], 1, 1e-14);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The error of a time step: another integrator with other phases, limits, and refusals */
+/* Tests the error of a time step against another integrator with other phases, by limits, and by refusals. */
 #include "runtime/scene/simulators.h"
 #include "scene.h"
 
@@ -40,7 +40,7 @@ static double rebound(const struct cor_scene_contact *c, double speed, int end, 
                  damping = cor_scene_damping(c, COR_SCENE_DAMPING_COEFFICIENT);
     double x = (speed + g / 2 * start) * start, v = speed + g * start, a = -g;
     const long most = lround(40 * cor_scene_elastic_duration_s(c, speed) / h);
-    if (integrator == COR_IMPLICIT_EULER) { /* as in engines: constraint force mixing, error reduction parameter */
+    if (integrator == COR_IMPLICIT_EULER) { /* constraint force mixing and error reduction parameter of engines */
         const double mixing = 1 / (h * c->stiffness + damping), reduction = h * c->stiffness * mixing;
         v -= g * h / 2;
         for (long k = -1000; k < most && (k == -1000 || x > 0); k++) {
@@ -96,7 +96,7 @@ TEST(another_route)
     struct random_state r = random_start();
     for (int k = 0; k < (int)points(TRIES); k++) {
         const enum cor_law law = (enum cor_law)(k % SCENE_LAWS);
-        /* again: damped so strongly that a predicted velocity lets the force push again after zero */
+        /* again: damping so strong that, with a predicted velocity, the force pushes again after it has been zero */
         const int again = k % 8 == 7, end = again || k / 5 % 2, weak = !again && k / 10 % 2,
                   integrator = again                   ? COR_VERLET_FULL_STEP
                                : law == COR_LAW_LINEAR ? COR_IMPLICIT_EULER - (int)random_below(&r, 2)
@@ -133,7 +133,7 @@ TEST(another_route)
     }
 }
 
-/* Weak damping without x^b, and one more step in a narrow range of the phases: scatter from 100000 phases */
+/* Weak damping with b = 0: only a narrow range of phases needs one more step. The scatter comes from 100000 phases. */
 TEST(narrow_windows)
 {
     const double many[][3] = {{5e-3, 0.005961276382523327, 2.655e-6}, {3e-4, 0.0628198558985, 1.466e-6}};
@@ -156,7 +156,7 @@ static double bias_at(const struct cor_scene_contact *contact, double steps, int
 TEST(small_steps)
 {
     const struct cor_scene_contact contact = contact_with(COR_LAW_VISCOELASTIC, 0.6, COR_END_ZERO_OVERLAP);
-    /* the velocity of half a step ago gives a first-order error, which the velocity of the full step removes */
+    /* the velocity of half a step before causes a first-order error; the velocity of the full step does not */
     const double half = bias_at(&contact, 1000, COR_VERLET_HALF_STEP),
                  full = bias_at(&contact, 1000, COR_VERLET_FULL_STEP);
     check(fabs(bias_at(&contact, 1e4, COR_VERLET_HALF_STEP) * 10 / half - 1) < 0.01, "bias %g", half);
@@ -220,7 +220,7 @@ TEST(pressed)
     check(fabs(lammps.bias + scene_eps(&ball, 0.1, COR_END_ZERO_FORCE) - 0.662257) < 5e-6 &&
               fabs(lammps.scatter - 0.010791) < 1e-5,
           "bias %g, scatter %g", lammps.bias, lammps.scatter);
-    /* bodies that creep to rest; the fewest steps that the force allows */
+    /* bodies that creep to rest: the force limits the number of steps from below */
     double steps_for;
     ball.force_n *= 100;
     assert_int_equal(cor_scene_step_for(&steps_for, &ball, 0.1, COR_END_ZERO_FORCE, 0.1, COR_LEAPFROG), COR_OK);
@@ -240,7 +240,7 @@ TEST(pressed)
         check(fabs(e.bias) < (integrator == COR_VERLET_FULL_STEP ? 1e3 / steps : 2) / steps,
               "law %d end %d integrator %d, %g steps: bias %g", k % 5, end, integrator, steps, e.bias);
         const double slow = stays * random_uniform(&r, 0.3, 0.8);
-        /* in a step of at most half the largest change of the speed */
+        /* steps in which the speed changes by at most half of its largest change */
         const double many =
             fmax(steps, contact.force_n * cor_scene_elastic_duration_s(&contact, slow) / (contact.mass_kg * slow));
         e = error_of(&contact, slow, end, many, integrator);
@@ -339,7 +339,7 @@ TEST(models)
         const struct mean mean = simulated(&given, speed, (int)model->end,
                                            cor_scene_elastic_duration_s(&contact, speed) / steps, integrator, 401, 0.3);
         check(fabs(mean.eps - eps) < COR_SCENE_STEP_ERROR * mean.scatter, "%s: %g", model->model, mean.eps);
-        /* by eps only, the result is equal where the law has a closed form */
+        /* from eps only, the result is the same if the law has a closed form */
         const double by_eps = cor_simulator_damping(model, &target, 0);
         check(isnan(by_eps) || fabs(by_eps / damping - 1) < 1e-9, "%s: %g, %g", model->model, by_eps, damping);
         judged++;

@@ -126,7 +126,7 @@ TEST(limits)
     assert_true(most < 0.9847 && most > 0.9845);
     assert_true(isnan(cor_simulator_e(m, 0.99, &status)) && status == COR_SIMULATOR_TOO_LARGE);
     assert_true(cor_simulator_e(m, 0.98, &status) < 1 && status == COR_SIMULATOR_OK);
-    /* clamps at both ends, nothing outside */
+    /* e is clamped at both ends; outside the range the result is NaN */
     assert_true(isnan(cor_simulator_realised(m, 1.01)) && isnan(cor_simulator_realised(m, -0.1)) &&
                 isnan(cor_simulator_realised(m, NAN)));
     assert_true(cor_simulator_realised(cor_simulator_model(COR_MFIX_LSD), 0) == 0 &&
@@ -136,7 +136,7 @@ TEST(limits)
 /* ---- units: the simulator's own force law in SI units against the scaled law ---- */
 
 struct pair {
-    double mass, stiffness, radius, speed, a; /* of the contact, the impact and the spring */
+    double mass, stiffness, radius, speed, a; /* numbers of the contact, the impact and the spring */
 };
 
 /* Returns the damping for en at vn = 1 m/s: YADE solves P(v) = en and sets A = (2/3) v^2 vn^(-1/5) (K/m)^(-2/5). */
@@ -206,7 +206,7 @@ static const struct damper {
 struct scaled_pair {
     const struct pair *s;
     enum cor_end end;
-    double damping, b, time; /* of damping x^b v */
+    double damping, b, time; /* damping and b of the damping force with x^b v */
 };
 
 /* Returns the force for the end of contact: damped during the approach only, or damping at most the spring's force. */

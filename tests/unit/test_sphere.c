@@ -33,7 +33,7 @@ struct function {
 #quantity, cor_sphere_##quantity, max_ulp, offsetof(struct reference, quantity), at_zero, at_infinity          \
     }
 
-/* The values at zero: sphere.h promises 2 tau_0, y_0 and tau_0 of (51), here to the nearest double. */
+/* The functions. Values at beta = 0: 2 tau_0, y_0 and tau_0 of (51), to the nearest double */
 static const struct function functions[] = {
     ROW(eps_zero_overlap, COR_SPHERE_EPS_MAX_ULP, 1, 0),
     ROW(eps_zero_force, COR_SPHERE_EPS_MAX_ULP, 1, 0),
@@ -61,7 +61,7 @@ static long double c1_exact(void)
 
 /* ---- values ---- */
 
-/* From corgen collide, by integration in balls. eps at 0.5, 1 and 5 was known before. */
+/* Values from corgen collide, by integration in balls. eps at 0.5, 1 and 5 is known from another source. */
 static const struct {
     double beta;
     struct reference value;
@@ -117,7 +117,7 @@ static long double force(long double w, long double v, const void *beta)
     return w * w * w + *(const double *)beta * w * v;
 }
 
-/* By another route. tests/accuracy/test_accuracy.c has many points, all magnitudes of beta, and the inverse. */
+/* Agreement with the integrated motion. tests/accuracy/test_accuracy.c has many points, any beta, and the inverse. */
 TEST(against_the_equation_of_motion)
 {
     for (size_t i = 0; i < points(400); i++) {
@@ -259,7 +259,7 @@ TEST(derivatives)
         check(slope(creep, beta) >= -slack, "beta = %a: creep, %g", beta, slope(creep, beta));
         check(most >= -2 / 3.0 - slack && most <= slack, "beta = %a: largest overlap, %g", beta, most);
     }
-    /* numbers from the proofs */
+    /* numbers that the proofs use */
     check(cor_sphere_duration_zero_force(2.6) / 2.6 > 0.89, "%a", cor_sphere_duration_zero_force(2.6));
     check(creep(2.6) > 1.74, "%a", creep(2.6));
     check(sqrt(cor_sphere_eps_zero_force(7) * 16807) > 26.8, "%a", cor_sphere_eps_zero_force(7));

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Tests how much stack public functions use, because simulators call them from threads with a small stack. Tests which
- * functions allocate memory. Covers every function in the list of the bindings. A thread runs on painted memory; memory
- * without paint afterwards was used. */
+/* Tests for every function in the list of the bindings how much stack it uses, because simulators call it from threads
+ * with a small stack, and if it allocates memory. A thread runs on a stack filled with a pattern; changed bytes were
+ * used. */
 #define _POSIX_C_SOURCE 200809L
 #include "check.h"
 
@@ -12,7 +12,7 @@
 enum { SIZE = 1 << 20, PAINT = 0xa5, SETS = 12, MOST_RESULTS = 100000 };
 
 static unsigned char stack[SIZE] __attribute__((aligned(4096)));
-static struct results results; /* allocated before: not on the painted stack, nor counted */
+static struct results results; /* before the calls: neither on the painted stack nor counted */
 
 static int setup(void **state)
 {
@@ -73,7 +73,7 @@ static size_t stack_taken(const struct public_function *function)
     return SIZE - free_bytes;
 }
 
-/* Returns the bytes that the headers state; the first name that is a prefix counts. */
+/* Returns the bytes of stack that the headers state, by the first prefix that matches the name. */
 static size_t stack_stated(const struct public_function *function, int of_scene)
 {
     static const struct {
@@ -103,7 +103,7 @@ static size_t stack_stated(const struct public_function *function, int of_scene)
 TEST(stack_of_functions)
 {
 #if defined __SANITIZE_ADDRESS__ || !defined __OPTIMIZE__
-    skip(); /* functions need more stack if instrumented or not optimized */
+    skip(); /* instrumented or unoptimised functions need more stack */
 #endif
     const size_t thread = stack_taken(NULL);
     for (size_t k = 0; k < function_count(); k++) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Tests the loss to elastic waves: known values, another contour for J(nu), sphere and half-space of one material or of
- * two. */
+/* Tests the loss to elastic waves by known values, by another contour for J(nu), and for a sphere and a half-space of
+ * one material or of two. */
 #include "check.h"
 
 #include <complex.h>
@@ -61,7 +61,7 @@ TEST(collisions)
         const struct cor_half_space block = {young, nu, density};
         struct cor_sphere_contact contact;
         assert_int_equal(cor_sphere_contact_init(&contact, &sphere, &wall), COR_OK);
-        /* the general formula, and the formula for one material, in which radius and modulus cancel */
+        /* the general formula gives the formula for one material, in which radius and modulus cancel */
         check_near(cor_contact_wave_loss(&contact, &block, speed),
                    cor_half_space_wave_coefficient(nu) * powl(speed / sqrtl((long double)young / density), 0.6L),
                    5e-14);
@@ -83,8 +83,8 @@ TEST(collisions)
     }
 }
 
-/* All magnitudes of each number, so that most powers and quotients in the formula are not doubles. The reference is the
- * logarithm of the formula. Includes speed 0. */
+/* Numbers of all magnitudes, so that most powers and quotients in the formula are out of the range of doubles. The
+ * reference is the logarithm of the formula. One speed is 0. */
 TEST(every_size)
 {
     size_t moderate = 0;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The sources of the browser's module as native code: numbers and curves against cor/contact.h and cor/scene.h,
- * refusals. tests/web tests the module itself. */
+/* Tests the sources of the browser's module as native code: numbers and curves against cor/contact.h and cor/scene.h,
+ * and refusals. tests/web tests the module itself. */
 #include "check.h"
 
 #include "cor/contact.h"
@@ -81,8 +81,8 @@ static void options_of(char *options, char *arguments)
             strcat(options, word);
 }
 
-/* Every contact of tests/reference/contacts.csv for which the page has fields: numbers of the first speed, and the
- * first line for a simulator or the reason for its absence */
+/* For every contact of tests/reference/contacts.csv that the page can describe: the numbers at the first speed, and the
+ * first line for a simulator or the reason why there is none. */
 TEST(test_contacts_of_the_list)
 {
     enum { NUMBERS = 7, COLUMNS = 8 };
@@ -92,7 +92,7 @@ TEST(test_contacts_of_the_list)
     assert_true(file && fgets(row, sizeof row, file));
     for (; fgets(row, sizeof row, file); rows++) {
         char *at = row, *const arguments = cell_of(&at);
-        double y[4 * COLUMNS], z[4 * COLUMNS]; /* of two contacts at two speeds */
+        double y[4 * COLUMNS], z[4 * COLUMNS]; /* the options of two contacts at two speeds */
         options_of(options, arguments);
         if (strcmp(cell_of(&at), "no") == 0)
             continue;
