@@ -232,6 +232,23 @@ def test_texts_for_numbers(tmp_path, deck, old, new, reason):
     assert count and reason in str(out), out
 
 
+MINDLIN = """O.materials.append(FrictMat({}))
+O.bodies.append([sphere((0,0,0),0.01),sphere((0,0,0.03),0.01)])
+O.engines=[InteractionLoop([],[Ip2_FrictMat_FrictMat_MindlinPhys(en=0.5)],[]),NewtonIntegrator(damping=0)]
+O.dt=1e-5
+"""
+
+
+@pytest.mark.parametrize("name,default", [("density", 1000), ("young", 1e9), ("poisson", 0.25)])
+def test_defaults(tmp_path, name, default):
+    """YADE: a missing number of a material has its default, and its value matters."""
+    texts = ["", f"{name}={default}", f"{name}={default * 1.01}"]
+    rows = [
+        run("audit", write(tmp_path, "deck.py", MINDLIN.format(t)), "--format", "json", "--speed", "1") for t in texts
+    ]
+    assert rows[0] == rows[1] != rows[2] and rows[0][0] == 0, rows
+
+
 def test_walls_and_lines(tmp_path):
     """A facet has its own number, and the line to write suits the contacts that exist."""
     cases = {

@@ -121,6 +121,8 @@ def test_structs():
     assert repr(GLASS) == f"Body({', '.join(f'{name}={value!r}' for name, value in fields.items())})"
     with pytest.raises(AttributeError):
         GLASS.mass_kg = 1.0
+    with pytest.raises(AttributeError, match="Body has no mass; it has young_modulus_pa, .*mass_kg"):
+        GLASS.mass
     with pytest.raises(TypeError):
         cor.Body(70e9, 0.22)
     contact = cor.contact.sphere_contact_init(GLASS, GLASS)
