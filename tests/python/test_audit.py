@@ -232,6 +232,19 @@ def test_texts_for_numbers(tmp_path, deck, old, new, reason):
     assert count and reason in str(out), out
 
 
+def test_included_bodies(tmp_path):
+    """MuJoCo: the bodies of an included file, between others, are judged as if they were in the including file."""
+    ball = '<body><freejoint/><geom name="{}" type="sphere" size=".1" solref="-1000 -{}"/></body>'
+    parts = [ball.format(name, damping) for name, damping in (("a", 10), ("b", 20), ("c", 30))]
+    write(tmp_path, "b.xml", f"<mujocoinclude>{parts[1]}</mujocoinclude>")
+    pairs = []
+    for middle in (parts[1], '<include file="b.xml"/>'):
+        text = f"<mujoco><worldbody>{parts[0]}{middle}{parts[2]}</worldbody></mujoco>"
+        out = run("audit", write(tmp_path, "deck.xml", text), "--format", "json")[1]
+        pairs.append([(row["pair"], row["realised"]) for row in json.loads(out)])
+    assert pairs[0] == pairs[1] and len(pairs[0]) >= 3, pairs
+
+
 MINDLIN = """O.materials.append(FrictMat({}))
 O.bodies.append([sphere((0,0,0),0.01),sphere((0,0,0.03),0.01)])
 O.engines=[InteractionLoop([],[Ip2_FrictMat_FrictMat_MindlinPhys(en=0.5)],[]),NewtonIntegrator(damping=0)]
