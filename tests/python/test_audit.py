@@ -236,7 +236,8 @@ def test_included_bodies(tmp_path):
     """MuJoCo: the bodies of an included file, between others, are judged as if they were in the including file."""
     ball = '<body><freejoint/><geom name="{}" type="sphere" size=".1" solref="-1000 -{}"/></body>'
     parts = [ball.format(name, damping) for name, damping in (("a", 10), ("b", 20), ("c", 30))]
-    write(tmp_path, "b.xml", f"<mujocoinclude>{parts[1]}</mujocoinclude>")
+    write(tmp_path, "b.xml", '<mujocoinclude><include file="inner.xml"/></mujocoinclude>')
+    write(tmp_path, "inner.xml", f"<mujocoinclude>{parts[1]}</mujocoinclude>")
     pairs = []
     for middle in (parts[1], '<include file="b.xml"/>'):
         text = f"<mujoco><worldbody>{parts[0]}{middle}{parts[2]}</worldbody></mujoco>"
