@@ -7,7 +7,7 @@ static = dir."/load.csv"
 # Columns: 1 speed, 2 time, 3 compression, 4 load, one block for each speed. Of load.csv: 1 compression, 2 law, centre
 # of mass, 6 relaxed, 1300 modes, alpha = 500
 
-# Arrows over tenths of the time
+# Arrows along the curves, one for each tenth of the time
 array from_x[20]
 array from_y[20]
 array to_x[20]

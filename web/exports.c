@@ -113,7 +113,7 @@ static void put_end(int end)
         put("%c", *c == '_' ? '-' : *c);
 }
 
-/* A curve of eps over the speed: one of the contacts, and the end */
+/* A curve of eps over the speed: the number of its contact, and its end of contact */
 struct curve {
     int contact, end;
 };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Shared by the benchmarks of disks. */
+/* Declarations that the benchmarks of disks share. */
 #ifndef COR_BENCH_DISKS_DISK_H
 #define COR_BENCH_DISKS_DISK_H
 

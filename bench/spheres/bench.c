@@ -17,7 +17,7 @@
 enum {
     IN_CACHE = 2048, /* an array and its eps fit the first-level cache */
     SCALARS = 16384, /* more than a branch predictor memorises */
-    COLLISIONS = 64, /* for methods that need microseconds each: few, evenly spaced in their logarithm */
+    COLLISIONS = 64, /* speeds for methods that need microseconds each, evenly spaced in their logarithm */
     ROWS = METHODS_MAX
 };
 

@@ -30,7 +30,7 @@ void scene_even_speeds(const struct scene *scene, double *speed, size_t n);
 
 struct truth {
     double in[2][CHECKED];          /* by enum input: speeds, even in their logarithm, and beta */
-    long double eps[2][2][CHECKED]; /* by enum input and enum end */
+    long double eps[2][2][CHECKED]; /* index: enum input, enum end */
 };
 
 /* Computes eps at speed g for the exact beta_per_root g^(1/5), and eps at the double beta in in[FROM_BETA]. */

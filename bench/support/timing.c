@@ -23,7 +23,7 @@ void timing_measure(struct job *jobs, size_t n, struct timing timing)
     if (!repeats)
         abort();
     for (size_t i = 0; i < n; i++) {
-        sample(&jobs[i], 1); /* caches, page tables, branch predictors */
+        sample(&jobs[i], 1); /* fills caches and branch predictors */
         const double run_ns = sample(&jobs[i], 1);
         /* 0 marks a slow job */
         repeats[i] = run_ns > SLOW_SAMPLES * timing.sample_ns ? 0 : (long)ceil(timing.sample_ns / fmax(run_ns, 1));

@@ -10,7 +10,7 @@ struct job {
     void (*run)(void *); /* does `evaluations` evaluations */
     void *closure;
     double evaluations;
-    double best_ns; /* out: per evaluation */
+    double best_ns; /* the result: time of one evaluation */
 };
 
 struct timing {

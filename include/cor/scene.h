@@ -442,7 +442,7 @@ enum cor_fault {
     COR_FAULT_PRESSED,        /* under a constant force the damping is too strong to be integrated */
     COR_FAULT_GRAVITY,        /* gravity needs a wall or a plate: it does not press free bodies together */
     COR_FAULT_ADHESION,       /* adhesion and an adhesion model go together */
-    COR_FAULT_ADHESION_MODEL, /* the adhesion model is none, or has no contact of this law */
+    COR_FAULT_ADHESION_MODEL, /* the adhesion model is absent, or has no contact of this law */
     COR_FAULT_PRESSED_LAW,    /* gravity or adhesion, with elastic-plastic spheres or a liquid (number) */
     COR_FAULT_NO_YIELD,       /* elastic-plastic spheres need a yield stress or a restitution */
     COR_FAULT_YIELD_DAMPING,  /* elastic-plastic spheres do not accept number */
@@ -585,7 +585,7 @@ struct cor_simulator_model {
                                 const struct cor_scene_contact *contact, double speed_m_s);
     double (*damping_of_number)(const struct cor_simulator_model *model, double number,
                                 const struct cor_scene_contact *contact, double speed_m_s);
-    int number; /* selects the factor between both (runtime/scene/simulators.c) */
+    int number; /* selects the factor from damping to number (runtime/scene/simulators.c) */
 
     const char *file;    /* the source file in the simulator */
     const char *known;   /* how the model is known: "run", "source" or "documentation" */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Shared by the disk at a soft wall (collision_parts.h) and at a rigid wall (hard_wall_parts.h): the table, its modes
- * in blocks, the rim's cosine series, and workspaces.
+/* Parts common to the disk at a soft wall (collision_parts.h) and at a rigid wall (hard_wall_parts.h): the table, its
+ * modes in blocks, the rim's cosine series, and workspaces.
  *
  * A block has COR_LANES lanes, one for each n, and one row for each mode of that n. Therefore sums over the modes of
  * each n need no sum across lanes. Empty places have c = s = 0.

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Shared by the functions of law.h: each law's part of the table, and the evaluation of a function at any argument. */
+/* Parts common to the functions of law.h: each law's part of the table, and the evaluation at any argument. */
 #ifndef COR_RUNTIME_LAW_FUNCTIONS_H
 #define COR_RUNTIME_LAW_FUNCTIONS_H
 

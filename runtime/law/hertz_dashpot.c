@@ -49,7 +49,7 @@ static const struct cor_row_table beta_rows_zero_overlap = DASHPOT_INVERSE(beta_
     beta_rows_zero_force = COR_ROW_TABLE_OF_OCTAVES(cor_rows_hertz_dashpot_beta_zero_force,
                                                     COR_ROWS_HERTZ_DASHPOT_BETA_ZERO_FORCE, COR_ROW_SUM);
 
-/* Must be inlined, so that the table consists of constants. */
+/* This function must be inlined, so that the table consists of constants. */
 COR_INLINE void quantity_array(struct cor_inline_law_quantity quantity, enum cor_row_value value, double (*one)(double),
                                const double *x, double *y, size_t n)
 {

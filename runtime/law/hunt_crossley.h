@@ -98,8 +98,7 @@ COR_INLINE struct cor_inline_pair cor_hc_energy(double z)
     return cor_pair_plus(cor_pair(z, 0), cor_kernel_minus_log(cor_pair_two_sum(1, z)));
 }
 
-/* Computes a collision for larger b: t = b eps has the same energy as -b. Newton's method starts above the root of a
- * convex function. */
+/* Does the same for larger b. t = b eps solves f(t) = f(-b). Newton's method starts above the root of the convex f. */
 COR_INLINE struct cor_hc_speeds cor_hc_speeds_pumped_far(double b)
 {
     const struct cor_inline_pair wanted = cor_hc_energy(-b);

@@ -847,7 +847,7 @@ static int put_template(struct text *t, const char *template, const struct block
 
 /* ---- comments of a block ---- */
 
-/* Returns the factor of the number for a mass `masses` times as large, with equal eps (q = 0) or the same material. */
+/* Returns the factor by which the number grows if the mass grows by `masses`, with equal eps (q = 0) or material. */
 static double mass_factor(const struct block *block, const struct task *task, double masses)
 {
     const struct cor_simulator_model *const model = block->model;

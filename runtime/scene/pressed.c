@@ -251,7 +251,7 @@ int cor_pressed_solve(struct cor_full_impact *impact, const struct cor_exponents
 /* ---- the sticking speed ---- */
 
 #define LARGEST_OVERLAP 1e15
-#define START 1e-8 /* relative size of the first terms of the start, whose squares are neglected */
+#define START 1e-8 /* fraction of the energy that damping and spring change at the start; its square is neglected */
 
 double cor_pressed_sticking_speed(const struct cor_exponents *law, double damping, int end)
 {
