@@ -30,7 +30,7 @@ def option_number(name: str, value: Any, label: str = "") -> float:
     option = ffi.addressof(lib.cor_scene_options, _NUMBERS.index(name))
     made = float(number(label or name, value))
     if not lib.cor_option_allows(option, made):
-        raise ValueError(f"{label or name}: {value!r} is not {string(option.allowed)}")
+        raise ValueError(f"{label or name}: {value} is not {string(option.allowed)}")
     return made
 
 
@@ -152,7 +152,8 @@ class Contact:
 
     def __repr__(self) -> str:
         given = {name: value for name, value in self._options.items() if value not in (None, False, "none")}
-        words = [repr(body) for body in self._bodies] + [f"{name}={value!r}" for name, value in given.items()]
+        plain = {name: value.item() if isinstance(value, np.generic) else value for name, value in given.items()}
+        words = [repr(body) for body in self._bodies] + [f"{name}={value!r}" for name, value in plain.items()]
         return f"Contact({', '.join(words)})"
 
     def __reduce__(self) -> Tuple[Any, ...]:
@@ -225,7 +226,7 @@ class Contact:
         speeds = np.array(speed_m_s, np.float64, order="C")
         wrong = speeds[~((speeds > 0) & np.isfinite(speeds)) & ~ma.getmaskarray(speed_m_s)]
         if wrong.size:
-            raise ValueError(f"speed_m_s: {wrong[0]!r} is not above 0 and finite")
+            raise ValueError(f"speed_m_s: {wrong[0]} is not above 0 and finite")
         columns = lib.COR_IMPACT_COLUMNS if end == lib.COR_BOTH_ENDS else 1
         rows = np.full((*speeds.shape, columns), math.nan)
 
@@ -263,7 +264,7 @@ class Contact:
         they are NaN without bodies and with JKR. Durations are infinite if the bodies never part, and NaN without mass
         and stiffness."""
         if not 1 <= number("steps", steps) < math.inf:
-            raise ValueError(f"steps: {steps!r} is not a finite number, 1 or more")
+            raise ValueError(f"steps: {steps} is not a finite number, 1 or more")
         speeds, rows = self._rows(speed_m_s, lib.COR_BOTH_ENDS)
         low, high = self.ends
         names = ["beta", f"eps_{low}", f"eps_{high}", f"duration_s_{low}", f"duration_s_{high}", "max_overlap_m"]
@@ -331,16 +332,16 @@ class Contact:
         spin = 5 / 7 * contact.mass_kg / one.mass_kg / one.radius_m
         for at, angle in np.ndenumerate(angles):
             if not 0 <= angle < 90:
-                raise ValueError(f"angle_degrees: {angle!r} is not an angle from 0 to below 90 degrees")
+                raise ValueError(f"angle_degrees: {angle} is not an angle from 0 to below 90 degrees")
             speed, u = float(speeds[at]), math.tan(math.radians(angle)) * float(speeds[at])
             if not 0 < speed < math.inf:
-                raise ValueError(f"speed_m_s: {speed!r} is not above 0 and finite")
+                raise ValueError(f"speed_m_s: {speed} is not above 0 and finite")
             if lib.cor_scene_tangential_scaled(
                 scaled, ffi.addressof(contact), found[0], spring, damper, speed
             ) or lib.cor_scene_oblique(
                 impact, ffi.addressof(contact), scaled, mu, speed, math.tan(math.radians(angle)), made
             ):
-                raise ValueError(f"oblique: {speed!r} m/s, {angle!r} degrees or friction {mu!r} is out of range")
+                raise ValueError(f"oblique: {speed} m/s, {angle} degrees or friction {mu} is out of range")
             regime = ("rest", "stick", "slip", "both")[impact.regime]
             rebound = math.degrees(math.atan(impact.rebound_tangent))
             table[at] = (speed, angle, u, -impact.restitution, rebound, u * (1 - impact.restitution) * spin, regime)

@@ -34,14 +34,14 @@ def _contact(contact: _Bodies, scene: "dict[str, Any]") -> Contact:
 def _positive(**given: Optional[float]) -> None:
     for name, value in given.items():
         if value is not None and not 0 < number(name, value) < math.inf:
-            raise ValueError(f"{name}: {value!r} is not above 0 and finite")
+            raise ValueError(f"{name}: {value} is not above 0 and finite")
 
 
 def _speeds(speeds: ArrayLike) -> Tuple[Any, Any]:
     array = np.array(speeds, np.float64, ndmin=1).ravel()
     wrong = array[~((array > 0) & np.isfinite(array))]
     if wrong.size:
-        raise ValueError(f"speeds: {wrong[0]!r} is not above 0 and finite")
+        raise ValueError(f"speeds: {wrong[0]} is not above 0 and finite")
     return array, ffi.from_buffer("double[]", array)
 
 
@@ -183,7 +183,7 @@ def lines(
     request.step_tolerance, request.step_corrected = step_tolerance or 0, step_corrected
     request.friction = float(number("friction", friction))
     if not 0 <= request.friction < math.inf:
-        raise ValueError(f"friction: {friction!r} is not a finite number, 0 or more")
+        raise ValueError(f"friction: {friction} is not a finite number, 0 or more")
     request.step_errors = time_step is not None or steps is not None
     request.integrator = lib.COR_NO_INTEGRATOR
     text = ffi.new("char[]", lib.COR_SIMULATOR_REASON)

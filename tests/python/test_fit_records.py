@@ -56,6 +56,17 @@ READ = [
     ("h0_cm,h1_cm,speed_m_s,eps\n100,64,4.4,.81\n", {}, Points, dict(eps=[0.81])),
     ("t_s,h0_cm,h1_cm\n1,100,64\n", {}, Heights, dict(drop_m=[1])),
     ("run,speed_m_s,eps\na,1,.5\nb,2,.4\n", {}, Points, dict(run=["a", "b"])),
+    # as programs export them: rows above the names, units below them, runs, empty cells and rows
+    ("mass_A\nt\tx\n0E0\t1\n1\t\n1.8\t1\n", dict(unit="s"), Times, dict(time_s=[0, 1, 1.8], line=[3, 4, 5])),
+    ("Vernier Format 2\na b\nTime\tForce\nT\tF\nms\tN\n\n0\t1\n1000\t1\n1800\t1\n", {}, Times, dict(time_s=[0, 1, 1.8])),
+    ("LabVIEW Measurement\nTime\t9\n***End_of_Header***\t\nX_Value\tA\tComment\n0\t1\n1\t1\n1.8\t1\n", dict(unit="s"),
+     Times, dict(time_s=[0, 1, 1.8])),
+    ('\ufeff"Time (s) Run #1","Light (lx) Run #1"\n0,1\n1,1\n1.8,\n,\n', {}, Times, dict(time_s=[0, 1, 1.8])),
+    ("sep=;\nh0;h1\n(cm);cm\n100;64,5\n;\n", dict(decimal_comma=True), Heights, dict(drop_m=[1], rebound_m=[0.645])),
+    ("h0 (inches),h1_ft\n10,.5\n", {}, Heights, dict(drop_m=[0.254], rebound_m=[0.1524])),
+    ("v_in (ft/s),v_out_ft_s\n10,8\n", {}, Points, dict(speed_m_s=[3.048], eps=[0.8])),
+    ("h_in\n10\n5\n", {}, Apexes, dict(height_m=[0.254, 0.127])),
+    ("v_in,v_out\n10,8\n", dict(unit="cm/s"), Points, dict(speed_m_s=[0.1])),
 ]  # fmt: skip
 
 
@@ -73,14 +84,17 @@ def test_read(text, form, kind, fields):
 # the message after the name of the file, as a regular expression; text; options
 REFUSED = [
     ("line 1: the file is empty; allowed: .*, such as speed_m_s,eps", "", {}),
-    ("line 1: '1', '0.5': no such column is read; allowed: .* such as speed_m_s,eps.*with #", "1,0.5\n2,0.4\n", {}),
+    ("line 1: '1', '0.5': no such column is read; allowed: .* such as speed_m_s,eps", "1,0.5\n2,0.4\n", {}),
+    ("line 1: 'Time 1 .s.', 'Time 2 .s.': numbered columns; allowed: .* interval_s", "Time 1 (s),Time 2 (s)\n.9,.7\n", {}),
+    ("line 2, column t: the name has no unit; .*--unit ms,cm", "mass_A\nt\ty\n0\t1\n", {}),
+    ("line 3, column y .m.: 6 rows have no height; allowed: up to 5", "t_s,y (m)\n" + "0,1\n" + "1,\n" * 6 + "2,1\n", {}),
     ("line 1: no column eps or speed_out_m_s; allowed", "speed_m_s,b\n1,0.5\n", {}),
     ("line 1: no column h0_cm, or --drop-height", "h1_cm\n64\n", {}),
     ("line 1, column eps: the file has two columns of this name", "speed_m_s,eps,eps\n1,0.5,0.5\n", {}),
     ("line 1, column speed_mm_s: the file has two columns of speeds; allowed: one", "speed_m_s,speed_mm_s,eps\n", {}),
     ("line 1, column speed_m_s: --unit cm/s contradicts the name; allowed: --unit m/s", POINTS, dict(unit="cm/s")),
     ("line 1, column t_s: --unit cm/s does not fit any column", TIMES, dict(unit="cm/s")),
-    ("--unit: 'km/h' is not a unit; allowed: m/s, cm/s, mm/s, m, cm, mm, s", POINTS, dict(unit="km/h")),
+    ("--unit: 'km/h' is not a unit; allowed: m/s, cm/s, mm/s, ft/s, m, cm, mm, in, ft, s", POINTS, dict(unit="km/h")),
     ("line 1, column speed: the name has no unit; allowed: speed_m_s, .*--unit cm/s", "speed,eps\n1,0.5\n", {}),
     ("line 1, column h0: the name has no unit; allowed: h0_m, .* --unit cm", "h0,h1\n1,0.5\n", {}),
     ("line 1, column Time .h.: 'h' is not a unit of time; allowed: s, ms, us", "Time (h)\n1\n", {}),
@@ -195,6 +209,10 @@ def test_bounces_of_a_track(eps, rate, noise, bound):
     assert abs(record.height_m[0] - 1) < 0.005
     thrown = read({"time_s": at[at > 0.2], "height_m": heights[at > 0.2]}).record  # begins in flight
     assert np.isnan(thrown.height_m[0])
+    heights[[7, 8, 9, int(bounces[1] * rate)]] = np.nan  # frames in which the ball was not found
+    gaps = read({"time_s": at, "height_m": heights})
+    np.testing.assert_allclose(gaps.record.time_s[:5], bounces[:5], atol=bound)
+    assert gaps.remarks[0] == "4 rows without a height are left out."
 
 
 def test_hostile_bytes():

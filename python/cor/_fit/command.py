@@ -16,8 +16,8 @@ from .result import COLUMNS, Result, fit
 
 HELP = """\
 Fits models of restitution to measured bounces, ranks them by Akaike's information criterion (AIC; the least is best),
-and prints which models fit. DATA is a csv file, or - for standard input. Its first row names the columns with their
-units. Other columns are not read, and lines that begin with # are comments.
+and prints which models fit. DATA is a csv file, or - for standard input. A row names the columns with their units.
+Lines above it, lines that begin with # and other columns are not read.
 
   speed_m_s,eps[,eps_sigma]       impact speed, restitution and its standard deviation
   speed_m_s,speed_out_m_s         speeds before and after impact

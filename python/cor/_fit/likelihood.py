@@ -409,9 +409,8 @@ class Reduced(Problem):
             full = Problem(pilot[0].curve, self.sample, self.field, (), False)
             _, weight, a = full.parts(pilot[1])
             ratio = math.exp(self.log_ratio) / self.mean_square if self.sample.scatters else 0.0
-            logs = [full.factor(weight, a, [lam])[1] for lam in (0.0, ratio)]
-            factor = full.factor(weight, a, [ratio])[0]
-            determinant = math.exp(float(logs[1] - logs[0]) / (2 * self.size)) if self.sample.scatters else 1.0
+            (none,), (factor, (some,)) = full.factor(weight, a, [0.0])[1], full.factor(weight, a, [ratio])
+            determinant = math.exp((some - none) / (2 * self.size)) if self.sample.scatters else 1.0
         spread = self.spread(flights)
 
         def whitened(eps: Floats) -> Any:

@@ -2,6 +2,7 @@
 """Reads measured bounces from a csv file, a file object, a pandas object, or arrays."""
 
 import csv
+import math
 import re
 from os import PathLike, fspath
 from typing import Any, Callable, Dict, List, NamedTuple, NoReturn, Optional, Tuple
@@ -12,18 +13,19 @@ from .data import MAX_BEYOND, MAX_FLIGHT_RATIO, Apexes, Data, DataError, Floats,
 from .track import find_bounces
 
 MAX_ROWS, MAX_COLUMNS, MAX_LINE, BLOCK, SHOWN = 1000000, 256, 65536, 1 << 22, 40
+MAX_ABOVE, MAX_GAP = 50, 5  # rows above the names; rows of a track in succession without a height
 WAVEFORM_ROWS = 100  # this number of equal steps means samples, not bounces
 
 # ---- names of columns ----
 
 UNITS = {
-    "speed": {"m/s": 1.0, "cm/s": 0.01, "mm/s": 0.001},
-    "height": {"m": 1.0, "cm": 0.01, "mm": 0.001},
+    "speed": {"m/s": 1.0, "cm/s": 0.01, "mm/s": 0.001, "ft/s": 0.3048},
+    "height": {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254, "ft": 0.3048},
     "time": {"s": 1.0, "ms": 1e-3, "us": 1e-6},
 }
 UNIT_NAMES = [unit for units in UNITS.values() for unit in units]
-ALIASES = {"µs": "us", "μs": "us", "sec": "s", "seconds": "s", "m_s": "m/s", "cm_s": "cm/s", "mm_s": "mm/s"}
-
+ALIASES = dict(zip("µs μs sec seconds m_s cm_s mm_s ft_s meters inch inches feet".split(),
+                   "us us s s m/s cm/s mm/s ft/s m in in ft".split()))  # fmt: skip
 
 # Key, dimension, least number in SI units, and other names of the column (letters and digits only)
 ROWS = """\
@@ -33,7 +35,7 @@ eps - -1e31 epsilon ε e cor restitution coefficientofrestitution
 h0 height 1e-30 dropheight hbefore heightbefore hdrop initialheight
 h1 height 0 rebound reboundheight hafter heightafter hrebound bounceheight
 h height 1e-30 apex apexheight y z position positiony
-t time 0 timestamp bouncetime timeofbounce
+t time 0 timestamp bouncetime timeofbounce xvalue
 interval time 1e-30 intervals timeinterval timebetweenbounces dt δt deltat flight flighttime
 run label 0
 ball label 0
@@ -64,13 +66,13 @@ KINDS: List[Tuple[str, List[str], List[str]]] = [
     ("heights", ["h1"], ["h1_sigma"]),  # with --drop-height
 ]
 WANTED = (
-    "a first row with the names and units of the columns, such as speed_m_s,eps or speed_cm_s,eps,eps_sigma, "
+    "a row with the names and units of the columns above the numbers, such as speed_m_s,eps or speed_cm_s,eps,eps_sigma, "
     "speed_m_s,speed_out_m_s, h0_cm,h1_cm, h_cm for successive apexes, t_s for times of bounces, interval_ms, or "
     "time_s,height_m for a track"
 )
 _UNIT_END = re.compile(
     r"^(?P<base>.*?)(?:[\s_]*[(\[](?P<in>[^()\[\]]*)[)\]]"
-    r"|[\s_/]+(?P<end>(?:mm|cm|m)[/_]s|mm|cm|m|s|ms|us|µs|μs|sec))$",
+    r"|[\s_/]+(?P<end>(?:mm|cm|m|ft)[/_]s|mm|cm|m|in|ft|s|ms|us|µs|μs|sec))$",
     re.I | re.S,
 )
 
@@ -81,12 +83,14 @@ def _plain(name: str) -> str:
 
 
 def _split_name(name: str) -> Tuple[str, Optional[str]]:
-    """Return the plain name without its unit, and the unit, or None if the name has no unit."""
-    found = _UNIT_END.match(name.strip())
-    if not found:
+    """Return the plain name without its unit, and the unit, or None if the name has no unit. "Latest: Time (s)" and
+    "Time (s) Run #1" are plainly time."""
+    name = re.sub(r"\s+Run #?\d+$", "", name.strip()).rpartition(": ")[2]
+    found = _UNIT_END.match(name)
+    if not found or (found["end"] == "in" and _plain(found["base"]) in QUANTITIES["speed"].names):  # v_in
         return _plain(name), None
     unit = (found["in"] if found["in"] is not None else found["end"]).strip().lower()
-    return _plain(found["base"].rpartition(": ")[2]), ALIASES.get(unit, unit)
+    return _plain(found["base"]), ALIASES.get(unit, unit)
 
 
 def _is_near(a: str, b: str) -> bool:
@@ -171,6 +175,10 @@ def _number(text: str, decimal_comma: bool) -> float:
         return np.nan
 
 
+def _is_number(cell: str) -> bool:
+    return math.isfinite(_number(cell.replace(",", "."), False))
+
+
 def _check_encoding(table: Table, block: bytes) -> bytes:
     """Return the first block without the byte order mark of UTF-8."""
     for form, mark, zero in (("UTF-16LE", b"\xff\xfe", 1), ("UTF-16BE", b"\xfe\xff", 0)):
@@ -180,23 +188,33 @@ def _check_encoding(table: Table, block: bytes) -> bytes:
     return block[3:] if block.startswith(b"\xef\xbb\xbf") else block
 
 
-def _cells(table: Table, number: int, line: str) -> List[str]:
-    """Return the cells of a line; [] for an empty line or a comment. The first row determines the separator."""
+def _separator(table: Table, line: str) -> str:
+    return table.separator or max(",;\t", key=re.sub('"[^"]*"', "", line).count)
+
+
+def _split(table: Table, number: int, line: str, separator: str) -> List[str]:
+    """Return the cells of a line; [] for a comment or empty cells."""
     if len(line) > MAX_LINE:
         table.refuse(number, None, f"longer than {MAX_LINE} characters; allowed: csv, such as speed_m_s,eps")
     if "\0" in line or "\r" in line:
         table.refuse(number, None, "has a control character; allowed: text with lines that end in LF or CR LF")
-    if line.lstrip(" \t")[:1] in ("", "#"):
+    if not line.strip(" \t,;") or line.lstrip(" \t")[0] == "#":
         return []
-    table.separator = table.separator or max(",;\t", key=re.sub('"[^"]*"', "", line).count)
-    cells = next(csv.reader([line], delimiter=table.separator, skipinitialspace=True)) if '"' in line else None
-    cells = line.split(table.separator) if cells is None else cells
-    if table.header and len(cells) != len(table.header):
+    return (
+        next(csv.reader([line], delimiter=separator, skipinitialspace=True)) if '"' in line else line.split(separator)
+    )
+
+
+def _cells(table: Table, number: int, line: str) -> List[str]:
+    """Return the cells of a row. Cells at its end may be missing or empty, if their columns are not read."""
+    cells = _split(table, number, line, table.separator)
+    missing = len(table.header) - len(cells)
+    if cells and missing and any(cells[missing:] if missing < 0 else [i >= len(cells) for i in table.found.values()]):
         word = {",": "commas", ";": "semicolons", "\t": "tabs"}[table.separator]
         why = f"{len(cells)} cells, but the first row has {len(table.header)}; allowed: the same number, separated by "
         point = "comma" if table.form.decimal_comma else "point"
         table.refuse(number, None, f"{why}{word}, and numbers with a decimal {point}")
-    return cells
+    return (cells + [""] * missing)[: len(table.header)] if cells else []
 
 
 def _read_csv(table: Table, file: Any, progress: Callable[[str], None]) -> None:
@@ -213,10 +231,13 @@ def _read_csv(table: Table, file: Any, progress: Callable[[str], None]) -> None:
         lines = block[:end].replace(b"\r\n", b"\n").decode("utf-8", "surrogateescape").split("\n")
         lines = lines if lines[-1] else lines[:-1]
         text, others = "\n".join(lines), len(columns) - 1
+        begin = 0 if columns else _find_names(table, number, lines)
+        columns = columns or [[] for _ in table.header]
         if (  # regular rows, in a tenth of the time
-            columns
+            not begin
+            and columns
             and not any(c in text for c in '"#\0\r')
-            and "" not in lines
+            and table.separator * others not in lines
             and all(line.count(table.separator) == others for line in lines)
         ):
             cells = text.replace(table.separator, "\n").split("\n") if lines else []
@@ -224,15 +245,9 @@ def _read_csv(table: Table, file: Any, progress: Callable[[str], None]) -> None:
                 column += cells[i :: len(columns)]
             places += range(number + 1, number + len(lines) + 1)
         else:
-            for at, line in enumerate(lines, number + 1):
+            for at, line in enumerate(lines[begin:], number + begin + 1) if columns else ():
                 cells = _cells(table, at, line)
-                if cells and not columns:
-                    table.header, table.header_line = [c.strip() for c in cells], at
-                    if len(cells) > MAX_COLUMNS:
-                        table.refuse(at, None, f"more than {MAX_COLUMNS} cells; allowed: csv, such as speed_m_s,eps")
-                    choose_columns(table)
-                    columns = [[] for _ in cells]
-                elif cells:
+                if cells:
                     places.append(at)
                     for column, cell in zip(columns, cells):
                         column.append(cell)
@@ -252,21 +267,63 @@ def _read_csv(table: Table, file: Any, progress: Callable[[str], None]) -> None:
     table.columns, table.line = columns, np.array(places, dtype=np.int64)
 
 
+def _find_names(table: Table, number: int, lines: List[str]) -> int:
+    """Set the names of the columns. Return the number of lines above the rows of numbers, or 0 if there are only
+    comments. Rows above the names, as in files of Tracker or Logger Pro, are not read. Units may have a row below."""
+    rows = [(at, line) for at, line in enumerate(lines[:MAX_ABOVE], 1) if _split(table, number + at, line, ",")]
+    if not rows:
+        return 0
+    labview = [k for k, (_, line) in enumerate(rows[:-1]) if line.startswith("***End_of_Header***")]
+    first = labview[-1] + 1 if labview else 0
+
+    def cells_of(k: int) -> List[List[str]]:
+        """Return the cells of row k and of three rows below it."""
+        separator = _separator(table, rows[k][1])
+        return [_split(table, number + at, line, separator) for at, line in rows[k : k + 4]]
+
+    def is_above_numbers(k: int) -> bool:
+        names, *below = cells_of(k)
+        named, (kind, needed, _) = _match(names, table.form)
+        places = [named[key][0] for key in needed if kind]
+        return bool(kind) and any(
+            len(cells) > max(places) and all(_is_number(cells[i]) for i in places) for cells in below
+        )
+
+    k = next(filter(is_above_numbers, range(first, len(rows))), first)
+    at, line = rows[k]
+    names, *below = cells_of(k)
+    table.header_line, table.header, table.separator = number + at, [c.strip() for c in names], _separator(table, line)
+    if len(names) > MAX_COLUMNS:
+        table.refuse(number + at, None, f"more than {MAX_COLUMNS} cells; allowed: csv, such as speed_m_s,eps")
+    for (last, _), cells in zip(rows[k + 1 :], below[:2]):
+        units = [cell.strip(" ()[]") for cell in cells]
+        if not any(map(_is_number, units)) and any(unit in (*ALIASES, *UNIT_NAMES) for unit in units):
+            units += [""] * len(table.header)
+            table.header, at = [f"{name} ({u})" if u else name for name, u in zip(table.header, units)], last
+            break
+    choose_columns(table)
+    if k:
+        table.remarks.append(f"The names are in line {table.header_line}; lines above are not read.")
+    return at
+
+
 # ---- columns and units ----
+
+
+def _match(header: List[str], form: Form) -> Tuple[Dict[str, List[int]], Tuple[str, List[str], List[str]]]:
+    """Return the columns of each quantity, and the kind of record that they give."""
+    plain = [_split_name(name)[0] for name in header]
+    places = {key: [i for i, p in enumerate(plain) if p in quantity.names] for key, quantity in QUANTITIES.items()}
+    named = {key: found for key, found in places.items() if found}
+    kinds = KINDS if form.drop_height_m is not None else KINDS[:-1]
+    unknown: Tuple[str, List[str], List[str]] = ("", ["speed"], ["eps", "eps_sigma", "t", "h0", "h1"])
+    return named, next((k for k in kinds if all(key in named for key in k[1])), unknown)
 
 
 def choose_columns(table: Table) -> Tuple[str, List[str]]:
     """Find the quantities of the columns, the kind of record and the units. Return the kind and the unused columns."""
-    line, form, named = table.header_line, table.form, {}
-    table.found.clear()
-    split = [_split_name(name) for name in table.header]
-    for key, quantity in QUANTITIES.items():
-        places = [i for i, (plain, _) in enumerate(split) if plain in quantity.names]
-        if places:
-            named[key] = places
-    kinds = KINDS if form.drop_height_m is not None else KINDS[:-1]
-    unknown: Tuple[str, List[str], List[str]] = ("", ["speed"], ["eps", "eps_sigma", "t", "h0", "h1"])
-    kind, needed, more = next((k for k in kinds if all(key in named for key in k[1])), unknown)
+    line, form, split = table.header_line, table.form, [_split_name(name) for name in table.header]
+    named, (kind, needed, more) = _match(table.header, form)
     keys = needed + more + ["run", "ball"]
     used = {i for key in keys for i in named.get(key, [])}
     for i, name in enumerate(table.header):
@@ -279,7 +336,11 @@ def choose_columns(table: Table) -> Tuple[str, List[str]]:
         missing = "h0_cm, or --drop-height" if "h1" in named and "h0" not in named else missing
         names = ", ".join(f"'{name[:SHOWN]}'" for name in table.header[:4])
         why = f"no column {missing}" if named else f"{names}: no such column is read"
-        table.refuse(line, None, f"{why}; allowed: {WANTED}; lines above the names begin with #")
+        letters = [re.sub(r"\d", "", plain) for plain, _ in split]
+        if not named and any(letters.count(text) > 1 for text in letters if text):
+            table.refuse(line, None, f"{names}: numbered columns; allowed: one column with a row for each bounce, such "
+                         "as interval_s for times between bounces, t_s or h_cm")  # fmt: skip
+        table.refuse(line, None, f"{why}; allowed: {WANTED}")
     table.found = {key: named[key][-1] for key in ["eps", *keys] if key in named}
     if "eps" in named and kind not in ("points", "speeds"):
         other = table.header[named[needed[0]][0]]
@@ -296,9 +357,12 @@ def choose_columns(table: Table) -> Tuple[str, List[str]]:
         if len(places) > 1:
             same = split[places[0]] == split[places[1]]
             what = "columns of this name" if same else f"columns of {QUANTITIES[key].names[0]}s"
-            table.refuse(line, key, f"the file has two {what}; allowed: one")
+            table.refuse(
+                line, key, f"the file has two {what}; allowed: one, or drops below each other and a column run"
+            )
         if places:
-            table.factor[key] = _factor(table, key, split[places[0]][1], units)
+            without = {QUANTITIES[k].dimension: 0 for k in keys if k in named and split[named[k][0]][1] is None}
+            table.factor[key] = _factor(table, key, split[places[0]][1], units, [d for d in without if d in UNITS])
     for dimension, unit in units.items():
         if dimension not in [QUANTITIES[key].dimension for key in table.found]:
             allowed = ", ".join(UNITS.get(QUANTITIES[needed[0]].dimension, UNIT_NAMES))
@@ -306,14 +370,15 @@ def choose_columns(table: Table) -> Tuple[str, List[str]]:
     return kind, [name for i, name in enumerate(table.header) if i not in used and name]
 
 
-def _factor(table: Table, key: str, unit: Optional[str], given: Dict[str, str]) -> float:
+def _factor(table: Table, key: str, unit: Optional[str], given: Dict[str, str], without: List[str]) -> float:
+    """Return the factor to SI units. given: the units of --unit; without: dimensions of columns without units."""
     dimension, line = QUANTITIES[key].dimension, table.header_line
     if dimension not in UNITS:
         return 1.0
     allowed, option = UNITS[dimension], given.get(dimension)
     if unit is None and option is None:
         names = [f"{key}_{u.replace('/', '_')}" for u in allowed]
-        example = f"--unit, for example --unit {list(allowed)[1]}"
+        example = f"--unit, for example --unit {','.join(list(UNITS[d])[1] for d in without)}"
         table.refuse(line, key, f"the name has no unit; allowed: {', '.join(names[:-1])} or {names[-1]}, or {example}")
     if unit is not None and unit not in allowed:
         table.refuse(line, key, f"'{unit}' is not a unit of {dimension}; allowed: {', '.join(allowed)}")
@@ -442,6 +507,19 @@ def _refuse_waveform(table: Table, key: str, flight: Floats) -> None:
         table.refuse_row(0, key, f"{why} of bounces; allowed: {allowed}")
 
 
+def _leave_out_gaps(table: Table) -> None:
+    """Leave out the rows of a track without a time or a height, at most MAX_GAP in succession inside it."""
+    empty = [any(c.lower() in ("", "nan") for c in pair) for pair in zip(table.labels("t"), table.labels("h"))]
+    rows = np.flatnonzero(np.logical_not(empty))
+    for k in np.flatnonzero(np.diff(rows) > MAX_GAP + 1):
+        why = f"{rows[k + 1] - rows[k] - 1} rows have no height; allowed: up to {MAX_GAP} in succession"
+        table.refuse_row(int(rows[k]) + 1, "h", f"{why}, or separate drops with a column run")
+    if len(rows) < len(empty):
+        table.columns = [np.asarray(column)[rows] for column in table.columns]
+        table.remarks.append(f"{len(empty) - len(rows)} rows without a height are left out.")
+        table.line = table.line[rows]
+
+
 def _track(table: Table, ball: Ints, run: List[str]) -> Times:
     time, height, start = table.numbers("t"), table.numbers("h", -1e30), _starts(ball, run)
     parts, lines = [], []
@@ -531,6 +609,8 @@ def read(source: Any, form: Form = Form(), progress: Callable[[str], None] = lam
     else:
         table = _array_table(source, form)
     kind, unused = choose_columns(table)
+    if kind == "track":
+        _leave_out_gaps(table)
     names, run = table.labels("ball"), table.labels("run")
     number = {name: i for i, name in enumerate(dict.fromkeys(names))}
     ball = np.array([number[n] for n in names] if names else [0] * len(table.line), dtype=np.int64)

@@ -148,7 +148,10 @@ class Result:
         else:
             errors = f"the scatter gives the errors of the {numbers}"
         if not group.sample.has_sigma and min(e.rms for _, e in group.comparison.fits) < NO_SCATTER:
-            errors = "without scatter nothing can be judged: give a column of errors, such as h1_sigma_cm"
+            column = {"Points": "eps_sigma", "Times": ""}.get(type(self.data.record).__name__, "h1_sigma_cm")
+            errors = "without scatter nothing can be judged" + (
+                f"; give a column of errors, {column}" if column else ""
+            )
         return (
             f"{group.sample.size} points{source}: {flights.speed.min():.4g} to {flights.speed.max():.4g} m/s, "
             f"eps {flights.eps.min():.4g} to {flights.eps.max():.4g}; {errors}."
@@ -323,7 +326,7 @@ class Result:
         speed = p.at(finite_theta(e)).speed
         low, high = speed.min(), max(speed.max(), 1.001 * speed.min())
         if chosen.name == "power-law" and second > 0:  # up to the speed at which the rising eps is 1
-            high = min(high, 0.999 * value ** (-1 / second))
+            high = min(high, 0.999 * math.exp(min(-e.theta[0] / second, 700.0)))
         return " ".join([*line, f"--speed-min {low:.6g} --speed-max {high:.6g} --tolerance 1e-6"])
 
     def plot(self, file: Optional[str] = None, *, group: str = "", all: bool = False) -> Any:
@@ -393,7 +396,7 @@ def fit(
     made = Bodies(given, wall, viscosity_liquid)
     models = choose(law, end)
     if not 0 < gravity < math.inf:
-        raise ValueError(f"gravity: {gravity!r} is not above 0 and finite")
+        raise ValueError(f"gravity: {gravity} is not above 0 and finite")
     numbers = {"drag_coefficient": drag_coefficient, "terminal_speed_m_s": terminal_speed, "fit_drag": fit_drag}
     air = _air(given, diameter, density_kg_m3=air_density, **numbers)
     form = Form(unit=unit, separator=separator, decimal_comma=decimal_comma, drop_height_m=drop_height)
