@@ -17,7 +17,7 @@ import cor
 stats = pytest.importorskip("scipy.stats")
 integrate = pytest.importorskip("scipy.integrate")
 from cor._fit import compare, intervals, likelihood, models, result as results  # noqa: E402
-from cor._fit.data import Air, Apexes, Data, DataError, Heights, Points, Times  # noqa: E402
+from cor._fit.data import Apexes, Data, DataError, Heights, Points, Times  # noqa: E402
 
 DATA = Path(__file__).parents[2] / "docs" / "data"
 CORGEN = os.environ.get("CORGEN", "build/corgen")
@@ -676,19 +676,19 @@ def test_outliers_need_scatter():
     assert not cor.fit(data, law="constant").groups[""].outliers
 
 
-def test_wrong_options():
-    data = points([1.0, 2.0, 3.0], [0.8, 0.8, 0.7])
-    with pytest.raises(ValueError, match="law: 'viscous' is not a model; allowed: all, viscoelastic"):
-        cor.fit(data, law="viscous")
-    with pytest.raises(ValueError, match="fit_drag: points has speeds"):
-        cor.fit(data, fit_drag=True)
-    with pytest.raises(ValueError, match="diameter: missing"):
-        cor.fit(data, drag_coefficient=0.4, mass=1.0)
-    with pytest.raises(ValueError, match="radius: missing; bodies need"):
-        cor.fit(data, young=1e9)
-    with pytest.raises(TypeError, match="'colour' is not an argument"):
-        cor.fit(data, colour=3)
-    with pytest.raises(DataError, match="has 1 point of speed and eps; allowed: 2 or more"):
-        cor.fit(points([1.0], [0.8]))
-    with pytest.raises(ValueError, match="lighter than the air"):
-        likelihood.Field.of(Air(mass_kg=1e-5, diameter_m=0.1, fit_drag=True), G)
+@pytest.mark.parametrize(
+    "error, words, options",
+    [
+        (ValueError, "law: 'viscous' is not a model; allowed: all, viscoelastic", dict(law="viscous")),
+        (ValueError, "fit_drag: points has speeds", dict(fit_drag=True)),
+        (ValueError, "diameter: missing", dict(drag_coefficient=0.4, mass=1.0)),
+        (ValueError, "terminal_speed: not with drag_coefficient", dict(drag_coefficient=0.4, terminal_speed=9.0)),
+        (ValueError, "poisson is missing: a contact of bodies needs young", dict(young=1e9)),
+        (ValueError, "lighter than the air", dict(fit_drag=True, mass=1e-5, diameter=0.1)),
+        (TypeError, "'colour' is not an argument", dict(colour=3)),
+        (DataError, "has 1 point of speed and eps; allowed: 2 or more", {}),
+    ],
+)
+def test_wrong_options(error, words, options):
+    with pytest.raises(error, match=words):
+        cor.fit(points([1.0, 2.0], [0.8, 0.7]) if options else points([1.0], [0.8]), **options)

@@ -10,6 +10,7 @@ from typing import Any, Dict, List, Sequence
 
 from .._command import STATUS_OK, Failure, Parser, UsageError, add_common, message, positive, progress
 from .._command import table, write_output
+from .data import DataError
 from .models import BODIES, MODELS
 from .records import UNIT_NAMES
 from .result import COLUMNS, Result, fit
@@ -150,9 +151,10 @@ def report(result: Result) -> str:
 
 
 def _option_of(text: str, options: argparse.Namespace) -> str:
-    """Return a message about an argument of cor.fit as a message about the option."""
-    name = re.match(r"\w+(?=:)", text)
-    return f"--{name[0].replace('_', '-')}{text[name.end():]}" if name and hasattr(options, name[0]) else text
+    """Return a message about arguments of cor.fit as a message about the options."""
+    names = "|".join(name for name in vars(options) if name in (*BODIES, "wall") or "_" in name)
+    arguments = rf"^(?:{'|'.join(vars(options))})(?=:)|(?<![\w./-])(?:{names})(?![\w./-])"
+    return re.sub(arguments, lambda name: f"--{name[0].replace('_', '-')}", text)
 
 
 def run(options: argparse.Namespace) -> int:
@@ -185,7 +187,8 @@ def run(options: argparse.Namespace) -> int:
     except OSError as error:
         raise Failure(f"cannot read {data[0]}: {error.strerror or error}") from None
     except (TypeError, ValueError) as error:
-        raise UsageError(_option_of(str(error), options)) from None
+        text = str(error)
+        raise UsageError(text if isinstance(error, DataError) else _option_of(text, options)) from None
     if options.format == "text":
         output = report(result)
     else:

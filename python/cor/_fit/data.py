@@ -97,18 +97,6 @@ class Data:
 
 
 @dataclass(frozen=True)
-class Air:
-    """The air around the ball, which causes drag and buoyancy. Without a number or fit_drag drag is 0."""
-
-    drag_coefficient: Optional[float] = None
-    mass_kg: Optional[float] = None
-    diameter_m: Optional[float] = None
-    density_kg_m3: float = 1.204
-    terminal_speed_m_s: Optional[float] = None
-    fit_drag: bool = False
-
-
-@dataclass(frozen=True)
 class Form:
     """The format of the source."""
 

@@ -21,7 +21,7 @@ from typing import Any, Callable, Dict, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
-from .data import Air, Apexes, Data, Floats, Heights, Ints, Points, Times
+from .data import Apexes, Data, Floats, Heights, Ints, Points, Times
 from .models import Curve
 
 HUBER = 1.345
@@ -93,24 +93,24 @@ class Field(NamedTuple):
     to_coefficient: float
 
     @classmethod
-    def of(cls, air: Air, gravity: float) -> "Field":
-        to_coefficient = math.nan
-        if air.mass_kg is not None and air.diameter_m is not None:
-            if air.drag_coefficient is not None or air.terminal_speed_m_s is not None or air.fit_drag:
-                gravity *= 1 - air.density_kg_m3 * math.pi / 6 * air.diameter_m**3 / air.mass_kg
+    def of(cls, gravity: float, ball: Dict[str, float], air_density: float, **drag: Any) -> "Field":
+        """ball: of mass, density, radius and diameter those known. drag: drag_coefficient, terminal_speed, fit_drag."""
+        given = [name for name, value in drag.items() if value is not None and value is not False]
+        if len(given) > 1:
+            raise ValueError(f"{given[1]}: not with {given[0]}; allowed: one of them")
+        diameter = ball.get("diameter", 2 * ball.get("radius", math.nan))
+        volume, to_coefficient = math.pi / 6 * diameter**3, math.nan
+        mass = ball.get("mass", ball.get("density", math.nan) * volume)
+        if not math.isnan(mass * diameter):
+            gravity *= 1 - air_density * volume / mass if given else 1
             if not gravity > 0:
                 raise ValueError("mass: the ball is lighter than the air that it displaces; give a larger mass")
-            area = math.pi / 4 * air.diameter_m**2
-            to_coefficient = 2 * air.mass_kg * gravity / (air.density_kg_m3 * area)
-        elif air.drag_coefficient is not None:
-            missing = "mass" if air.mass_kg is None else "diameter"
+            to_coefficient = 2 * mass * gravity / (air_density * math.pi / 4 * diameter**2)
+        elif given == ["drag_coefficient"]:
+            missing = "mass" if math.isnan(mass) else "diameter"
             raise ValueError(f"{missing}: missing; drag_coefficient needs mass and diameter, or give terminal_speed")
-        if air.drag_coefficient is not None and air.terminal_speed_m_s is not None:
-            raise ValueError("terminal_speed: not with drag_coefficient; allowed: one of them")
-        if air.fit_drag and (air.drag_coefficient is not None or air.terminal_speed_m_s is not None):
-            raise ValueError("fit_drag: not with drag_coefficient or terminal_speed; allowed: one of them")
-        kappa = air.drag_coefficient / to_coefficient if air.drag_coefficient else 0.0
-        return cls(gravity, air.terminal_speed_m_s**-2 if air.terminal_speed_m_s else kappa, to_coefficient)
+        kappa = drag["drag_coefficient"] / to_coefficient if given == ["drag_coefficient"] else 0.0
+        return cls(gravity, drag["terminal_speed"] ** -2 if given == ["terminal_speed"] else kappa, to_coefficient)
 
 
 # ---- bounces ----

@@ -13,7 +13,7 @@ from typing import Any, Callable, Dict, List, Optional, Tuple
 
 import numpy as np
 
-from .. import contact, law
+from .. import law
 from .._contact import Contact
 from .._cor import ffi, lib
 from .._evaluate import address
@@ -174,72 +174,32 @@ class Bodies:
     """The bodies of the contact, if given, and the viscosity of a liquid between them."""
 
     def __init__(self, given: Dict[str, float], wall: bool = False, viscosity_liquid: Optional[float] = None) -> None:
-        self.known = wall or any(name in given for name in BODIES if name != "mass")
-        self.given, self.wall, self.viscosity = given, wall, viscosity_liquid
         unknown = [name for name in given if name not in BODIES]
         if unknown:
             raise TypeError(f"{unknown[0]!r} is not an argument; allowed: {', '.join(BODIES)}")
-        for name in ("mass", "mass_2", "radius_2"):
-            if name.replace("mass", "density") in given and name in given and name != "radius_2":
-                raise ValueError(f"{name}: cannot be combined with {name.replace('mass', 'density')}; give one of them")
-            if wall and name in given and name != "mass":
-                raise ValueError(f"{name}: not with wall, which is flat and fixed; allowed: young_2, poisson_2")
+        self.known = wall or any(name != "mass" for name in given)
+        self.given, self.wall, self.viscosity = given, wall, viscosity_liquid
         if self.known:
             self.contact()
 
-    def _body(self, number: int) -> contact.Body:
-        def of(name: str) -> float:
-            value = self.given.get(f"{name}_2" if number == 2 else name, self.given.get(name, math.nan))
-            if math.isnan(value):
-                raise ValueError(
-                    f"{name}: missing; bodies need young, poisson, radius and density or mass, for example young=7e10, "
-                    "poisson=0.24, radius=0.01, density=2500"
-                )
-            return float(value)
-
-        if number == 2 and self.wall:
-            return contact.Body(of("young"), of("poisson"), 1.0, math.inf, math.inf)
-        radius, second = of("radius"), "_2" if number == 2 else ""
-        by_mass = f"mass{second}" in self.given or (f"density{second}" not in self.given and "mass" in self.given)
-        mass = of("mass") if by_mass else float(contact.sphere_mass_kg(radius, of("density")))
-        return contact.Body(of("young"), of("poisson"), 1.0, radius, mass)
-
     def contact(self, **options: Any) -> Contact:
         """Return the contact of the bodies with the options, or with a dissipation time of 1 s."""
-        return Contact(self._body(1), self._body(2), **options)
+        left_out = "wall" if "plate_thickness" in options else "density_2" if self.wall else ""
+        numbers = {name: min(value, 1e100) for name, value in self.given.items()}  # inf: rigid
+        given = {name: value for name, value in {**numbers, "wall": self.wall}.items() if name != left_out}
+        return Contact(**given, **(options or {"dissipation_time": 1.0}), end="zero_overlap")
 
-    def damping_at_1_m_s(self, **options: Any) -> float:
-        return float(self.contact(end="zero_overlap", **options).quantities["beta_factor"])
-
-    def plate_unit(self) -> float:
-        """Return beta at 1 m/s on a plate of 1 m thickness."""
-        ball, plate = self._body(1), self._body(2)
-        density = self.given.get("density_2", self.given.get("density"))
-        numbers: Dict[str, Any] = {
-            "young": ball.young_modulus_pa,
-            "poisson": ball.poisson_ratio,
-            "radius": ball.radius_m,
-        }
-        numbers.update(mass=ball.mass_kg, young_2=plate.young_modulus_pa, poisson_2=plate.poisson_ratio)
-        made = Contact(law="plate", plate_thickness=1.0, density_2=density or 1.0, **numbers)
-        return float(made.quantities["beta_factor"])
+    def quantity(self, name: str, **options: Any) -> float:
+        return float(self.contact(**options).quantities[name])
 
     def has_plate(self) -> bool:
         dense = "density_2" in self.given or "density" in self.given
-        return self.wall and dense and "mass_2" not in self.given and math.isfinite(self._body(2).young_modulus_pa)
-
-    def yield_unit(self) -> float:
-        """Return the yield speed of a yield stress of 1 Pa. v_y is proportional to the power 5/2 of the stress."""
-        plain = self.contact()._one()
-        made = ffi.new("struct cor_scene_contact *")
-        made.law = lib.cor_law_exponents[lib.COR_LAW_ELASTIC_PLASTIC]
-        made.mass_kg, made.stiffness, made.radius_m = plain.mass_kg, plain.stiffness, plain.radius_m
-        return math.pow(lib.cor_scene_yield_stress(made, 1.0), -2.5)
+        return self.wall and dense and math.isfinite(self.given.get("young_2", 0.0))
 
     def stokes_at_1_m_s(self) -> float:
         """Return St = m v/(6 pi eta R^2) at 1 m/s, with the effective mass and radius."""
-        known = self.contact().quantities
-        return float(known["effective_mass"] / (6 * math.pi * (self.viscosity or 1.0) * known["effective_radius"] ** 2))
+        mass, radius = self.quantity("effective_mass"), self.quantity("effective_radius")
+        return mass / (6 * math.pi * (self.viscosity or 1.0) * radius**2)
 
 
 # ---- models ----
@@ -305,12 +265,17 @@ def _models() -> List[Model]:
     ends = {"zero-overlap": SPHERE_ZERO_OVERLAP, "zero-force": SPHERE_ZERO_FORCE}
     g_star, adhesion, liquid = _g_star(), _power("adhesion_speed_m_s"), _power("liquid_speed_m_s")
     dry, zener = _plain("eps_dry"), _power("zener_lambda_at_1_m_s", 1.5)
-    dashpot_of_1 = {"law": "hertz-dashpot", "damping_coefficient": 1.0}
+    # of one unit of the parameter; v_y is proportional to the power 5/2 of the yield stress
+    plate = {"law": "plate", "plate_thickness": 1.0}
+    dashpot = {"law": "hertz-dashpot", "damping_coefficient": 1.0}
+    plastic = {"law": "elastic-plastic", "yield_stress": 1e6}
     of_bodies: Dict[str, WithBodies] = {
-        "time": lambda b: _power("dissipation_time_s", b.damping_at_1_m_s()),
-        "plate": lambda b: _power("plate_thickness_m", b.plate_unit(), -0.5) if b.has_plate() else None,
-        "dashpot": lambda b: _power("damping_coefficient_n_s_m", b.damping_at_1_m_s(**dashpot_of_1)),
-        "stress": lambda b: _power("yield_stress_pa", b.yield_unit(), 0.4),
+        "time": lambda b: _power("dissipation_time_s", b.quantity("beta_factor")),
+        "plate": lambda b: (
+            _power("plate_thickness_m", b.quantity("beta_factor", **plate), -0.5) if b.has_plate() else None
+        ),
+        "dashpot": lambda b: _power("damping_coefficient_n_s_m", b.quantity("beta_factor", **dashpot)),
+        "stress": lambda b: _power("yield_stress_pa", b.quantity("yield_speed", **plastic) / 1e15, 0.4),
         "stokes": lambda b: _power("critical_stokes_number", 1 / b.stokes_at_1_m_s()) if b.viscosity else None,
     }
     time = of_bodies["time"]

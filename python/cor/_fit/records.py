@@ -66,9 +66,9 @@ KINDS: List[Tuple[str, List[str], List[str]]] = [
     ("heights", ["h1"], ["h1_sigma"]),  # with --drop-height
 ]
 WANTED = (
-    "a row with the names and units of the columns above the numbers, such as speed_m_s,eps or speed_cm_s,eps,eps_sigma, "
-    "speed_m_s,speed_out_m_s, h0_cm,h1_cm, h_cm for successive apexes, t_s for times of bounces, interval_ms, or "
-    "time_s,height_m for a track"
+    "a row with the names and units of the columns above the numbers, such as speed_m_s,eps or "
+    "speed_cm_s,eps,eps_sigma, speed_m_s,speed_out_m_s, h0_cm,h1_cm, h_cm for successive apexes, t_s for times of "
+    "bounces, interval_ms, or time_s,height_m for a track"
 )
 _UNIT_END = re.compile(
     r"^(?P<base>.*?)(?:[\s_]*[(\[](?P<in>[^()\[\]]*)[)\]]"
@@ -209,7 +209,7 @@ def _cells(table: Table, number: int, line: str) -> List[str]:
     """Return the cells of a row. Cells at its end may be missing or empty, if their columns are not read."""
     cells = _split(table, number, line, table.separator)
     missing = len(table.header) - len(cells)
-    if cells and missing and any(cells[missing:] if missing < 0 else [i >= len(cells) for i in table.found.values()]):
+    if cells and (any(cells[missing:]) if missing < 0 else max(table.found.values()) >= len(cells)):
         word = {",": "commas", ";": "semicolons", "\t": "tabs"}[table.separator]
         why = f"{len(cells)} cells, but the first row has {len(table.header)}; allowed: the same number, separated by "
         point = "comma" if table.form.decimal_comma else "point"

@@ -18,7 +18,7 @@ from .compare import (
     find_outliers,
     finite_theta,
 )
-from .data import GRAVITY_M_S2, Air, Data, DataError, Floats, Form, Points, Times
+from .data import GRAVITY_M_S2, Data, DataError, Floats, Form, Points, Times
 from .intervals import LEVELS, covariance_of, profile, quantile, unit_of
 from .likelihood import HUBER, MANY, Field, Sample, scipy
 from .models import BODIES, Bodies, Model, Parameter, choose
@@ -348,15 +348,6 @@ def _silent(_what: str, _done: int, _total: int) -> None:
     pass
 
 
-def _air(bodies: Dict[str, float], diameter: Optional[float], **numbers: Any) -> Air:
-    radius = bodies.get("radius")
-    diameter = 2 * radius if diameter is None and radius is not None else diameter
-    mass = bodies.get("mass")
-    if mass is None and "density" in bodies and diameter is not None:
-        mass = bodies["density"] * math.pi / 6 * diameter**3
-    return Air(mass_kg=mass, diameter_m=diameter, **numbers)
-
-
 def fit(
     source: Any,
     *,
@@ -397,10 +388,10 @@ def fit(
     models = choose(law, end)
     if not 0 < gravity < math.inf:
         raise ValueError(f"gravity: {gravity} is not above 0 and finite")
-    numbers = {"drag_coefficient": drag_coefficient, "terminal_speed_m_s": terminal_speed, "fit_drag": fit_drag}
-    air = _air(given, diameter, density_kg_m3=air_density, **numbers)
+    ball = given if diameter is None else {**given, "diameter": diameter}
+    drag = {"drag_coefficient": drag_coefficient, "terminal_speed": terminal_speed, "fit_drag": fit_drag}
+    field, tell = Field.of(gravity, ball, air_density, **drag), progress or _silent
     form = Form(unit=unit, separator=separator, decimal_comma=decimal_comma, drop_height_m=drop_height)
-    field, tell = Field.of(air, gravity), progress or _silent
     data = source if isinstance(source, Data) else read(source, form, lambda step: tell(step, 0, 0))
     free = tuple(name for name, chosen in (("drag", fit_drag), ("gravity", fit_gravity)) if chosen)
     if free and isinstance(data.record, Points):
