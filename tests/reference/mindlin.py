@@ -70,7 +70,7 @@ def main() -> int:
         slip, gross = 1 - 2 * kappa / ANGLES, ANGLES >= 2 * kappa - 1.5
         if abs(exact - slip)[gross].max() > 2e-3 or abs(exact - slip)[ANGLES < 2 * kappa - 2.5].min() < 2e-3:
             faults.append("gross slip at nu = %g" % poisson)
-        numbers = re.findall(r"([0-9.]+) \(`(?:%s)`\)" % "|".join(MODELS), page)
+        numbers = re.findall(r"([0-9.]+)\s\(`(?:%s)`\)" % "|".join(MODELS), page)
         if poisson == 0.3 and not np.allclose(off, [float(number) for number in numbers], rtol=0, atol=0.01):
             faults.append("docs/contact.md has %s, not %s" % (numbers, texts))
     if abs(np.array(written) - [row[2] for row in rows]).max() > 3e-3:
