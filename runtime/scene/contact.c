@@ -6,6 +6,7 @@
 
 #include "cor/law.h"
 #include "cor/sphere.h"
+#include "runtime/law/functions.h"
 #include "runtime/scene/exponents.h"
 #include "runtime/scene/motion.h"
 
@@ -37,24 +38,33 @@ double cor_scene_speed_exponent(const struct cor_scene_contact *contact)
     return (double)(2 * law->damping - law->elastic + law->denominator) / (double)(law->elastic + law->denominator);
 }
 
-static enum cor_law law_of(const struct cor_exponents *law)
+#define LAW(law, array) COR_LAW_##law,
+
+/* Returns the law with functions that has these exponents, or COR_LAWS. */
+static enum cor_law law_named(const struct cor_exponents *law)
 {
-    if (cor_law_is_hunt_crossley(law))
-        return COR_LAW_HUNT_CROSSLEY;
-    for (int i = 0; i < COR_LAW_PLATE; i++)
-        if (cor_law_is_same(law, &cor_law_exponents[i]) &&
-            cor_law_function((enum cor_law)i, COR_END_ZERO_OVERLAP, COR_EPS))
-            return (enum cor_law)i;
-    /* for q = 0, eps is the same function of zeta for all exponents */
-    return cor_law_is_constant(law) ? COR_LAW_LINEAR : COR_LAWS;
+    static const enum cor_law with_functions[] = {COR_LAWS_WITH_FUNCTIONS(LAW)};
+    for (size_t i = 0; i < sizeof with_functions / sizeof *with_functions; i++)
+        if (cor_law_is_same(law, &cor_law_exponents[with_functions[i]]))
+            return with_functions[i];
+    return COR_LAWS;
+}
+
+/* Returns a law whose functions give eps, or COR_LAWS. For q = 0, eps is the same function of zeta for all
+ * exponents. */
+static enum cor_law law_of_eps(const struct cor_exponents *law)
+{
+    return cor_law_is_constant(law)        ? COR_LAW_LINEAR
+           : cor_law_is_hunt_crossley(law) ? COR_LAW_HUNT_CROSSLEY
+                                           : law_named(law);
 }
 
 int cor_scene_has_end(const struct cor_scene_contact *contact, int end)
 {
-    const int simple = !contact->plastic && contact->force_n + contact->adhesion_j_m2 + contact->liquid_speed_m_s == 0;
-    return end == COR_END_ZERO_OVERLAP ||
-           (!contact->plate && (end == COR_END_ZERO_FORCE || (end == COR_END_APPROACH_ONLY && simple &&
-                                                              cor_law_function(law_of(&contact->law), end, COR_EPS))));
+    if (contact->plate || end != COR_END_APPROACH_ONLY)
+        return end == COR_END_ZERO_OVERLAP || (!contact->plate && end == COR_END_ZERO_FORCE);
+    return !contact->plastic && contact->force_n + contact->adhesion_j_m2 + contact->liquid_speed_m_s == 0 &&
+           cor_law_function(law_of_eps(&contact->law), end, COR_EPS);
 }
 
 int cor_scene_ends_differ(const struct cor_scene_contact *contact)
@@ -206,10 +216,12 @@ static double value_of(const struct functions *f, int end, enum cor_quantity qua
 
 static struct functions functions_of(const struct cor_exponents *law)
 {
-    const enum cor_law named = law_of(law);
-    const int has_times = named != COR_LAWS && cor_law_is_same(law, &cor_law_exponents[named]) &&
-                          cor_law_function(named, COR_END_ZERO_OVERLAP, COR_DURATION);
-    return (struct functions){named, named == COR_LAW_HUNT_CROSSLEY ? OF_EXPONENT : has_times ? OF_TABLE : OF_SOLVER};
+    const enum cor_law named = law_named(law), of_eps = law_of_eps(law);
+    if (of_eps == COR_LAW_HUNT_CROSSLEY)
+        return (struct functions){of_eps, OF_EXPONENT};
+    return named != COR_LAWS && cor_law_function(named, COR_END_ZERO_OVERLAP, COR_DURATION)
+               ? (struct functions){named, OF_TABLE}
+               : (struct functions){of_eps, OF_SOLVER};
 }
 
 int cor_scene_needs_solver(const struct cor_scene_contact *contact)
@@ -261,7 +273,7 @@ static int scaled_impact(struct cor_full_impact *impact, const struct cor_scene_
 /* Computes eps for a damping parameter, even at an end that the contact does not have. */
 static int eps_of(double *eps, const struct cor_scene_contact *contact, double parameter, int end)
 {
-    const struct functions f = {law_of(&contact->law), OF_SOLVER};
+    const struct functions f = {law_of_eps(&contact->law), OF_SOLVER};
     if (f.law != COR_LAWS) {
         *eps = value_of(&f, end, COR_EPS, parameter);
         return COR_FAULT_NONE;
