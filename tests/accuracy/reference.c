@@ -10,7 +10,7 @@
 
 enum {
     BITS = 160,
-    FEWER_BITS = 128, /* of motions outside the cell in sqrt(beta) */
+    FEWER_BITS = 128, /* bits of motions outside the cell in sqrt(beta) */
     /* beta below 2^FIRST_BINADE: one cell in sqrt(beta) */
     FIRST_BINADE = -3,
     /* above 2^LAST_BINADE: powers and logarithms, scaled from the three binades that follow */
@@ -22,7 +22,7 @@ enum {
     IN_ROOT = QUARTERED * QUARTERS + BINADES - QUARTERED,
     CELLS,
     POINTS = 27,
-    /* from 2^MANIFOLD_BINADE onward the unloading joins the slow manifold long before its end */
+    /* for beta >= 2^MANIFOLD_BINADE the unloading joins the slow manifold long before its end */
     MANIFOLD_BINADE = 4,
     CLOSED_BINADE = 3
 };
@@ -128,7 +128,7 @@ static void motion_expand(void)
         arb_div_si(m.w + n + 1, m.v + n, 2 * (n + 1), m.bits);
         arb_div_si(m.s + n + 1, m.w + n, n + 1, m.bits);
     }
-    /* scales for the errors of f and w near their zeros: there mu^2 w^2 and the speed are the large terms */
+    /* scales for the errors of f and w; near their zeros the large terms are mu^2 w^2 and the speed */
     const double scale_f = fmax(log2_size(m.f), log2_size(m.square) + 2 * log2_size(m.mu));
     const double scale_w = fmax(log2_size(m.w), log2_size(m.v));
     arb_set_d(m.step, exp2(fmin(step_log2(m.f, scale_f), step_log2(m.w, scale_w))));
@@ -159,7 +159,7 @@ static bool negative_at_end(arb_srcptr component)
 /* Finds the zero of a component, positive at 0 and negative at the end of the step: halvings, then Newton steps. */
 static void motion_zero(arb_t sigma, arb_srcptr component)
 {
-    enum { HALVINGS = 12, NEWTON = 5 }; /* bits by halvings, doubled 5 times */
+    enum { HALVINGS = 12, NEWTON = 5 }; /* bits from halvings, which Newton's method doubles 5 times */
     LOCAL(arb, low, high, middle, y, slope);
     arb_set(high, m.step);
     for (int i = 0; i < HALVINGS; i++) {
@@ -259,7 +259,7 @@ static void first_split(long double *c, long double *low, const arb_t x)
     *low = ball_value(less);
 }
 
-/* Computes all quantities at one beta > 0, except one duration, and eps at zero overlap where the manifold gives it. */
+/* Computes all quantities at one beta > 0, except one duration, and eps at zero overlap if the manifold gives it. */
 static void collide(arb_ptr value, const arb_t beta)
 {
     static const enum quantity scaled[] = {DURATION_ZERO_OVERLAP, DURATION_ZERO_FORCE, MAX_OVERLAP,

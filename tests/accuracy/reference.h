@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The sphere functions in long double at every beta >= 0, fast enough for 10^9 points and accurate to a few 2^-64 if
- * long double has 64 bits. They are the truth for the doubles of the library.
+/* Computes the sphere functions in long double at every beta >= 0, fast enough for 10^9 points and accurate to a few
+ * 2^-64 if long double has 64 bits. They are the reference for the library's doubles.
  *
  *     beta < 1/8           Chebyshev interpolation in sqrt(beta), of a loss over beta, from integrated values
  *     1/8 <= beta < 2^48   the same in beta within binades
@@ -21,7 +21,7 @@ enum quantity {
     MAX_OVERLAP,
     TIME_OF_MAX_OVERLAP,
     QUANTITIES,
-    /* from the largest overlap and its time; a loss is two places after its eps */
+    /* computed from the largest overlap and its time; a loss is two places after its eps */
     EPS_APPROACH_ONLY = QUANTITIES,
     DURATION_APPROACH_ONLY,
     LOSS_APPROACH_ONLY,

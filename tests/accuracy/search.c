@@ -16,14 +16,14 @@ static double inverse_error(const struct search_function *f, const struct search
     const bool of_loss = f->shape == INVERSE_OF_LOSS;
     if (!(x >= 0 && x <= 1))
         return isnan(computed) ? 0 : HUGE_VAL;
-    if (x == 0 || x == 1) { /* eps is 0 at infinity, or already at 1 */
+    if (x == 0 || x == 1) { /* the beta of eps = 0 is infinity, or 1 if eps is 0 there */
         const double last = o->exact(f, EPS, 1) == 0 ? 1 : HUGE_VAL;
         return computed == ((x == 1) != of_loss ? 0 : last) ? 0 : HUGE_VAL;
     }
     const long double other = 1 - (long double)x, eps = of_loss ? other : x, loss = of_loss ? x : other;
     if (isinf(computed)) /* infinity is right if eps at the largest double exceeds x */
         return o->exact(f, EPS, DBL_MAX) >= eps ? 0 : HUGE_VAL;
-    if (of_loss && x < DBL_MIN) /* proportional to the loss; the reference covers only normal numbers */
+    if (of_loss && x < DBL_MIN) /* the inverse is proportional to the loss; the reference covers only normal numbers */
         return ulp_error(computed, (long double)f->value(0x1p-1000) * 0x1p1000L * x);
     if (!(computed > 0))
         return HUGE_VAL;
@@ -158,7 +158,7 @@ double search_worst(const struct search_function *f, const struct search_options
     }
     o->boundaries(&worst, f, o);
     double before = -1;
-    for (int turn = 0; turn < 16 && worst.error > before; turn++) { /* uphill from the worst point so far */
+    for (int turn = 0; turn < 16 && worst.error > before; turn++) { /* search uphill from the worst point so far */
         before = worst.error;
         worst_walk(&worst, f, o, worst.at, f->share > 100 ? 2 : o->radius);
     }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The search for the worst error of a function of one double, shared by the programs of this folder. It tests random
- * points on several threads, every double near a place, and points uphill from the worst one. Reads options. */
+/* Searches for the worst error of a function of one double, for the programs of this folder. Tests random points on
+ * several threads, every double near a place, and points uphill from the worst one. Reads options. */
 #ifndef COR_TESTS_ACCURACY_SEARCH_H
 #define COR_TESTS_ACCURACY_SEARCH_H
 
@@ -9,7 +9,7 @@
 
 #include "random.h"
 
-/* eps, which decreases from 1 to 0; 1 - eps; any other function; the inverse of eps, of 1 - eps */
+/* The shape of a function: eps, which decreases from 1 to 0; 1 - eps; the inverse of each; any other function */
 enum search_shape { EPS, LOSS, OTHER, INVERSE, INVERSE_OF_LOSS };
 
 struct search_function {
@@ -17,9 +17,9 @@ struct search_function {
     double (*value)(double);
     enum search_shape shape;
     double max_ulp;
-    int law, end, quantity; /* select the exact value; defined by the program */
+    int law, end, quantity; /* select the exact value; their meaning is the program's */
     double exponent;
-    uint64_t share; /* one in this number of points, if not 0 */
+    uint64_t share; /* test one in this number of points; 0: all */
 };
 
 struct worst {
@@ -28,7 +28,7 @@ struct worst {
 };
 
 struct search_options {
-    uint64_t points, seed, stride, times; /* 0: no --stride, no --times option */
+    uint64_t points, seed, stride, times; /* 0: the program has no option --stride or --times */
     int threads;
     const char *only; /* part of the names of the selected functions; NULL: all */
 
@@ -36,8 +36,8 @@ struct search_options {
     long double (*exact)(const struct search_function *f, enum search_shape shape, long double x);
     double (*random_argument)(struct random_state *r, const struct search_function *f);
     void (*boundaries)(struct worst *worst, const struct search_function *f, const struct search_options *o);
-    bool judges_specials;          /* tests values at 0, 1, infinity, next to them, outside domains */
-    uint64_t largest_rise, radius; /* largest rise of eps between neighbours, ulp; doubles around the worst point */
+    bool judges_specials;          /* tests values at 0, 1 and infinity, next to them, and outside the domain */
+    uint64_t largest_rise, radius; /* largest rise of eps between neighbours, ulp; doubles to test at the worst point */
 };
 
 static inline bool search_is_inverse(const struct search_function *f)
@@ -72,7 +72,7 @@ int search_options_read(struct search_options *o, int argc, char **argv, const c
 
 bool search_wants(const struct search_options *o, const char *name);
 
-/* The parts of test_accuracy: the reference against balls, and the arrays of floats. They print their results. */
+/* Two parts of test_accuracy, which print their results: the reference against balls, and the arrays of floats. */
 bool reference_is_good(const struct search_options *o);
 bool floats_are_good(const struct search_options *o);
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Every sphere function of the library against the reference: random points, all doubles near every boundary of a
- * piece, the neighbours of the worst point, special values, contacts. Prints one line for each function; the
+/* Tests every sphere function of the library against the reference: at random points, all doubles near every boundary
+ * of a piece, the neighbours of the worst point, special values, contacts. Prints one line for each function; the
  * documentation quotes these lines. Tests the reference itself first (test_reference.c), and functions of floats last
  * (test_floats.c). --help lists the options. */
 #include "cor/contact.h"
@@ -12,8 +12,8 @@
 
 #include <stdio.h>
 
-/* Functions with damping during approach only are short formulas of the largest overlap, which has its own search. They
- * get a tenth of the points. */
+/* Functions with damping during the approach only get a tenth of the points: they are short formulas of the largest
+ * overlap, which has its own search. */
 #define ROW(name, shape, quantity, max_ulp)                                                                            \
     {#name, cor_sphere_##name, shape, max_ulp, quantity, .share = (quantity) >= QUANTITIES ? 10 : 0},
 static const struct search_function functions[] = {SPHERE_FUNCTIONS(ROW)};

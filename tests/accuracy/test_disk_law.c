@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The quasistatic contact law of the disk (cor/disk.h) and Lambert's W in it (runtime/number/lambert_w.h) against
+/* Tests the quasistatic contact law of the disk (cor/disk.h), and its Lambert W (runtime/number/lambert_w.h), against
  * balls. Tests random arguments of every magnitude, nu up to its ends, the doubles on both sides of every limit, and
  * one ulp around every branch. The exact W is from arb_lambertw, inserted into (57). The exact contact time is an
  * integral over theta, in long double. Prints one line for each function; the documentation quotes these lines. --help
@@ -173,7 +173,7 @@ static int search_laws(uint64_t points)
                 }
                 error = ball_error(y, exact);
                 if (error == HUGE_VAL && !arb_is_finite(exact))
-                    error = -1; /* the ball is too wide for the domain */
+                    error = -1; /* the ball is too wide to be inside the domain */
             } while (error < 0 && precision_raise(&p));
             worst_take(&worst, error < 0 ? HUGE_VAL : error, x);
         }
@@ -182,7 +182,7 @@ static int search_laws(uint64_t points)
     return good;
 }
 
-/* Checks that each limit is inside, that the next double is not, and that the functions agree. */
+/* Checks that each limit is in the domain, that the next double is not, and that all functions have the same domain. */
 static int search_limits(uint64_t points)
 {
     uint64_t wrong = 0;

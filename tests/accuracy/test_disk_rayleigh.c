@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Fractions of single modes, against their integral along the real axis (the library uses another path) and against the
- * motion from which it is derived. Sums and tails of the library's tables, against sums over three times the modes. */
+/* Tests fractions of single modes against their integral along the real axis (the library uses another path) and
+ * against the motion behind it. Tests sums and tails of the library's tables against three times the modes. */
 #include "check.h"
 
 #include <cor/disk.h>
@@ -46,7 +46,7 @@ static void compare(double nu, enum cor_disk_datum datum, double v, const double
 
 TEST(test_hard_points)
 {
-    /* the lowest of any disk, of nu = 0.33 and 0.9, the 1800th, the 20000th */
+    /* frequencies of modes: the lowest of any disk, the lowest for nu = 0.33 and 0.9, the 1800th and the 20000th */
     static const double omega[FREQUENCIES] = {
         1.1769, 1.20715112596031, 1.43853032762639, 1.6891017846666, 2.21008494893776, 4.3, 8.6, 25, 62.9, 211.44};
     static const double speeds[] = {1e-300, 1e-12, 1e-8, 1e-4, 1e-3, 1e-2, 0.03, 0.1};
@@ -139,7 +139,7 @@ static void compare_tails(const struct cor_disk_modes *many, const struct cor_di
                   table->nu, errors[n - 1], errors[n / 2], ratios[0], ratios[n / 2], worst_any);
 }
 
-/* The library's two tables. With COR_TEST_MULTIPLIER also other materials, for which disk.h has only a remark. */
+/* The library's two tables; with COR_TEST_MULTIPLIER also other materials, for which disk.h has only a remark. */
 TEST(test_tails)
 {
     static const long percent[] = {33, 90, -90, -75, -50, -25, 0, 20, 25, 40, 50, 60, 70, 80, 95, 99};

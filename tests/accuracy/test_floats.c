@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The arrays in float arithmetic, cor_sphere_..._arrayf, at every float from 0 to infinity. Counts the largest error in
- * units of the last place of a float, and the results that are not correctly rounded. The truth is the double function;
- * its bound counts as part of the error. From 16 onward the arrays return the rounded double function, and only 1 in
- * FAR_STRIDE floats is tested.
+/* Tests the arrays in float arithmetic, cor_sphere_..._arrayf, at every float from 0 to infinity. Finds the largest
+ * error in units of the last place of a float, and counts the results that are not correctly rounded. The reference is
+ * the double function, whose bound is part of the error. From 16 onward the arrays return the rounded double function,
+ * and only 1 in FAR_STRIDE floats is tested.
  *
  * test_accuracy --stride N tests one in N/FAST_SHARE floats. It fails if the error exceeds its bound. Negative numbers
  * and NaN give NaN, and -0 counts as 0: tests/unit tests these cases. */
@@ -36,7 +36,7 @@ static void judge(float x, float result, double y, struct count *count)
     const int exponent = (int)(bits_of(y) >> 52) - 1023;
     const int last = exponent < FLT_MIN_EXP - 1 ? FLT_MIN_EXP - FLT_MANT_DIG : exponent - (FLT_MANT_DIG - 1);
     double error = fabs((double)result - y) * double_of((uint64_t)(1023 - last) << 52);
-    if (!(y < (double)FLT_MAX && y > 0)) /* 0, infinity and numbers that round to it */
+    if (!(y < (double)FLT_MAX && y > 0)) /* the reference is 0, infinity or rounds to it */
         error = result == (float)y ? 0 : HUGE_VAL;
     count->taken++;
     count->unrounded += result != (float)y;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Functions of law.h for a damping ratio, and Hunt and Crossley's law, against long double in another formulation, or
- * balls where long double has too few digits. Random points, doubles near every boundary of a kernel, the neighbours of
- * the worst point, special values. Prints one line for each function; docs/accuracy.md quotes these lines.
+/* Tests the functions of law.h for a damping ratio, and Hunt and Crossley's law, against another formulation in long
+ * double, or in balls where long double has too few digits. Points are random, near boundaries of kernels, next to the
+ * worst point, and special. Prints one line for each function; docs/accuracy.md quotes these lines.
  *     test_laws [--points N] [--threads N] [--only TEXT] [--seed N]     (N random points each, 20000 by default) */
 #include "cor/law.h"
 
@@ -18,7 +18,7 @@
 
 enum { BALL_BITS = 256 };
 
-/* Up to this L, exp(x), -exp(x) expm1 and so on in long double have the digits that a double needs. */
+/* Up to this L, the formulas with exp and expm1 in long double have the digits that a double needs. */
 static const long double far_exponent = 16;
 
 /* Returns exp(-share L), L by acos, acosh and logarithms, in balls; with limited damping only for zeta > 1. */
@@ -51,8 +51,8 @@ static long double ratio(enum cor_end end, bool loss, long double zeta)
     return loss ? -expm1l(-l) : l < far_exponent ? expl(-l) : eps_far(end, (double)zeta, RATIO("1"));
 }
 
-/* Half of the elastic duration, and Tsuji's largest overlap at zeta = 0. The limit of Tsuji's duration with limited
- * damping is (5/8)^(2/5) times the integral of (1 - X^(5/2))^(-1/2) from 0 to 1, by Gamma functions. */
+/* Constants: half of the elastic duration, and Tsuji's largest overlap at zeta = 0. The limit of Tsuji's duration with
+ * limited damping is (5/8)^(2/5) times the integral of (1 - X^(5/2))^(-1/2) from 0 to 1, by Gamma functions. */
 #define PI acosl(-1)
 #define TSUJI_MOST expl(0.4L * logl(1.25L))
 #define HALF (TSUJI_MOST * sqrtl(PI) * tgammal(1.4L) / tgammal(0.9L))
@@ -163,7 +163,7 @@ AT_EXPONENT(time_of_max_overlap_1, time_of_max_overlap, 1)
 AT_EXPONENT(max_overlap_1, max_overlap, 1)
 AT_EXPONENT(max_overlap_5_4, max_overlap, 1.25)
 
-/* Functions with an exponent as an argument; the table has 3/2. */
+/* Functions with the elastic exponent as an argument; the table contains only 3/2. */
 #define CROSSLEY(name, end, quantity, exponent, share)                                                                 \
     {                                                                                                                  \
         "hunt_" #name, name, OTHER, COR_HUNT_CROSSLEY_MAX_ULP, COR_LAW_HUNT_CROSSLEY, end, quantity, exponent, share   \
@@ -227,7 +227,7 @@ static double random_argument(struct random_state *r, const struct search_functi
     return search_is_inverse(f) ? random_eps(r) : random_damping(r, f);
 }
 
-/* Where kernels and series meet (runtime/law/damping_ratio.h, hunt_crossley.h), and the ends of the number format */
+/* Places where kernels and series meet (runtime/law/damping_ratio.h, hunt_crossley.h), and ends of the number format */
 static NUMBERS(damping_boundaries, 0.25, 0.5, 0.75, 1, 2, 3, 4, 11, 16, 64, 0.7, 2.0 / 3, 0x1p-20, 0x1p-60, 0x1p64,
                0x1p100, 0x1p500, 0x1p540, 0x1p511, 1e300, 0x1p-900, 0x1p-1022, 0x1p28, 800, 0x1p-537, 0x1p53,
                2.23606797749979, 0x1p1023, 0x1.8p1022, 0.84, 1000, 0x1p200, 0x1p900);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The functions of the C library on which the proofs of rounding errors rest, against MPFR and against the assumptions
- * of the proofs (tests/proof/errors.h). Random arguments come from the intervals for which the library calls the
- * functions; then the worst known arguments, and uphill from the worst one found.
+/* Tests the functions of the C library that the proofs of rounding errors use, against MPFR and the assumptions of the
+ * proofs (tests/proof/errors.h). Random arguments are in the intervals for which the library calls the functions. Then
+ * come the worst known arguments, and a search uphill from the worst one found.
  *     test_libm [--points N] [--only TEXT] [--seed N]     (N random points of each row, by default 20000)
  *     COR_TEST_LIBM=COMMAND test_libm ...                 the functions of another C library: COMMAND runs
  *                                                         tests/platforms/libm.c */

@@ -19,7 +19,7 @@ enum { BITS = 400, LENGTH = 20 };
 
 static const double exp_polynomial[] = COR_KERNEL_EXP_POLYNOMIAL, log_polynomial[] = COR_KERNEL_LOG_POLYNOMIAL;
 
-/* The error, below bound |s|^power, is a formula of s, of p, the polynomial of an argument, and of atan(s). */
+/* A polynomial p of an argument and its error. The error, below bound |s|^power, is a formula of s, p and atan(s). */
 static const struct polynomial {
     const char *name;
     const double *c;

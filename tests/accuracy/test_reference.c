@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The reference of the accuracy test against balls of collision_solve with 30 digits, at random beta. */
+/* Tests the reference of the accuracy test against balls of collision_solve with 30 digits, at random beta. */
 #include "enclosure/collision.h"
 #include "reference.h"
 #include "search.h"
@@ -55,7 +55,7 @@ static bool compare(struct random_state *state, double low, double high, uint64_
     return good;
 }
 
-/* Points for the series, the interpolation and the asymptotics, per 10^5 */
+/* Tests the series, the interpolation and the asymptotics, each at some points per 10^5. */
 bool reference_is_good(const struct search_options *o)
 {
     static const struct {

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The whole of corgen, from its command line to its output. The lines of the input are the arguments. A function below
- * replaces each subcommand. It first checks the parsed arguments by the rules of the options, and continues if the
- * subcommand is cheap.
+/* Runs corgen from its command line to its output. The lines of the input are the arguments. A function below replaces
+ * each subcommand. It first checks the parsed arguments by the rules of the options, and continues if the subcommand is
+ * cheap.
  *
- * It runs in a directory of its own, two levels deep. Arguments contain slashes only between digits, so nothing outside
- * can be written. stdout and stderr are streams in memory meanwhile; messages of the sanitizers and of libFuzzer use
- * the descriptors as usual. */
+ * The program runs in its own directory, two levels deep. Arguments contain slashes only between digits, so nothing
+ * outside can be written. stdout and stderr are streams in memory during a run; messages of the sanitizers and of
+ * libFuzzer use the descriptors as usual. */
 #define _XOPEN_SOURCE 700 /* mkdtemp, open_memstream */
 #include <ctype.h>
 #include <dirent.h>
@@ -28,7 +28,7 @@ int LLVMFuzzerInitialize(int *argc, char ***argv);
 
 enum { ARGUMENTS_MAX = 24, SIZE_MAX_INPUT = 600, PATH_LENGTH = 4096 };
 
-/* skipped: the subcommand was too large to run. planning: the subcommand is plan, which fails at its first modes */
+/* skipped: the run was too large. planning: the subcommand is plan, which ends when it needs modes */
 static bool skipped, planning;
 
 /* Requires that the value of an option is in its range, or is its default. */
@@ -163,7 +163,7 @@ WRAPPED(int, disk_modes_rounded, struct cor_disk_modes *modes, const fmpq_t nu, 
     return planning ? fail("the fuzzer finds no modes here") : __real_disk_modes_rounded(modes, nu, count);
 }
 
-/* embed and plan run up to the point where their collisions begin. */
+/* Ends embed and plan where their collisions would begin. */
 WRAPPED(struct interpolant *, interpolant_new, const struct interpolant_layout *layout, double beta_min,
         double beta_max)
 {

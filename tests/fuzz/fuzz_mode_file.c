@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* cor_disk_modes_read on arbitrary bytes. An accepted file is read again by another route, strtod and strtoul. In three
- * of four cases the mutator corrects the checks at the ends of the lines. */
+/* Calls cor_disk_modes_read on arbitrary bytes. Reads an accepted file again by another route, strtod and strtoul. In
+ * three of four cases the mutator corrects the checks at the ends of the lines. */
 #define _GNU_SOURCE /* memfd_create */
 #include <sys/mman.h>
 #include <unistd.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Tests enclosed collisions of any power law against direct integrations by other programs. Tests the series, the
- * closed forms and the slow manifold against the motion, and thresholds and the asymptotics of docs/theory.md, 9. */
+ * closed forms and the slow manifold against the motion. Tests thresholds and the asymptotics of docs/theory.md, 9. */
 #include "ball.h"
 
 #include <unistd.h>
@@ -33,7 +33,7 @@ static void collision_of(struct collision *c, const char *beta, const struct cor
 
 /* ---- values ---- */
 
-/* Final speeds, thresholds, and largest forces at a beta, by a Taylor method of mpmath in 30 digits, with all peaks */
+/* Final speeds, thresholds and largest forces (over all peaks) agree with a Taylor method of mpmath in 30 digits. */
 TEST(test_known_values)
 {
     static const char *const known[][4] = {
@@ -148,7 +148,7 @@ TEST(test_collisions)
         }
     }
     const struct cor_exponents dashpot = law_of("3/2", "0"), tsuji = law_of("3/2", "1/4");
-    collision_of(c, "1.127988", &dashpot, 90); /* near the threshold bits are lost, and a second attempt is needed */
+    collision_of(c, "1.127988", &dashpot, 90); /* near the threshold a second attempt with more bits is needed */
     assert_bits(c->eps_zero_overlap, 90);
     /* within 1e-3 of zeta = 1: eps = exp(-pi zeta/sqrt(1 - zeta^2)) is 3e-61 */
     collision_of(c, "2.2355", &tsuji, 90);
@@ -184,7 +184,8 @@ TEST(test_backward_series)
     }
 }
 
-/* The motion uses no closed form. For an overdamped contact it finds that the overlap decays without reaching zero. */
+/* The integrated motion agrees with closed forms. For an overdamped contact the overlap decays without reaching
+ * zero. */
 TEST(test_closed_forms)
 {
     static const char *const laws[][2] = {{"1", "0"}, {"3/2", "1/4"}, {"3", "1"},
@@ -223,8 +224,8 @@ TEST(test_closed_forms)
         }
 }
 
-/* The ends of contact are not separable at beta = 0. An enclosure for an interval of beta that begins there must
- * contain the results of every beta in it. */
+/* At beta = 0 the two ends of contact coincide. For an interval of beta that begins there, the enclosure must contain
+ * the results of every beta in the interval. */
 TEST(test_wide_beta)
 {
     static const char *const laws[][2] = {{"2", "0"}, {"3", "0"}, {"3", "1"}, {"3/2", "1/2"}};
@@ -270,7 +271,7 @@ TEST(test_angle)
     }
 }
 
-/* Few bits on the slow manifold, against hundreds in the full motion: a - b below, at and above 1, a < b and a = b. */
+/* The slow manifold agrees with the full motion in hundreds of bits: a - b below, at and above 1, a < b and a = b. */
 TEST(test_slow_manifold)
 {
     leave_to_turn(0, 3);
@@ -288,7 +289,7 @@ TEST(test_slow_manifold)
                            m->last, m->n, slope, m->nu));
         LET(beta, 250, "m->last*(1 - 1/2^100)", m->last);
         arb_poly_evaluate(p, m->p, beta, 250);
-        assert_true(slow_manifold_time(slope, m, beta, p, 24)); /* nearly no time, up to its error */
+        assert_true(slow_manifold_time(slope, m, beta, p, 24)); /* the time is nearly zero, up to its error */
         arf_set_mag(arb_midref(slope), arb_radref(slope));
         mag_zero(arb_radref(slope));
         assert_true(HOLDS(250, "2*slope > m->time_error", slope, m->time_error));
@@ -304,7 +305,7 @@ TEST(test_slow_manifold)
     }
 }
 
-/* eps = v_f beta^(-1/q) (1 - c beta^P exp(-k/mu)), with k and P of the law: c from three collisions varies little. */
+/* The c of eps = v_f beta^(-1/q) (1 - c beta^P exp(-k/mu)) is nearly the same for three collisions. */
 TEST(test_forgetting)
 {
     leave_to_turn(4, 3);
@@ -381,7 +382,7 @@ TEST(test_below_threshold)
         assert_true(fabs(middle(y) - 3.06410) < 6e-6 + 10 * pow(2, -(double)bits / 2));
         LET(y, PREC, "eps/d - pi*sqrt(d/beta_c^5) - 1", eps, d, beta_c);
         assert_true(fabs(middle(y)) < 3 * (double)bits * pow(2, -(double)bits) + 1e-17);
-        /* equally close, above the threshold */
+        /* above the threshold, at the same distance */
         LET(x, PREC, "beta_c + 1/2^bits", beta_c, bits);
         assert_int_equal(collision_solve(c, x, &law, 60), 0);
         assert_true(arb_is_zero(c->eps_zero_overlap));
@@ -392,7 +393,7 @@ TEST(test_below_threshold)
 /* ---- asymptotics ---- */
 
 /* At zero force eps = mu Xinf^(a-b) (1 - 2 (a-b) Xinf^(a-2b-1) mu ln(1/mu) + O(mu)) and t = beta^(-1/(b+1)) T, T = 2
- * Xinf^-b ln(1/mu) + O(1). The remainders, O(mu)/mu and O(1), vary little with beta. */
+ * Xinf^-b ln(1/mu) + O(1). The remainders divided by their order, O(mu)/mu and O(1), vary little with beta. */
 TEST(test_strong_force)
 {
     static const char *const laws[][2] = {{"3/2", "0"},   {"1", "0"}, {"3/2", "1/4"},
@@ -471,8 +472,8 @@ static long double pressed_turn(const long double *y, const void *of)
 }
 
 /* Returns eps^2 at the surface; it is not positive if the bodies stay together. y becomes the state where the contact
- * ends. The flight that follows loses its initial elastic energy. A second turning point has two causes. Either the
- * damping took all energy, or the force is large, the damping takes almost nothing, and rounding hides the end of
+ * ends. The flight that follows loses its initial elastic energy. A second turning point has one of two causes: the
+ * damping consumed all energy, or the force is large, the damping almost zero, and rounding hides the end of
  * contact. */
 static long double surface_by_loss(long double y[4], const struct pressed_law *p)
 {
@@ -490,7 +491,7 @@ static long double surface_by_loss(long double y[4], const struct pressed_law *p
     return rest;
 }
 
-/* Laws with a - b from -1 to 3, forces up to 1e12, and damping that takes up to all of the energy */
+/* Laws with a - b from -1 to 3, forces up to 1e12, and damping that consumes any part of the energy */
 TEST(test_surface)
 {
     LOCAL(collision, c);
@@ -522,8 +523,8 @@ TEST(test_surface)
     }
 }
 
-/* The enclosure of the least force at which the bodies stay together. They part at its lower end and not at its upper
- * end. B of beta = 6 is next to the damping above which motions escape. */
+/* Tests the enclosure of the least force at which the bodies stay together: they part at its lower end, but not at its
+ * upper end. For beta = 6, B is next to the damping above which motions escape. */
 TEST(test_sticking_force)
 {
     static const char *const laws[][2] = {{"3/2", "1/2"}, {"1", "0"},   {"3/2", "0"}, {"2", "1"},
@@ -549,7 +550,7 @@ TEST(test_sticking_force)
     assert_int_equal(collision_sticking_force(force, beta, &constant, 0, 30), 0);
     assert_true(arb_is_one(force));
     assert_int_equal(collision_sticking_speed(force, beta, &constant, 0, 30), 1);
-    for (int k = 0; k < 2; k++) { /* never turns; a force of 1 leaves beta x^2/2 = 1, the impact speed */
+    for (int k = 0; k < 2; k++) { /* the motion never turns; under a force of 1 it ends at beta x^2/2 = 1 */
         arb_set_si(force, 1 + k);
         assert_int_equal(collision_solve_pressed(c, beta, force, &constant, -1, 30), 0);
         assert_true(arb_is_zero(c->eps_zero_overlap) && arb_is_zero(c->eps_zero_force) && !arb_is_finite(c->t_max));
@@ -561,7 +562,7 @@ TEST(test_sticking_force)
 
 /* ---- hard cases ---- */
 
-/* zeta = 1, one unit to each side, and values up to extremes. For tiny beta only 1 - eps carries information. */
+/* zeta = 1, the doubles next to it, and values up to extremes. For tiny beta, only 1 - eps is a meaningful number. */
 TEST(test_critical)
 {
     const struct cor_exponents law = law_of("1", "0");
@@ -589,7 +590,7 @@ TEST(test_critical)
     assert_digits(x, "1.570796326795"); /* pi zeta = pi beta/2 */
 }
 
-/* Each end, solved separately, agrees with the solution for both. The end is found with a turning point in its step. */
+/* Each end, solved separately, agrees with the solution for both, even in the step of the turning point. */
 TEST(test_one_end)
 {
     static const char *const cases[][3] = {
@@ -610,7 +611,7 @@ TEST(test_one_end)
             assert_bits(one->field[end ? 1 : 2], 70);
         }
     }
-    static const double refused[] = {-1, INFINITY, NAN, 0}; /* beta = 0 has no force that vanishes */
+    static const double refused[] = {-1, INFINITY, NAN, 0}; /* for beta = 0 the force vanishes only with the overlap */
     for (int i = 0; i < 4; i++) {
         arb_set_d(beta, refused[i]);
         assert_int_equal(collision_solve(both, beta, &law_sphere, 60), i < 3);
@@ -620,8 +621,8 @@ TEST(test_one_end)
     }
 }
 
-/* Between the methods: beta is too small for the slow manifold at this precision. A solver that retries forever is
- * ended by the alarm. The result must agree with the loading and with h*^5 beta^-5. */
+/* At this precision beta is too small for the slow manifold and large for the full motion. An alarm ends a solver that
+ * retries forever. The result must agree with the loading and with h*^5 beta^-5. */
 TEST(test_between_methods)
 {
     LOCAL(collision, c, loading);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Tests cor/scene.h and gen/contact against an integration of the force in SI units and against textbook formulas.
- * Converts every way to specify the dissipation there and back, and every number of corgen contact --for as its
- * simulator does. */
+ * Converts every specification of the dissipation to every other one and back, and every number of corgen contact --for
+ * as its simulator does. */
 #include "../reference/ode.h"
 #include "ball.h"
 #include "scene.h"
@@ -21,7 +21,7 @@ struct law_of_force {
     long double elastic, damping; /* elastic force at a unit of length; damping force there at 1 m/s */
 };
 
-enum { ROOT = 4 /* exponents are quarters: x = w^4 units of length */ };
+enum { ROOT = 4 /* exponents are multiples of 1/4: x = w^4 units of length */ };
 
 static struct law_of_force force_law(double mass, double stiffness, double coefficient, double a, double b,
                                      double speed)
@@ -138,7 +138,7 @@ TEST(reference_collisions)
         check_near(got.max_overlap_m, r[2], COR_SCENE_MAX_ERROR);
         check_near(cor_scene_force_max_n(&contact, n[8]), r[3], COR_SCENE_MAX_ERROR);
         if (in_turn(rows, 10))
-            /* with weak damping the force vanishes late */
+            /* with weak damping the force vanishes shortly before the overlap */
             against_integration(&proved, r[3], &contact, n[8], COR_SCENE_MAX_ERROR, 1e-5);
     }
     assert_int_equal(rows, ROWS);
@@ -172,8 +172,8 @@ static struct contacts contacts_of(int law, int end, const struct given *bodies,
     return c;
 }
 
-/* A collision with K and C has eps and a duration. Any two of its numbers that determine the collision must give K and
- * C again. The duration at zero overlap hardly depends on a weak damping, which is then less accurate. */
+/* From K and C follow eps and duration of a collision. Any two of these numbers that determine the collision must give
+ * K and C again. Weak damping hardly affects the duration at zero overlap, so the damping from it is less accurate. */
 TEST(any_two_give_the_rest)
 {
     enum {
@@ -227,7 +227,7 @@ TEST(any_two_give_the_rest)
             check_near(got[0].stiffness, value[K], error);
             check_near(cor_scene_damping(&got[0], C), value[C], error);
         }
-    /* without damping and without --end: a contact for each end, which lasts for the given time at that end */
+    /* without damping and without --end: one contact for each end, with the given duration at that end */
     const double a = 1.5, elastic = cor_hunt_crossley_duration(0, a);
     const struct contacts tsuji =
         contacts_of(COR_LAW_TSUJI, COR_BOTH_ENDS, GIVEN({COR_SCENE_EFFECTIVE_MASS, 2e-3}, {T, 1e-3}),
@@ -236,7 +236,7 @@ TEST(any_two_give_the_rest)
     check_near(tsuji.contact[1].stiffness, 2e-3 * pow(elastic / 1e-3, 2.5) / sqrt(3), 1e-13);
 }
 
-/* The contact point, of mass (2/7) m, moves for the duration of the contact, by Runge-Kutta. */
+/* Integrates the tangential motion of the contact point, of mass (2/7) m, over the contact by Runge-Kutta. */
 TEST(tangential_restitution)
 {
     for (int k = 0; k < 6; k++) {
@@ -303,7 +303,7 @@ TEST(other_laws)
     const struct cor_scene_impact impact = scene_impact(&plate, 1);
     assert_true(isnan(impact.eps[COR_END_ZERO_FORCE]) && isnan(impact.duration_s[COR_END_ZERO_FORCE]));
     check_near(cor_scene_force_max_n(&plate, 1), plate.stiffness * pow(impact.max_overlap_m, 1.5), 1e-13);
-    /* the inverse for a law that only enclosed collisions can solve; it is refused without a solver */
+    /* the inverse for a law that needs enclosed collisions; without a solver it is refused */
     struct cor_scene_contact power = {.law = {2, 1, 1}, .mass_kg = 1e-3, .stiffness = 1e5, .solver = contact_enclosed};
     assert_int_equal(cor_scene_set_damping(&power, COR_SCENE_RESTITUTION, 0.3, 0.5, COR_END_ZERO_FORCE), 0);
     check_near(scene_eps(&power, 0.5, COR_END_ZERO_FORCE), 0.3, 1e-14);
@@ -392,8 +392,8 @@ TEST(collisions_under_a_constant_force)
     check(stuck >= held && held > 5 && parted > 20, "%d %d %d", stuck, held, parted);
 }
 
-/* The enclosed collisions at (1 - 2^-60) and (1 + 2^-60) times the threshold differ. The backward integration in
- * doubles finds the same threshold. */
+/* Bodies part at (1 - 2^-60) and stay together at (1 + 2^-60) times the threshold. The backward integration in doubles
+ * finds the same threshold. */
 TEST(thresholds_of_a_constant_force)
 {
     leave_to_turn(1, 3);

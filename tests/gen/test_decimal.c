@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Numbers as text: which texts are numbers, their exact values and nearest doubles, limits, and the shortest text. */
+/* Tests numbers as text: valid and invalid texts, exact values, nearest doubles, limits, and the shortest text. */
 #include "support/console.h" /* before cmocka, which defines a macro fail */
 
 #include <float.h>
@@ -35,7 +35,7 @@ TEST(test_values)
     assert_value("0000000001e000003", "1000");
 }
 
-/* Every way in which a text can fail to be a number; at the end, one digit more than the longest exponent. */
+/* Texts that are not numbers, for every reason. The last one has one digit more than the longest exponent. */
 TEST(test_no_numbers)
 {
     static const char *const wrong[] = {
@@ -116,7 +116,7 @@ TEST(test_ranges)
     struct decimal_range range = {"-1", "1", true, false, false, ""};
     assert_true(inside(&range, "-1") && inside(&range, "0.99999999999999999999"));
     assert_false(inside(&range, "1") || inside(&range, "-1.00000000000000000001"));
-    range.nearest = true; /* compares the nearest double, which is the limit here */
+    range.nearest = true; /* refused, because its nearest double is the excluded limit */
     assert_false(inside(&range, "0.99999999999999999999"));
     range.high_allowed = true;
     assert_true(inside(&range, "1") && inside(&range, "0.99999999999999999999"));

@@ -28,7 +28,7 @@ TEST(test_spelling)
         {"0", "0", 50},
         {"0.125", "0.12", 2}, /* exact ties: half to even, as everywhere in IEEE arithmetic */
         {"0.375", "0.38", 2},
-        {"1 +/- 1e-30", "1.0000000000000000000", 20}, /* no tie: the width is harmless, also below a power of ten */
+        {"1 +/- 1e-30", "1.0000000000000000000", 20}, /* no tie: the width does not matter, even below a power of ten */
     };
     LOCAL(arb, x);
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
@@ -40,7 +40,7 @@ TEST(test_spelling)
     }
 }
 
-/* Balls too wide for the digits, or beyond the range of MPFR, have no digits; with 16 digits, no double. */
+/* Balls that are too wide for the digits, or beyond the range of MPFR, give no digits; with 16 digits, no double. */
 TEST(test_undecided)
 {
     static const struct {
@@ -61,7 +61,7 @@ TEST(test_undecided)
         arb_set_si(x, 3);
         arb_mul_2exp_si(x, x, sign * (WORD(1) << 40));
         assert_null(digits_of_ball(x, 10));
-        assert_true(digits_to_double(&y, x) == (sign < 0)); /* the neighbour nearest to 0 */
+        assert_true(digits_to_double(&y, x) == (sign < 0)); /* the nearest double of a tiny number is 0 */
         y = 7;
     }
     arb_set_str(x, "1e400", 100); /* it has digits */
@@ -83,7 +83,7 @@ TEST(test_doubles)
     const struct {
         double centre;
         slong power, sign;
-    } cases[] = {{1, -60, 0} /* few bits, but its ends need more */,
+    } cases[] = {{1, -60, 0} /* the centre has few bits, but the ends of the ball need more */,
                  {1, -200, 1},
                  {1 - ulp / 2, -200, -1},
                  {1, -54, 1},

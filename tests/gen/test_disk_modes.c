@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Free modes of the disk, and every mode of generated/disk_modes_*.h. The count is compared with a Rayleigh-Ritz
- * discretisation. The modes must satisfy the printed equation (25) and the integrals of (26) with Bessel functions of
- * Arb, also at extreme nu. */
+/* Tests free modes of the disk, and every mode of generated/disk_modes_*.h. A Rayleigh-Ritz discretisation checks the
+ * count. The modes must satisfy the printed equation (25) and the integrals of (26) with Bessel functions of Arb, also
+ * at extreme nu. */
 #include "ball.h"
 
 #include "cor/disk.h"
@@ -75,9 +75,9 @@ TEST(test_crossing)
 
 /* ---- Rayleigh-Ritz ---- */
 
-/* Counts the negative eigenvalues of K - w M by LDL^T. The fields are (u_r, u_phi) = r^p (1, sigma): all with this n
- * that are polynomials in x and y up to a degree. The count never exceeds the number of modes below omega, rigid ones
- * included. It equals that number if the degree is high enough. */
+/* Counts the negative eigenvalues of K - w M by LDL^T. The fields are (u_r, u_phi) = r^p (1, sigma): all fields with
+ * this n that are polynomials in x and y up to a degree. The count never exceeds the number of modes below omega, rigid
+ * ones included. It equals that number if the degree is high enough. */
 enum { RITZ_MAX = 64 };
 static const slong RITZ_PREC = 500;
 
@@ -146,7 +146,7 @@ TEST(test_ritz)
         for (size_t k = 0; k < COUNT_OF(orders); k++) {
             const slong n = orders[k];
             for (int point = 0; point < POINTS; point++) {
-                /* kappa' up to n + 12: the degree is high enough for all modes there */
+                /* kappa' up to n + 12, for which the degree is high enough for all modes */
                 const double omega = random_uniform(&draw, 0.1, 1) * ((double)n + 12) / sqrt(2 * disk.e_double);
                 LET(w, RITZ_PREC, "omega^2", omega);
                 const slong ritz = ritz_count(nu, n, w, PAIRS), count = disk_count(&disk, n, w);
@@ -155,7 +155,7 @@ TEST(test_ritz)
                 assert_true(ritz_count(nu, n, w, 3) <= ritz);
             }
         }
-        /* frequencies: Ritz approximates a root from above, closely */
+        /* Ritz frequencies are slightly above the roots */
         LOCAL(disk_mode, mode);
         for (slong n = 0; n <= 3; n++)
             for (slong l = 0; l <= 2; l++) {
@@ -187,8 +187,8 @@ static void bessel_clear(struct bessel *b)
 }
 LOCAL_STRUCT(bessel)
 
-/* Adds the bits that the series loses at large z. Where J_n is small, below n, the series of a ball is as narrow as the
- * ball. Beyond, it is exp(z) wider, although no J_n is steeper than 1. */
+/* Computes J_n(z) with the additional bits that the series loses at large z. For z < n, where J_n is small, the series
+ * of a ball is as narrow as the ball. For larger z it is exp(z) times wider, although no J_n is steeper than 1. */
 static void bessel_j(arb_t j, slong n, const arb_t z, slong prec)
 {
     LOCAL(arb, order, middle);
@@ -259,7 +259,7 @@ static void lommel(arb_t x, const struct bessel *a, const struct bessel *b, int 
         LET(x, prec, "(b->z*other_low*own - a->z*low*other)/(a->z^2 - b->z^2)", b->z, other_low, own, a->z, low, other);
 }
 
-/* Computes A and B from (22) or (23), whichever determines them better. */
+/* Computes A and B from (22) or from (23), by the equation that determines them better. */
 static void amplitudes(arb_t a, arb_t b, const struct bessel *k, const struct bessel *k1, const fmpq_t nu, slong n,
                        slong prec)
 {
@@ -508,7 +508,7 @@ TEST(test_corners_of_nu)
         for (slong k = 0; k < other->count; k += 59)
             assert_root(&other->mode[k], nu, 50, 1500);
     }
-    /* the modes after the conformal maps, with omega of order 1/sqrt(1 + nu) */
+    /* the modes above the conformal maps, whose omega is of order 1/sqrt(1 + nu) */
     LOCAL(disk_mode, mode);
     near_end(nu, -1, 30);
     for (slong n = 0; n <= 3; n++) {
@@ -518,7 +518,7 @@ TEST(test_corners_of_nu)
     }
 }
 
-/* No mode of any n >= cor_mode_orders(omega) is below omega, and few n below that bound have no mode. */
+/* No mode with n >= cor_mode_orders(omega) is below omega, and few smaller n have no mode there. */
 TEST(test_orders)
 {
     static const char *const materials[] = {"99/100", "33/100", "0", "-9/10", "-999999/1000000"};

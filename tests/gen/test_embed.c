@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Tests scenes and forms of corgen embed: speeds to beta, and fits against collisions at the same speeds. Tests
+/* Tests scenes and forms of corgen embed: the conversion of speeds to beta, fits against collisions at the same speeds,
  * emulated arithmetic, operation counts, and the choice of a form. tests/embed/run tests the header. */
 #define _XOPEN_SOURCE 700 /* mkstemp */
 #include <unistd.h>
@@ -72,7 +72,7 @@ static double solved(const struct embed_scene *s, double speed)
     return middle(s->end == COR_END_ZERO_OVERLAP ? c->eps_zero_overlap : c->eps_zero_force);
 }
 
-/* eps at speeds that are evenly spaced in their logarithm, ends included; solved once for all forms of a scene */
+/* eps at speeds evenly spaced in their logarithm, with both ends, solved once for all forms of a scene */
 enum { SOLVED = 5 };
 struct solved {
     double speed[SOLVED], eps[SOLVED];
@@ -104,8 +104,8 @@ static void check_form(const struct embed_form *f, const struct embed_scene *s, 
 }
 
 /* Checks that the proof covers the whole range. The proved error must bound the error at speeds other than the samples,
- * and may exceed the largest sampled error only slightly. Repeats this with a wrong number; returns true if that raised
- * the sampled error. */
+ * and may exceed the largest sampled error only slightly. Repeats this with a wrong number in the form. True if the
+ * wrong number raised the sampled error. */
 static bool check_proof(struct embed_form *f, const struct embed_scene *s)
 {
     struct embed_proof proof;
@@ -140,8 +140,8 @@ static bool check_proof(struct embed_form *f, const struct embed_scene *s)
     return raised;
 }
 
-/* Checks all forms of a scene. Each turn proves another third of them. For a law other than the sphere's, proves only
- * the cheapest form, if a proof exists. Returns the number of families that have a form. */
+/* Checks all forms of a scene. A run of the tests proves only a third of the forms, by turns. For a law other than the
+ * sphere's, proves only the cheapest form, if a proof exists. Returns the number of families that have a form. */
 static int check_scene(struct embed_request *request, bool proved)
 {
     struct found w;
@@ -167,8 +167,8 @@ static int check_scene(struct embed_request *request, bool proved)
     return found;
 }
 
-/* Every family, over scenes of both ends, several tolerances and both types. Other laws: q of both signs, rows below
- * the threshold and beyond all rows, coinciding ends. The families of a series exist for spheres only. */
+/* Forms of every family for both ends, several tolerances and both types. Other laws: q of both signs, rows below the
+ * threshold, speeds beyond all rows, ends that coincide. Families of a series exist only for spheres. */
 TEST(test_scenes)
 {
     static const char *const hertz[] = {"3/2", "0"}, *const linear[] = {"1", "2"}, *const crossley[] = {"3/2", "3/2"},
@@ -192,7 +192,7 @@ TEST(test_scenes)
         {linear, "0.1", "2", "1e-3", "1", FORCE, EMBED_DOUBLE, true, 4},
         {hertz, "1e-3", "10", "1e-9", "0.5", FORCE, EMBED_DOUBLE, true, 4},
         {crossley, "1e-3", "7", "1e-6", "1", FORCE, EMBED_DOUBLE, true, 4},
-        {root, "1e2", "1e4", "1e-10", "1", OVERLAP, EMBED_DOUBLE, false, 4}, /* beta from 10: a power of the speed */
+        {root, "1e2", "1e4", "1e-10", "1", OVERLAP, EMBED_DOUBLE, false, 4}, /* beta above 10: a power of the speed */
     };
     for (size_t i = 0; i < COUNT_OF(scenes); i++) {
         if (!in_turn(i, 11))
@@ -208,8 +208,8 @@ TEST(test_scenes)
     }
 }
 
-/* Every way to specify a contact, against the same contact in doubles. A collision with the beta found for
- * --restitution must have this eps to twenty digits, at its speed and end. */
+/* Every specification of a contact gives the same contact as computation in doubles. A collision with the beta found
+ * for --restitution must have this eps to twenty digits, at its speed and end. */
 TEST(test_ways_of_a_contact)
 {
     enum { YOUNG = 1, SPRING = 2, WALL = 4, FORCE = 8 };
@@ -275,7 +275,7 @@ TEST(test_ways_of_a_contact)
     }
 }
 
-/* Viscosities are two decimals. */
+/* Viscosities are two numbers in decimal notation. */
 TEST(test_viscosities)
 {
     static const char *const texts[] = {"1e3,2", "1/3,2", "2,1/3", "2", ",2", "2,"};
@@ -309,8 +309,8 @@ TEST(test_constant)
     }
 }
 
-/* Own laws: proofs of the forms; a table against values of SciPy 1.10's PchipInterpolator; the ranges that are
- * refused. tests/python/test_own_law.py compares the headers with formulas. */
+/* Tests own laws: proofs of the forms, a table against values of SciPy 1.10's PchipInterpolator, and refused ranges.
+ * tests/python/test_own_law.py compares the headers with formulas. */
 TEST(test_own_laws)
 {
     static const char rows[] = "eps,x,speed_m_s\n# a plateau, a peak\n0.9,1,0.01\n0.8,1,0.05\n0.8,1,0.2\n0.85,1,0.7\n"
@@ -357,8 +357,8 @@ TEST(test_own_laws)
     remove(path);
 }
 
-/* Operations counted by hand. The leading coefficient 1 needs no product. A square root prevents the vectorisation of a
- * loop. */
+/* The counts of operations are the counts by hand. A leading coefficient 1 needs no product. A square root prevents the
+ * vectorisation of a loop. */
 TEST(test_counts)
 {
     double number[] = {1, 2, 3, 4, 5, 6, 1};
@@ -459,8 +459,8 @@ static void assert_power_law(double x, double limit)
     assert_true(arb_is_positive(d) && HOLDS(FAR_BITS, "d < limit", d, limit));
 }
 
-/* The power law from EMBED_FAR onward, and from the beta at which eps at a speed uses it (docs/theory.md, 18). eps is a
- * rational function of the speed, h*^5/(b^5 g). Its proof detects a coefficient that is wrong in its 48th bit. */
+/* The power law holds from EMBED_FAR onward, and from the beta at which the library uses it (docs/theory.md, 18). eps
+ * is a rational function of the speed, h*^5/(b^5 g). Its proof detects a coefficient that is wrong in its 48th bit. */
 TEST(test_far)
 {
     assert_power_law(pow(EMBED_FAR, 5), EMBED_FAR_ERROR);
@@ -507,8 +507,8 @@ TEST(test_yield)
     }
 }
 
-/* A ball on a wall under gravity, and sticky balls, against the integration of the library in doubles
- * (runtime/scene/pressed.c) */
+/* Headers for a ball on a wall under gravity, and for sticky balls, agree with the library's integration in doubles
+ * (runtime/scene/pressed.c). */
 TEST(test_pressed)
 {
     static const struct {
@@ -516,7 +516,7 @@ TEST(test_pressed)
         int end;
         bool sticky;
         const char *restitution, *min, *max, *tolerance;
-    } scenes[] = {{COR_LAW_VISCOELASTIC, END_SURFACE, true, "0.7", "0.03", "2", "1e-6"}, /* first, as the fastest */
+    } scenes[] = {{COR_LAW_VISCOELASTIC, END_SURFACE, true, "0.7", "0.03", "2", "1e-6"}, /* the fastest comes first */
                   {COR_LAW_VISCOELASTIC, COR_END_ZERO_OVERLAP, false, "0.6", "0.0068", "1", "1e-8"},
                   {COR_LAW_HERTZ_DASHPOT, END_SURFACE, false, "0.8", "0.013", "10", "1e-5"},
                   {COR_LAW_HUNT_CROSSLEY, COR_END_ZERO_OVERLAP, true, "0.5", "0.1", "3", "1e-4"}};

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The proofs of embedded headers (gen/embed/proof.c, rounding.c) for forms whose error is known. A form gets an error
- * of known size at a chosen speed, and the proof must find it at any speed. Bounds of rounding errors are compared with
- * counts by hand. */
+/* Tests the proofs of embedded headers (gen/embed/proof.c, rounding.c) on forms whose error is known. A form gets an
+ * error of known size at a chosen speed, and the proof must find it at any speed. Bounds of rounding errors are
+ * compared with counts by hand. */
 #include <math.h>
 
 #include "ball.h"
@@ -11,7 +11,7 @@
 #include "support/local.h"
 
 #define UNIT 0x1p-53
-/* Size of the errors that the forms get; the fits below have smaller errors of their own. */
+/* Size of the added errors; the errors of the fits below are smaller. */
 #define BUMP 1e-6
 
 /* Returns a scene with beta = speed^(1/5); the caller clears it. */
@@ -28,7 +28,7 @@ static struct embed_scene scene_of(enum cor_end end, double beta_min, double bet
     FOR_ALL(arb, init, s.beta_per_root, s.beta_enclosed, s.h_star_5);
     arb_one(s.beta_per_root);
     arb_one(s.beta_enclosed);
-    arb_set_d(s.h_star_5, 5.158); /* roughly: only test_far_parts uses it */
+    arb_set_d(s.h_star_5, 5.158); /* approximate, because only test_far_parts uses it */
     return s;
 }
 
@@ -104,7 +104,7 @@ TEST(test_far_parts)
     f.denominator = 1;
     LET(rest, EMBED_BITS, "abs(h5 - s.h_star_5)/h5", h5, s.h_star_5);
     const double least = middle(rest) + EMBED_FAR_ERROR;
-    f.error = least; /* no bisection reduces EMBED_FAR_ERROR, and no sample shows it */
+    f.error = least; /* bisection cannot reduce EMBED_FAR_ERROR, and samples do not show it */
     const struct embed_proof proof = proof_of(&f, &s);
     check(proof.formula >= least * (1 - 1e-9) && proof.formula <= 1.1 * least, "h*^5/g is off by %g, %g proved", least,
           proof.formula);
@@ -125,7 +125,7 @@ static struct interpolant *interpolant(void)
     return made;
 }
 
-/* A rational function of beta from 0.15 to 0.95, across two intervals */
+/* The proof finds errors of a rational function of beta from 0.15 to 0.95, across two intervals. */
 TEST(test_intervals)
 {
     struct embed_scene s = scene_of(COR_END_ZERO_OVERLAP, 0.15, 0.95, interpolant());
@@ -136,7 +136,7 @@ TEST(test_intervals)
     clear_scene(&s);
 }
 
-/* Rows in the speed and in beta: an error that grows within one row, to BUMP at its end or its start */
+/* The proof finds an error that grows to BUMP within one row in the speed or in beta, at its end or its start. */
 TEST(test_rows)
 {
     enum { DEGREE = 5, ROWS = 12 };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The output of emit_c: a compiler reads every double back to the bit and gives no warnings. */
+/* Tests the output of emit_c: a compiler reads every double back to the bit, and gives no warnings. */
 #define _XOPEN_SOURCE 700
 #include "support/console.h" /* before cmocka, which defines a macro fail */
 
@@ -134,8 +134,8 @@ TEST(test_doubles)
     _arb_vec_clear(x, COUNT);
 }
 
-/* Rows inside a function, hexadecimal and decimal, give the same doubles. The digits of hexadecimal rows and of structs
- * read back to these doubles. */
+/* Rows inside a function, hexadecimal and decimal, give the same doubles. The csv digits of hexadecimal rows and of
+ * structs read back to the same doubles. */
 TEST(test_rows)
 {
     enum { ROWS = 3, COLUMNS = 5 };
@@ -288,7 +288,7 @@ static void check_pade_header(const struct pade_request *r, slong beta_max, stru
         LET(x, 128, "1 - x", x);
         const double exact_loss = middle(x);
         assert_int_equal(fscanf(output, "%lf %lf", &eps, &loss), 2);
-        /* between the samples, allow a tenth more than the largest error they found */
+        /* between the samples the error may be a tenth larger than at the samples */
         check(fabs(eps / exact - 1) <= 1.1 * eps_bound, "eps at beta = %.17g: %.17g, not %.17g", beta[i], eps, exact);
         check(fabs(loss / exact_loss - 1) <= 1.1 * loss_bound, "loss at beta = %.17g: %.17g, not %.17g", beta[i], loss,
               exact_loss);
@@ -344,8 +344,8 @@ TEST(test_json_cells)
 /* eps(1/2) at zero overlap from corgen collide --beta 0.5, which encloses the motion and uses no series */
 #define EPS_AT_HALF 0.57382462866494898355
 
-/* Every two-point Pade with a numerator of degree up to 20: all coefficients can be rounded, and their doubles give
- * eps(1/2), each better than the one before. From degree 15 onward they have a pole well beyond 1/2. */
+/* For every two-point Padé approximant with a numerator of degree up to 20, all coefficients can be rounded. The error
+ * of eps(1/2) falls with the degree. From degree 15 onward they have a pole far above 1/2. */
 TEST(test_two_point_rounded)
 {
     enum { MOST = 20, TWO_POINT_PREC = 300 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Collisions with strong damping. The enclosed functions are compared with collisions, and the proofs of the stored
- * formulas for large beta with sampled errors and wrong coefficients. */
+/* Tests proofs for strong damping. Compares the enclosed functions with collisions, and the proofs of the stored
+ * formulas for large beta with sampled errors. Wrong coefficients must make a proof fail. */
 #include "ball.h"
 
 #include "approximation/row_proof.h"
@@ -33,8 +33,8 @@ static void function_at(arb_t y, enum quantity quantity, double u)
     arb_poly_get_coeff_arb(y, f, 0);
 }
 
-/* The functions must contain enclosed collisions between the intervals, at their ends, and beyond them, where 210 mu
- * u^2 is below 2^-70. */
+/* The enclosed functions contain the collisions inside the intervals, at their ends, and above the last one, where 210
+ * mu u^2 is below 2^-70. */
 TEST(test_collisions)
 {
     static const double places[] = {9.41, 12, 20.25, 37.99, 38, 44};
@@ -121,7 +121,7 @@ TEST(test_formulas)
                 continue;
             const double kept = c[k], value = c[0] + c[2] * FAR_PROOF_FROM;
             c[k] += (random_below(&draw, 2) ? 0x1p-50 : -0x1p-50) * value / factor_of(k, FAR_PROOF_FROM) *
-                    (k == 0 || k == 2 ? 1 : 0x1p-10); /* the leading terms have no smaller bits */
+                    (k == 0 || k == 2 ? 1 : 0x1p-10); /* the leading coefficients have no smaller bits */
             check(far_proof_bits(&proof, f->quantity, c) < 61, "quantity %d is proved with a wrong coefficient %d",
                   (int)f->quantity, k);
             c[k] = kept;

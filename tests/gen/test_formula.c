@@ -69,7 +69,7 @@ TEST(test_comparisons)
     assert_false(HOLDS(PREC, "x + 1 < 5/2", x));
     assert_true(HOLDS(PREC, "1/2 < x", x));
     arb_add_error_2exp_si(x, 0);
-    assert_false(HOLDS(PREC, "x > 3/2", x) || HOLDS(PREC, "x < 3/2", x)); /* the ball decides neither */
+    assert_false(HOLDS(PREC, "x > 3/2", x) || HOLDS(PREC, "x < 3/2", x)); /* the ball decides neither condition */
 }
 
 TEST(test_complex)

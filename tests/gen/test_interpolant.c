@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The interpolant of the collision, against collisions at other places than its own */
+/* Tests the interpolant of the collision against collisions at places that are not samples. */
 #include "ball.h"
 
 #include "approximation/interpolant.h"
@@ -21,7 +21,7 @@ static double relative(const arb_t x, const arb_t y)
     return arf_get_d(bound, ARF_RND_UP);
 }
 
-/* 0 <= beta <= 3/8. In this range the loss has its own quotient. */
+/* For 0 <= beta <= 3/8 the loss has its own quotient. */
 TEST(test_small_beta)
 {
     struct interpolant *f = interpolant_new(&interpolant_sphere_proof, 0, 0.375);

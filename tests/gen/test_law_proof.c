@@ -45,7 +45,7 @@ static bool enclose(struct complex_ball *y, const struct cor_exponents *law, str
     return complex_law_zero_force(y, law, log_beta, &pressing, &path);
 }
 
-/* Every way, with weak and strong damping, a > b, a = b and a < b, and n of both signs */
+/* Every path, with weak and strong damping, a > b, a = b and a < b, and n of both signs */
 static const struct {
     const char *elastic, *damping;
     enum way way;
@@ -75,8 +75,8 @@ TEST(test_real_axis)
     }
 }
 
-/* The mean over a circle is the value at its centre, by Cauchy's integral; the next moment is the derivative. Balls
- * between the points contain the points. */
+/* By Cauchy's integral, the mean over a circle is the value at its centre, and the next moment gives the derivative.
+ * Balls that cover the circle contain the values at its points. */
 TEST(test_complex_plane)
 {
     enum { POINTS = 16 };
@@ -155,7 +155,7 @@ static double largest_error(const struct law_proof *proof, const struct cor_expo
     return largest;
 }
 
-/* Polynomials in beta, ln(beta) and ln(beta_c - beta), at both ends */
+/* Polynomials in beta, ln(beta) and ln(beta_c - beta) are within their proved errors at both ends. */
 TEST(test_polynomials)
 {
     static const struct scene scenes[] = {{"3/2", "0", EPS_ZERO_OVERLAP, 0.06, 0.5, 1e-9},
@@ -197,7 +197,7 @@ TEST(tail)
     law_layout_clear(&layout);
 }
 
-/* Under a constant force, in the units of another impact speed v: beta = beta_1 v^q, f = f_1 v^(-2a/(a+1)) */
+/* Under a constant force, any impact speed v may be the unit: beta = beta_1 v^q, f = f_1 v^(-2a/(a+1)). */
 TEST(pressed)
 {
     static const char *const laws[][2] = {{"3/2", "1/2"}, {"3/2", "0"}, {"3/2", "3/2"},
@@ -231,8 +231,8 @@ TEST(pressed)
     }
 }
 
-/* The bound on an ellipse around an interval of several strips, for pressed contacts, against |ln(eps)| of collisions
- * on the real axis */
+/* For pressed contacts, the bound on an ellipse around an interval of several strips is above |ln(eps)| of collisions
+ * on the real axis. */
 TEST(test_pressed_ellipse)
 {
     const struct cor_exponents law = law_of("3/2", "1/2");

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Every numeric option of every subcommand, at both ends of its range and just outside. The expected range comes from
- * the texts a user reads: the help for whole numbers, the refusal for other numbers. */
+/* Tests every numeric option of every subcommand at both ends of its range and just outside. The expected range comes
+ * from the texts for users: for whole numbers from the help, for other numbers from the refusal. */
 #include "support/console.h" /* before cmocka, which defines a macro fail */
 
 #include "check.h"

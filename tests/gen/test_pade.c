@@ -53,7 +53,7 @@ TEST(test_exponential)
     LOCAL(arb, x);
     arb_poly_set_coeff_si(c, 1, 1);
     arb_poly_exp_series(c, c, 6, PREC);
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++) { /* [m/n]; k < 0: denominator */
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) { /* coefficients of [m/n]; k < 0: of the denominator */
         const slong k = known[i].k, num = known[i].num, den = known[i].den;
         assert_true(pade_of_series(f, c, known[i].m, known[i].n, PREC));
         assert_true(arb_poly_degree(f->p) == known[i].m && arb_poly_degree(f->q) == known[i].n);
@@ -85,7 +85,7 @@ TEST(test_reexpansion)
     }
 }
 
-/* C_0..C_{m+4} at 0, and h*^5/beta^5 (1 + 0 + ... + 0) at infinity. */
+/* The approximant has the series C_0..C_{m+4} at 0, and h*^5/beta^5 (1 + 0 + ... + 0) at infinity. */
 TEST(test_two_point)
 {
     leave_to_turn(1, 3);
@@ -134,7 +134,7 @@ TEST(test_two_point)
     }
 }
 
-/* Table I, from the printed a_k and a fifth one that is 0. */
+/* Table I follows from the printed a_k and a fifth coefficient 0. */
 TEST(test_published)
 {
     static const double d[] = {2.5840, 3.5840, 2.9840, 1.1487, 0.3265};

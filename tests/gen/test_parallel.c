@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Tasks on several threads: each runs once, at most one per thread at a time, tasks within tasks, results in order. */
+/* Tests tasks on several threads: each runs once. Also tests tasks within tasks and ordered results. */
 #include "support/console.h" /* before cmocka, which defines a macro fail */
 
 #include <stdatomic.h>
@@ -39,7 +39,7 @@ static void outer_task(void *context, slong i)
     struct party *const party = context;
     enter(party);
     atomic_fetch_add(&party->runs[i], 1);
-    if (i % 10 == 0) /* on this thread itself, or the threads would wait for each other */
+    if (i % 10 == 0) /* runs on this thread itself; otherwise the threads would wait for each other */
         parallel_for(inner_task, party, INNER, "inner");
     atomic_fetch_sub(&party->at_once, 1);
 }

@@ -77,7 +77,7 @@ TEST(test_rows_are_the_function)
             const arb_srcptr eps = p.quantity == EPS_ZERO_FORCE ? c->eps_zero_force : c->eps_zero_overlap;
             LET(loss, PREC, "(1 - eps)/x", eps, x);
             const double exact = middle(kind == 2 ? loss : eps);
-            /* plain doubles: allow a few units for the sum and for beta */
+            /* doubles: allow a few units for the rounding of the sum and of beta */
             check(fabs(value / exact - 1) < 2e-15, "kind %d, row %ld, beta = %g: %.17g, not %.17g", kind, (long)r, beta,
                   value, exact);
             /* c_0' is the remainder of c_0 */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* corgen plan: its values, against independent formulas and collisions solved at other speeds. Its choice is the
- * cheapest model that meets the tolerance there. */
+/* Tests corgen plan: its values against independent formulas and collisions, and its choice, which must be the cheapest
+ * model that meets the tolerance. */
 #include "support/console.h" /* before cmocka.h, which defines a macro fail */
 
 #include "approximation/pade.h"
@@ -132,7 +132,7 @@ TEST(test_spheres)
         low = fmin(low, force);
         high = fmax(high, force);
     }
-    /* no constant is better than the first, and no power law better than the chosen one */
+    /* no constant is better than the first model, and no power law better than the plan's power law */
     double c, a, b;
     assert_int_equal(sscanf(named(&plan, "constant eps")->use, "double eps = %lf", &c), 1);
     assert_true(fabs((c / low - 1) - (1 - c / high)) < 1e-9);
@@ -313,7 +313,7 @@ TEST(test_disks)
         assert_true(named(&plan, "eps = 1")->error[i] == 1 - plan.truth[i]);
         check_values(&plan, "dynamics: 300 modes; alpha = 56/v", i, collided(300, 56 / speed, speed, PLAN_EPS), 2e-6);
         check_values(&plan, "dynamics: 940 modes; alpha = 500", i, collided(940, 500, speed, PLAN_EPS), 2e-6);
-        /* the truth, within the error that the tolerance allows */
+        /* the reference values, within the error that the tolerance allows */
         check_values(&plan, "rigid wall: tolerance 1e-05", i, plan.truth[i], 0);
         check(fabs(at_rigid_wall(1e-5, speed).eps - plan.truth[i]) <=
                   plan.uncertainty[i] + named(&plan, "rigid wall: tolerance 1e-05")->error[i],
@@ -326,7 +326,7 @@ TEST(test_disks)
     }
     assert_true(named(&plan, "Rayleigh: 1000")->verdict == PLAN_OUTSIDE);
 
-    /* without the table: the cheapest collision; models reported as worse are worse */
+    /* without the table the plan chooses the cheapest collision; models that it reports as worse are worse */
     named(&plan, "table")->outside = true;
     plan_choose(&plan);
     const struct plan_model *m = &plan.model[plan.chosen];
@@ -343,7 +343,7 @@ TEST(test_disks)
                             cor_disk_eps_uncertainty(plan.speed[other->worst_at], 0.33) >
                         0.97 * plan.tolerance);
     }
-    /* a constant, or no vibrations at all, if that is good enough */
+    /* for a large tolerance the choice is a constant, or no vibrations at all */
     static const char *const constants[] = {"constant eps", "eps = 1"};
     for (int k = 0; k < 2; k++) {
         named(&plan, "constant eps")->outside = k == 1;
@@ -383,14 +383,14 @@ TEST(test_contact_time)
               "tau(%g) = %g, uncertain by %.2g", speed, plan.truth[i], plan.uncertainty[i]);
         check_near(plan.uncertainty[i], 2 * fabs(at_rigid_wall(1e-3, speed).contact_time / plan.truth[i] - 1), 1e-6);
     }
-    plan.tolerance = 0.1; /* loose enough for a law */
+    plan.tolerance = 0.1; /* the tolerance is large enough for a law */
     plan_choose(&plan);
     assert_true(strncmp(plan.model[plan.chosen].name, "leading", 7) == 0 ||
                 strncmp(plan.model[plan.chosen].name, "quasistatic", 11) == 0);
     plan_clear(&plan);
 }
 
-/* The energy that elastic waves take from a glass sphere at a wall, against the library */
+/* The remark states the energy that a glass sphere loses to elastic waves at a wall, as the library computes it. */
 TEST(test_waves)
 {
     static const struct {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The proved bounds of 1/Z and of Z^p, against powers by another route: the binomial series of the rows of Z. */
+/* Tests the proved bounds of 1/Z and of Z^p against powers by another route: the binomial series of the rows of Z. */
 #include "ball.h"
 
 #include "series/jet.h"

@@ -8,8 +8,8 @@
 
 enum { ORDER = 4, BITS = 128 };
 
-/* y_2 and y_3 are misprinted, while (61) is right. (62) also lacks a factor 1/6, which has no effect because x_0'''
- * vanishes at the turning point. C_3, C_4, a_3, a_4 and Table I inherit the error. a_1 and a_2 are exact. */
+/* y_2 and y_3 are misprinted; (61) is right. (62) also lacks a factor 1/6, which has no effect because x_0''' vanishes
+ * at the turning point. C_3, C_4, a_3, a_4 and Table I inherit the error. a_1 and a_2 are exact. */
 static const struct {
     char quantity; /* y_k, C_k or a_k */
     int index;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The proofs of the sphere's rows. Enclosures at complex damping are compared with enclosed collisions on the real axis
- * and, off it, with a plain integration in time. Refused: ellipses that reach a singularity, rows with wrong
- * coefficients, interpolants with wrong samples. The creep series is compared with enclosed collisions. */
+/* Tests the proofs of the sphere's rows. Enclosures at complex damping are compared with enclosed collisions on the
+ * real axis, and elsewhere with a plain integration in time. The proofs must refuse ellipses up to a singularity, rows
+ * with wrong coefficients and wrong samples. The creep series is compared with enclosed collisions. */
 #include "ball.h"
 
 #include <complex.h>
@@ -113,8 +113,8 @@ TEST(test_complex_plane)
     }
 }
 
-/* Beyond h*, on the negative axis of beta, no motion turns. No ball exists there, and no ellipse may reach it. This
- * ellipse does for rho >= 7.92. With rho = 8 it is refused after 6000 balls, which take seconds. */
+/* For beta < -h* no motion turns: the functions have no ball there, and no ellipse may reach that range. This ellipse
+ * reaches it for rho >= 7.92. With rho = 8 it would be refused only after 6000 balls, which take seconds. */
 TEST(test_singular)
 {
     leave_to_turn(0, 3);
@@ -131,7 +131,7 @@ TEST(test_singular)
         assert_true(inner.modulus[q] <= 1.2 * bound.modulus[q]);
 }
 
-/* Up to beta = 1, which are two intervals. `corgen tables` proves all rows. */
+/* The interpolant up to beta = 1, in two intervals. `corgen tables` proves all rows. */
 static struct interpolant *interpolant;
 static struct interpolant_proof *proof;
 
@@ -242,7 +242,7 @@ TEST(test_rows)
     }
 }
 
-/* A sample that is wrong in its 52nd bit, or a node wrong in its 40th, has no proof. */
+/* An interpolant with a sample that is wrong in its 52nd bit, or a node that is wrong in its 40th bit, has no proof. */
 TEST(test_samples)
 {
     LOCAL(arb, kept);

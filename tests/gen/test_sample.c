@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* corgen sample: the tolerance holds, the errors are equal, one point fewer fails. An exhaustive search over a grid
- * finds no smaller table. */
+/* Tests corgen sample: the tolerance holds, the errors of all segments are equal, and one point fewer is not enough. An
+ * exhaustive search over a grid finds no smaller table. */
 #include "scene.h"
 
 #include "contact/sample.h"
@@ -93,7 +93,7 @@ TEST(tolerances_hold)
     for (int end = 0; end < COR_SCENE_ENDS; end++)
         for (int kind = 0; kind < 4; kind++) {
             const bool cubic = kind / 2, log = kind % 2;
-            if (!in_turn((size_t)end + (size_t)kind, 2)) /* one end for each kind */
+            if (!in_turn((size_t)end + (size_t)kind, 2)) /* test only one end for each kind of table */
                 continue;
             const double finest = (double)few_or_all(500, 1) * (cubic ? 1e-7 : 1e-6);
             for (double tolerance = 1e-2; tolerance > finest; tolerance /= 50)

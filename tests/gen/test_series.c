@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The restitution series, against enclosed collisions, which prove every coefficient, and against closed forms. */
+/* Tests the restitution series against enclosed collisions, which prove every coefficient, and against closed forms. */
 #include "ball.h"
 
 #include "enclosure/collision.h"
@@ -58,8 +58,8 @@ static void compare_with_collision(const struct cor_exponents *law, slong order,
     }
 }
 
-/* The sphere is not a special case. The rows of (2, 1/2) grow fast with s: a truncation bound with equal errors in
- * every column proves nothing there. Collisions of the linear dashpot, of Tsuji's law, and of Hunt and Crossley's law
+/* Tests the sphere and other laws. The rows of (2, 1/2) grow fast with s, so a truncation bound with equal errors in
+ * every column would prove nothing. Collisions of the linear dashpot, of Tsuji's law, and of Hunt and Crossley's law
  * are closed forms. */
 TEST(test_collisions)
 {

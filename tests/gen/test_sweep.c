@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Sweeps: lists, rows, and the journal, which survives every interruption. */
+/* Tests sweeps: lists, rows, and the journal, which must survive every interruption. */
 #define _DEFAULT_SOURCE /* mkdtemp, truncate */
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -289,7 +289,7 @@ static int start_all(void **state)
     return 0;
 }
 
-/* Cut anywhere, damaged anywhere, or too long */
+/* Journals that are cut or damaged at any byte, or too long */
 TEST(test_journal_damaged)
 {
     int last = 0;
@@ -309,7 +309,7 @@ TEST(test_journal_damaged)
         const int found = go_on_from(bytes, whole_size, "damaged at", at);
         check(found >= 0 && found < LINES, "%zu: %d", at, found);
     }
-    /* one row too many, although a valid one */
+    /* one valid row too many */
     struct journal journal;
     assert_int_equal(journal_open(&journal, file, title, UINT64_MAX), STATUS_OK);
     assert_int_equal(journal_add(&journal, "one line more, and a good one"), STATUS_OK);
@@ -336,7 +336,7 @@ static size_t put_rows(char bytes[MOST], const size_t *row, size_t n, size_t cut
     return size;
 }
 
-/* Only the next row may enter FILE: no changed byte, no swapped, omitted or repeated row, none without check values */
+/* Only the right next row is accepted: no changed byte, no swapped, omitted or repeated row, none without a check */
 TEST(test_journal_changed)
 {
     char bytes[MOST];
@@ -360,7 +360,7 @@ TEST(test_journal_changed)
     }
 }
 
-/* Other processes and a full disk, at the wrong time */
+/* Other processes change or lock the journal, and the disk is full for a while. */
 TEST(test_journal_shared)
 {
     struct journal journal;
@@ -380,7 +380,7 @@ TEST(test_journal_shared)
     assert_int_equal(go_on(), LINES - 2);
     assert_part(whole_file, whole_size, "full disk", 0);
 
-    /* changed and truncated by another program between the last row and the table */
+    /* another program changes and truncates the file between the last row and the table */
     size_t rows = 0;
     assert_int_equal(start(&journal), STATUS_OK);
     whole_file[whole_size - strlen("5,12345678\n")]++;
@@ -392,7 +392,7 @@ TEST(test_journal_shared)
     rows = 0;
     assert_int_equal(go_on(), LINES - 1);
     assert_int_equal(start(&journal), STATUS_OK);
-    assert_int_equal(truncate(part, (off_t)(whole_size - strlen("4,5,12345678\n"))), 0); /* a whole line less */
+    assert_int_equal(truncate(part, (off_t)(whole_size - strlen("4,5,12345678\n"))), 0); /* a removed line */
     assert_int_equal(journal_read(&journal, count_line, &rows), STATUS_FAILED);
     journal_close(&journal, true);
 
@@ -436,7 +436,7 @@ TEST(test_hard_wall)
 
 /* ---- Rayleigh's energy ---- */
 
-/* For every table of the sweep, a row has the results of the library's table cut to the number of modes of the row. */
+/* A row has the results of the library's table, cut to the row's number of modes. */
 TEST(test_rayleigh)
 {
     struct sweep sweep = sweep_of("1e-3,0.05,0.4", "0.33", "100", "100");

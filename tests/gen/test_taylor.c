@@ -18,7 +18,7 @@ static void taylor_start(struct taylor *y, const struct cor_exponents *law, slon
     assert_true(taylor_choose_step(y));
 }
 
-/* The error of a short polynomial, against a long one, is at most its remainder, which is not much too large. */
+/* The error of a short polynomial relative to a long one is at most its remainder, which is not much too large. */
 TEST(test_remainder)
 {
     static const char *const laws[][2] = {{"3/2", "1/2"}, {"1", "0"}, {"3/2", "3/2"}, {"2", "1/3"}};
@@ -71,7 +71,7 @@ TEST(test_one_term)
     taylor_clear(&y);
 }
 
-/* Free motion, w = h/d and v = 1, where (h/d)^d in the time is the only error */
+/* Free motion, w = h/d and v = 1, whose only error is (h/d)^d in the time */
 TEST(test_time_alone)
 {
     const struct cor_exponents law = law_of("3/2", "1/3");
@@ -126,8 +126,8 @@ static void multiply(arb_ptr product, arb_srcptr f)
     _arb_vec_clear(sum, ONLINE_DEGREE + 1);
 }
 
-/* Long series are multiplied in blocks. They satisfy v' = -w^(d-1) (c1 w^bd v + c2 w^ad), with products term by term
- * and laws that have every kind of product. */
+/* Long series are multiplied in blocks. With products computed term by term, they satisfy v' = -w^(d-1) (c1 w^bd v + c2
+ * w^ad). The laws have every kind of product. */
 TEST(test_online_products)
 {
     static const char *const laws[][2] = {{"3/2", "1/2"}, {"3/2", "3/4"}, {"1", "0"}};
@@ -160,8 +160,8 @@ TEST(test_online_products)
     }
 }
 
-/* The signs of all terms on both sides enclose a zero. The zero of w = (1 - s)^3 is known to 2^-4 if w is known to
- * 2^-12. The zero of 1 - s + s^60/2^20 changes if a search with few bits omits the last term. */
+/* A zero is enclosed by the signs of the sum of all terms on both sides. The zero of w = (1 - s)^3 is known to 2^-4 if
+ * w is known to 2^-12. The zero of 1 - s + s^60/2^20 changes if a search with few bits omits the last term. */
 TEST(test_zero)
 {
     static const int cubic[] = {1, -3, 3, -1};

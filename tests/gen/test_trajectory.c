@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The exact trajectory: Eq. (49), the equation of motion by another route, and the proof of the truncation error. */
+/* Tests the exact trajectory: (49), the equation of motion by another route, and the proof of the truncation error. */
 #include "ball.h"
 
 #include "series/jet.h"
@@ -230,8 +230,8 @@ static void random_row(arb_poly_struct *row, arb_poly_struct *point, slong k, sl
     }
 }
 
-/* The sums contain the sum over one number of each interval, product by product. They are hardly wider than sums of
- * intervals. */
+/* The enclosed sums contain the sum for one number of each interval, computed product by product. They are hardly wider
+ * than sums of intervals. */
 TEST(test_row_sums)
 {
     enum { CUT = 100, EXACT = 4000 };

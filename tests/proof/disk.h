@@ -6,7 +6,7 @@
 
 /* ---- parts of lists of operations ---- */
 
-/* Gives the exact sum hi + lo of six operations (Knuth's theorem: no rounding error remains, for any two numbers). */
+/* Declares hi + lo the exact sum of six operations (Knuth's theorem: for any two numbers no error remains). */
 static void exact_two_sum(gappa &g, term hi, term lo)
 {
     g.match_anew(lo, "((s1-(sum:(s1+s2)-part:(sum-s1)))+(s2-part))", {{"sum", hi}});
@@ -26,9 +26,9 @@ static int find_operation(operation what, bool last = false)
 
 /* ---- logarithms ---- */
 
-/* cor_log_ratio_far for each exponent of x = m 2^e, and twice where the code begins to scale x. hi + lo is within
- * COR_PROOF_FAR of a - e ln(2) - L, where L is the double that log(m) returns and |ln(m)| < 0.3466. The last sum adds a
- * rest below 2^-30, so a result above 1/2 is an exact sum. */
+/* Writes the goals of cor_log_ratio_far, for each exponent of x = m 2^e and twice where the code begins to scale x. hi
+ * + lo is within COR_PROOF_FAR of a - e ln(2) - L, where L is the double that log(m) returns and |ln(m)| < 0.3466. The
+ * last sum adds a rest below 2^-30, so a result above 1/2 is an exact sum. */
 static void write_log_far(void)
 {
     const function f = [](Real x) { return cor_log_ratio_far({Real(1.3), Real(1e-17)}, x).hi; };
@@ -70,8 +70,8 @@ static void write_log_far(void)
     expect(last == 3 || last == 2, "cor_log_ratio_far: the last exponent");
 }
 
-/* The remainder of the quotient d of cor_log_ratio_near, before its division. It is within 2^-74 of difference - d x
- * for d and x from [1, 2]. Powers of two in d or x scale every operation. */
+/* Writes the goal for the remainder of the quotient d of cor_log_ratio_near, before its division. The remainder is
+ * within 2^-74 of difference - d x for d and x from [1, 2]. Powers of two in d or x scale every operation. */
 static void write_log_near(void)
 {
     start();
@@ -135,8 +135,8 @@ static mpq_class rational(number x)
     return mpq_class(x);
 }
 
-/* cor_lambert_t_pair for q.hi < 0.1, p = sqrt(2 q.hi). The rest of the series has a relative error below
- * COR_PROOF_SERIES. The correction of p has an error below 2^-70 for p from [1, 2]. */
+/* Writes the goals of cor_lambert_t_pair for q.hi < 0.1, p = sqrt(2 q.hi). The rest of the series has a relative error
+ * below COR_PROOF_SERIES. The correction of p has an error below 2^-70 for p from [1, 2]. */
 static void write_series(void)
 {
     start();
@@ -158,7 +158,7 @@ static void write_series(void)
     write_root_correction("disk_series_correction", shape);
 }
 
-/* The start for q <= 3, 1 + p (1 + p (1/3 + p (1/36 - p/270))), has a relative error below 2^-48. */
+/* Writes the goal for the start at q <= 3: 1 + p (1 + p (1/3 + p (1/36 - p/270))) has a relative error below 2^-48. */
 static void write_start(void)
 {
     start();
@@ -260,8 +260,8 @@ static void write_steps(void)
 
 /* ---- sums ---- */
 
-/* cor_pair_plus(1, t) and cor_pair_plus(1/2, q): rounding errors of the low parts. t.lo is below 0.09 after the series
- * and below 2^-31 y after Newton's step. q is a pair. */
+/* Writes the goals for the rounding errors of the low parts in cor_pair_plus(1, t) and cor_pair_plus(1/2, q). t.lo is
+ * below 0.09 after the series and below 2^-31 y after Newton's step. q is a pair. */
 static void write_sums(void)
 {
     static const struct {
@@ -289,7 +289,7 @@ static void write_sums(void)
 
 /* ---- the last operations of the law ---- */
 
-/* pair_sqrt: the correction of the root, as above, and the exact last sum */
+/* Writes the goals of pair_sqrt: the correction of the root, as above, and the exact last sum. */
 static void write_pair_sqrt(void)
 {
     start();
@@ -300,8 +300,8 @@ static void write_pair_sqrt(void)
     write_root_correction("disk_pair_sqrt", shape);
 }
 
-/* times: the number that is rounded last. square_times: the square and its product with f, both within 2^-70 by the
- * goals for pairs */
+/* Writes the goals of times, for the number that is rounded last, and of square_times. Its square and the product with
+ * f are within 2^-70 by the goals for pairs. */
 static void write_times(void)
 {
     start();
@@ -339,7 +339,7 @@ struct law_formula {
     bool inverse; /* t of q, or t = q */
     int multiple; /* multiple of the logarithm */
     formula *of;
-    const struct cor_logarithm *constant; /* for a leading logarithm */
+    const struct cor_logarithm *constant; /* the function of a leading logarithm */
 };
 
 /* Checks that the function, without rounding, is its formula in t. Its q is slope nu + ln(limit at nu = 0) - ln(x), far
@@ -421,7 +421,7 @@ static void check_law(void)
     for (const law_formula &f : laws)
         for (const enum cor_disk_datum datum :
              {COR_DISK_DATUM_CENTRE_OF_MASS, COR_DISK_DATUM_DIAMETER, COR_DISK_DATUM_PRINTED})
-            for (const int exponent : {-6, -949}) /* also where functions scale their argument */
+            for (const int exponent : {-6, -949}) /* including places where functions scale their argument */
                 check_law_at(f, datum, exponent);
 }
 

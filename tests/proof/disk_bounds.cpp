@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The bounds of the disk's contact law. The errors of the stages (errors.h), each amplified by the later stages, are
- * added in interval (ball) arithmetic over cells that cover the domain. docs/theory.md, 18, has the argument. Prints
+/* Proves the bounds of the disk's contact law. Adds the errors of the stages (errors.h), each amplified by the later
+ * stages, in interval (ball) arithmetic over cells that cover the domain. docs/theory.md, 18, has the argument. Prints
  * one line for each function. The exit status is 1 if a bound does not hold. */
 #include "errors.h"
 
@@ -192,7 +192,7 @@ static double step_error(double low, double high, const library &n)
         const ball r = v * e + e2 * W, b = 2 * v * v + ball(4) / 3 * v * r;
         const ball divisor = v * (b + 2 * r);
         const ball missed = e2 * e2 * (v * v * V + W * W * (ball(1) + 4 * v / ball(3))) / divisor;
-        /* the error of r: q.lo, log, two roundings; and the derivative of the step */
+        /* error of r, from q.lo, from log and from two roundings; then the derivative of the step */
         const ball residual = ball(u) * (1.1 * q + (2 * n.log) * log(start) + q + v + ball(1));
         const ball N = r * (b + r),
                    dN = 4 * v * v + (ball(16) / 3 * v + ball(2)) * r - 2 * v * v - (ball(8) / 3 * v) * r;
@@ -361,7 +361,7 @@ static double rounded(double units)
     return (units + (units > 1 ? 1 : 0.5)) * (1 + 1e-9);
 }
 
-/* Returns the second rounding error, if the result is subnormal: the argument, or its square, is below 4 2^-1022. */
+/* Returns the second rounding error of a subnormal result: the argument, or its square, is below 4 2^-1022. */
 static double subnormal(double q, double end)
 {
     return q > end ? 0.5 : 0;
@@ -425,7 +425,7 @@ static void sum_over_t(double limit)
             const double own = pair_error(low, high, libraries[i]);
             if (i == 1)
                 require(own <= 1.5 * 0x1p-52 * low && own <= u * (1 + low), "the pair t");
-            /* above 1 ulp before the last rounding, check_borders tests the arguments next to a power of two */
+            /* check_borders tests arguments next to a power of two, where the error may exceed 1 ulp */
             const double own_ulp = own / ulp(low);
             require(i == 0 || own_ulp <= 1 || !has_power_of_two(low, high) || (low < 1.1 && high > 0.9) ||
                         (low < 0.51 && high > 0.49),
@@ -513,12 +513,12 @@ static void sum_over_rows(void)
     bound_report("load of a compression, rows", load, COR_DISK_LAW_MAX_ULP, 0);
 }
 
-/* The functions of q itself: constant c of 1/(c + q) or c + q, the power of q, and the power of the argument */
+/* Functions of q itself: the constant c of 1/(c + q) or c + q, the power of q, and the power of the argument */
 static const struct {
     const char *name;
     double constant, power;
     int square;
-    double factor; /* of a leading logarithm: value = factor exp(-argument q) q^power */
+    double factor; /* for a leading logarithm: value = factor exp(-argument q) q^power */
     double least;  /* least q */
 } q_laws[] = {{"compression of a load", 1, 1, 0, 0, least_depth},
               {"energy of a load", 0.5, 1, 1, 0, least_depth},
@@ -541,7 +541,7 @@ static void sum_over_q(double limit)
                 const double relative = fabs(f.power) * q / (f.constant + low) * (1 + 2 * q / (f.constant + low)) +
                                         4 * COR_PROOF_PAIRS + 0x1p-72;
                 double units = relative / u;
-                if (f.factor != 0 && high < 1) { /* the units are known if the value is known */
+                if (f.factor != 0 && high < 1) { /* the value determines the units */
                     const double power_low = std::pow(low, f.power), power_high = std::pow(high, f.power);
                     const double least = f.factor * exp(-(1 + f.square) * high) * std::min(power_low, power_high);
                     const double most = f.factor * exp(-(1 + f.square) * low) * std::max(power_low, power_high);

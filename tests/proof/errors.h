@@ -10,7 +10,7 @@
 #define COR_PROOF_CBRT_ULP 64
 #define COR_PROOF_LOG_ULP 1
 #define COR_PROOF_LOG1P_ULP 1
-/* of log, where t(q) is within 2 ulp */
+/* the error of log for which t(q) is within 2 ulp */
 #define COR_PROOF_LOG_NEAR_ULP 0.55
 
 /* ln(limit/x) far from the limit, in addition to the error of log(m); |ln(m)| < 0.3466 */

@@ -22,7 +22,7 @@
 #include "cor/contact.h"
 #include "errors.h"
 
-/* The source of the evaluator, with numbers that record their operations; cor/contact.h first, with real doubles. */
+/* The evaluator's source, with numbers that record their operations. cor/contact.h, before it, has real doubles. */
 namespace trace
 {
 #define double Real
@@ -60,7 +60,7 @@ static std::string within(number low, number high)
     return "[" + hex(low) + ", " + hex(high) + "]";
 }
 
-/* Interval of an error's absolute value, and of an error */
+/* at_most: the interval of an error's absolute value; the next function: the interval of an error */
 static std::string at_most(number error)
 {
     return " in [0, " + hex(error) + "]";
@@ -96,7 +96,7 @@ struct table {
 
 struct row {
     int index, octave;
-    number low, high; /* of y, or of y 2^-octave */
+    number low, high; /* range of y, or of y 2^-octave */
     const Real *c;
     number node() const
     {
@@ -113,7 +113,7 @@ static row row_of(const table &t, int i)
     return {i, by_octaves ? t.octave + i / cells : 0, std::max(node - width / 2, 0.0), node + width / 2, t.rows(i)};
 }
 
-/* A coefficient, and c_0 + c_0' + s (c_1 + c_2 t + ...) */
+/* Return a coefficient, and the row c_0 + c_0' + s (c_1 + c_2 t + ...). */
 static mpq_class coefficient(const Real *c, int k)
 {
     return mpq_class(c[k].value);
@@ -187,7 +187,7 @@ static void check_formula(const std::string &what, std::initializer_list<term> o
     }
 }
 
-/* ---- intervals, widened: only for the binades that a result can reach ---- */
+/* ---- widened intervals, used only for the binades that a result can reach ---- */
 
 struct interval {
     number low, high;
@@ -255,7 +255,7 @@ static std::vector<interval> pieces_of(const function &f, number first, number e
     return all;
 }
 
-/* Returns the operand of an operand ... of an operation: "ab" is the second operand of the first one. */
+/* Returns an operand of an operation by its path: "ab" is the second operand of the first operand. */
 static int at(term f, const char *operands)
 {
     int id = f;
@@ -417,7 +417,7 @@ struct gappa {
         done[id] = true;
     }
 
-    /* Makes an operation a double that the goal draws from `interval`. Its exact value is the same. */
+    /* Replaces an operation by any double of `interval`, which is also its exact value. */
     void cut(const char *name, const std::string &interval)
     {
         give(names.at(name), "= rnd(cut" + std::to_string(names.at(name)) + ")", "same");
@@ -429,7 +429,7 @@ struct gappa {
         cut(name, interval);
     }
 
-    /* Makes an operation a double in an interval, or a real number there with the nearest double as rounded version. */
+    /* Replaces an operation by any double in an interval, or any real number there, rounded to the nearest double. */
     void variable_in(term id, interval x, bool real = false)
     {
         const std::string v = "v" + std::to_string(id);
@@ -497,8 +497,8 @@ static std::string power_of_two(int k)
 }
 
 /* Writes goals: the result of the last operation is within `ulp` units of the last place of the exact value, or of any
- * number within 2^-55 of it. One file covers each binade that the exact value may reach, and each side of its borders
- * on which the last sum may be. A sum next to a power of two can round to another spacing than the exact value. */
+ * number within 2^-55 of it. Each file covers one binade that the exact value may reach, and one side of its borders
+ * for the last sum. Next to a power of two, the sum can have another spacing than the exact value. */
 static void write_goals(const std::string &name, gappa &g, term result, ranges &known, number ulp)
 {
     const node n = of(result);
@@ -541,7 +541,7 @@ struct evaluator {
     function value;
     number first, end;
     shape kind;
-    bool product; /* value = m (c_0 + row) */
+    bool product; /* factor m in value = m (c_0 + row) */
     number ulp;
     table rows;
 };
@@ -691,8 +691,8 @@ static void write_log(void)
     }
 }
 
-/* The factors of the tails, as pairs: rows in u = ln(beta) up to u = 10, then three orders in mu = beta^(-5/3). `error`
- * is the relative error in the goals, in units of 2^-53. */
+/* The factors of the tails, which are pairs: rows in u = ln(beta) up to u = 10, then three orders in mu = beta^(-5/3).
+ * `error` is the relative error in the goals, in units of 2^-53. */
 struct tail {
     std::string name;
     number error, far_error;
@@ -888,7 +888,7 @@ static void write_product(void)
     g.write("pair_product", {}, "|off| in [0, 1b-102]");
 }
 
-/* cor_inline_pair_times for x and y from [1, 2), |lo| <= `low`: the pair is within `bound` of the product. */
+/* Writes the goal of cor_inline_pair_times, x and y from [1, 2), |lo| <= `low`: within `bound` of the product. */
 static void write_pair_times(const std::string &name, number low, number bound)
 {
     start();
@@ -910,7 +910,7 @@ static void write_pair_times(const std::string &name, number low, number bound)
     g.write(name, {}, "|off|" + at_most(bound) + " /\\ |low| in [0, 1b-51]");
 }
 
-/* cor_pair_over: hi is a rounded sum that is within 2^-70 of (x.hi + x.lo)/(y.hi + y.lo) */
+/* Writes the goal of cor_pair_over: hi is a rounded sum that is within 2^-70 of (x.hi + x.lo)/(y.hi + y.lo). */
 static void write_pair_over(void)
 {
     start();
@@ -937,8 +937,8 @@ static void write_pair_over(void)
     g.write("pair_over", {}, "|off| in [0, 1b-70]");
 }
 
-/* If a real number S is within `error` 2^-53 E of E, 1 <= E <= 2, and is rounded last, |rnd(S) - E| <= ulp units of E's
- * last place. This also holds for any number within 2^-57 of E. It is the final step of every tail. */
+/* Writes the final step of every tail. If a real number S is within `error` 2^-53 E of E, 1 <= E <= 2, and is rounded
+ * last, |rnd(S) - E| <= ulp units of E's last place. This also holds for any number within 2^-57 of E. */
 static void write_rounding(const std::string &name, number error, number ulp)
 {
     gappa g;
@@ -952,7 +952,7 @@ static void write_rounding(const std::string &name, number error, number ulp)
     g.write(name + "_above", {"S >= 2"}, goal);
 }
 
-/* Gives the head of a root. The only assumption about the head is that it is in `interval`. */
+/* Replaces the head of a root by any double of `interval`. */
 static void give_head(gappa &g, term id, const char *of, const std::string &interval)
 {
     g.call({{"r", id}});
@@ -1041,9 +1041,9 @@ static void write_fifth_root(void)
     write_fifth_root_pair(g, "fifth_root_parts", std::ldexp(0.41, -53));
 }
 
-/* cor_inline_fifth_root_of_pair, for beta(eps) at zero overlap and small eps. head + tail are within 2^-58 of r (1 +
- * D/5 - ...), r^5 (1 + D) = x.hi + x.lo. The pair r5 becomes two variables within 2^-68 of r^5, by the goals for
- * pairs. */
+/* Writes the goal of cor_inline_fifth_root_of_pair, for beta(eps) at zero overlap and small eps. head + tail are within
+ * 2^-58 of r (1 + D/5 - ...), r^5 (1 + D) = x.hi + x.lo. The pair r5 becomes two variables within 2^-68 of r^5, by the
+ * goals for pairs. */
 static void write_fifth_root_of_pair(void)
 {
     start();
@@ -1175,7 +1175,7 @@ static void write_far_root(void)
     }
 }
 
-/* The last operations of functions beyond their tables. `error` as in struct tail. */
+/* Writes the goals for the last operations of functions beyond their tables. error: as in struct tail */
 static void write_last_steps(void)
 {
     const number pairs = 0x1p-12; /* errors of powers and quotients of pairs, 2^-65 */
@@ -1191,7 +1191,7 @@ static void write_last_steps(void)
     g.say("eps = rnd(e);\nV = rnd(1 - eps);");
     g.hypotheses = {"eps in [0, 1b-8]", "eps - E in [-1b-60, 1b-60]"};
     g.write("last_loss", {}, "|V - (1 - E)|" + at_most(std::ldexp(0.51, -53)));
-    /* a normal number within 0.8 ulp of E, scaled to a subnormal number: 0.91 units of 2^-1074 */
+    /* scaling a normal number within 0.8 ulp of E to a subnormal number gives 0.91 units of 2^-1074 */
     gappa s;
     s.text += "@subnormal = fixed<-1074, ne>;\nV = subnormal(S);\n";
     s.hypotheses = {"S in [0, 1b-1022]", "S - E in [-0x1.ap-1076, 0x1.ap-1076]"};

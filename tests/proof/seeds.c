@@ -3,8 +3,8 @@
  * the head. The seed of Halley's step depends only on the upper 32 bits of x. For each of their values the program
  * evaluates both ends of the interval of x and requires 3.99e-4. Within the interval, x changes by one part in 2^20 and
  * r by a fifth of that. This changes the quotient by less than 1e-6, because Halley's error has a slope below 0.01 in
- * x. Without an option the program uses five exponents, after which the seeds repeat up to one part in 2^20. --all uses
- * the exponents -1000 to 1000. */
+ * x. Without an option the program tests five exponents, because the seeds then repeat up to one part in 2^20. --all
+ * tests the exponents -1000 to 1000. */
 #include "runtime/number/fifth_root.h"
 
 #include <stdio.h>

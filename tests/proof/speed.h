@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The functions of an impact speed (cor/contact.h): part of goals.cpp. They combine functions with their own goals. The
- * errors are added here, and no sum may exceed the public bound. docs/theory.md, 4, bounds the derivatives that
- * multiply the error of beta. The numbers in a contact count as exact. */
+/* Checks the functions of an impact speed (cor/contact.h); part of goals.cpp. They combine functions that have their
+ * own goals. This file adds the errors; no sum may exceed the public bound. docs/theory.md, 4, bounds the derivatives
+ * that multiply the error of beta. The numbers in a contact count as exact. */
 
 /* Errors are relative, in units of 2^-53, half the distance of the doubles above 1. n ulp are at most 2 n units. */
 static const number units_per_ulp = 2;
@@ -13,7 +13,7 @@ static const number eps_ulp = 0.96, far_root_ulp = 0.9 + 4.1e-17 * 0x1p52, durat
 /* Errors of x^(1/5), rounded, and of the pair that is rounded last */
 static const number fifth_root = 1.42, root_pair = 0.41;
 
-/* Covers products of errors, errors of pairs, 2^-70, and the change of kappa between two neighbours, below 2e-9 */
+/* Covers products of errors, errors of pairs (2^-70), and the change of kappa between neighbours (below 2e-9) */
 static const number small = 0.001;
 
 /* kappa = |d ln(eps)/d ln(beta)| >= 1/2 for beta >= 2, x = beta^5 */
@@ -28,7 +28,7 @@ static void expect_at_most(const std::string &what, number error, number bound)
         die(what + ": " + std::to_string(error) + " is above the bound " + std::to_string(bound));
 }
 
-/* Reads -log2 of the proved errors of a table's rows from the comment above the table. */
+/* Reads the proved bits of a table's rows, -log2 of their errors, from the comment above the table. */
 static std::vector<number> bits_of_rows(const char *file, const std::string &name)
 {
     std::ifstream in(file);

@@ -4,7 +4,7 @@
  * the proofs are about the shipped source, and nothing is typed twice.
  *
  * A decision (a comparison, a conversion to an integer, bits that select) depends on the argument but is not part of
- * the list. path distinguishes two lists of operations by their decisions and constants. */
+ * the list. `path` records decisions and constants, which distinguish two lists of operations. */
 #ifndef COR_TESTS_PROOF_TRACE_H
 #define COR_TESTS_PROOF_TRACE_H
 
@@ -99,7 +99,7 @@ inline int node_of(operation what, int a, int b, number value, const std::string
 
 struct Real {
     number value;
-    int id; /* -1: a constant, which gets a node when an operation uses it */
+    int id; /* -1: a constant without a node; an operation that uses it makes one */
 
     Real() = default;
     constexpr Real(number x) : value(x), id(-1)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The contacts of contacts.csv, for tests of C, Python and the page: arguments of corgen contact, and its answer.
+"""Provides the contacts of contacts.csv for tests of C, Python and the page: arguments of corgen contact, its answer.
 
-    python3 tests/reference/contacts.py     lets CORGEN write the answers again
+    python3 tests/reference/contacts.py     renews the answers by CORGEN
+
 contacts: 2 if the end of a restitution is not given. line: the first line for the simulator of --for except comments,
 or the refusal. page: the page has fields for these options.
 """

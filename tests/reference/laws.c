@@ -124,7 +124,7 @@ static long double quadrature(long double (*f)(long double x, long double below,
 }
 
 /* Returns exp(zeta s/5) (sin(om s)/om)^(-1/5) at s = end x. Parameters: zeta, om, end, 1 for sinh, and pi - om end,
- * which matters where om s is near pi. */
+ * which is more accurate if om s is near pi. */
 static long double tsuji_integrand(long double x, long double below, const long double *p)
 {
     const long double s = p[2] * x;
@@ -190,7 +190,7 @@ long double reference_crossley_time_of_max_overlap(long double a, long double be
 long double reference_crossley_duration(long double a, long double beta)
 {
     const long double h = rebound(beta);
-    long double rest = 1 - h; /* where 1 - h may have no digits left */
+    long double rest = 1 - h; /* here 1 - h may have lost all digits */
     for (int k = 0; k < 200 && beta >= 2; k++)
         rest = expl(rest - 1 - energy(beta));
     const long double p[] = {a, -h, rest, beta < 2 ? log1pl(-h) : rest - 1 - energy(beta), beta};

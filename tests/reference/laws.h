@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Restitution of the laws of law.h in long double, by other formulas than the library's: the truth for the library's
- * doubles. Each function gives L = -ln(eps) with a relative error of about 2^-62. eps and 1 - eps follow by expl and
- * expm1l, with errors of 2^-60 while L is below 16; above, tests/accuracy uses MPFR. */
+/* Computes the restitution of the laws of law.h in long double by other formulas than the library's, as a reference.
+ * Each function gives L = -ln(eps) with a relative error of about 2^-62. eps and 1 - eps follow by expl and expm1l,
+ * with errors of 2^-60 while L is below 16; above, tests/accuracy uses MPFR. */
 #ifndef COR_TESTS_REFERENCE_LAWS_H
 #define COR_TESTS_REFERENCE_LAWS_H
 
@@ -10,10 +10,10 @@
 /* Returns L of the linear dashpot and Tsuji's damping, zeta > 0: acos or acosh, and one formula at zeta = 1. */
 long double reference_ratio_exponent(enum cor_end end, long double zeta);
 
-/* Hunt and Crossley: -ln(beta eps/beta) from f(-h) = f(beta), with f by its series or log1pl; beta > -1, not 0. */
+/* Returns L of Hunt and Crossley's law from f(-h) = f(beta), with f by its series or log1pl; beta > -1, not 0. */
 long double reference_hunt_crossley_loss(long double beta);
 long double reference_hunt_crossley_eps(long double beta);
-/* With damping during approach only */
+/* The next function: with damping during the approach only */
 long double reference_hunt_crossley_approach_loss(long double beta);
 long double reference_hunt_crossley_approach_eps(long double beta);
 
@@ -22,9 +22,9 @@ long double reference_hunt_crossley_approach_eps(long double beta);
  * s/5) (sin(om s)/om)^(-1/5). */
 long double reference_tsuji_time(enum cor_end end, long double zeta);
 
-/* Hunt and Crossley, -1 < beta < inf, not 0, elastic exponents 0 <= a <= 100: the time of the largest overlap and the
- * duration. The relative error is below 2e-15, and 1e-17 where |ln(beta)| is below 10. By double exponential quadrature
- * over the velocity, or over ln(1 + beta v) if beta > 2 or beta < -1/2. */
+/* Return the time of the largest overlap and the duration for Hunt and Crossley's law, -1 < beta < inf, not 0, elastic
+ * exponents 0 <= a <= 100. The relative error is below 2e-15, and 1e-17 where |ln(beta)| is below 10. By double
+ * exponential quadrature over the velocity, or over ln(1 + beta v) if beta > 2 or beta < -1/2. */
 long double reference_crossley_time_of_max_overlap(long double a, long double beta);
 long double reference_crossley_duration(long double a, long double beta);
 long double reference_crossley_duration_approach_only(long double a, long double beta);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Motions in long double, independent of the library and the generator, and the results of a contact. Uses Gragg's
- * method with extrapolation (Bulirsch and Stoer), and steps that end where a value falls to zero. */
+/* Integrates motions in long double, independently of library and generator, and gives the results of a contact. Uses
+ * Gragg's method with extrapolation (Bulirsch and Stoer), and steps that end where a value falls to zero. */
 #ifndef COR_TESTS_REFERENCE_ODE_H
 #define COR_TESTS_REFERENCE_ODE_H
 
@@ -118,7 +118,7 @@ static inline int ode_until(struct ode *o, long double *y, ode_value *const *val
             found = i;
             length = high;
             memcpy(next, last, size);
-            i = -1; /* start again: another value may reach zero earlier */
+            i = -1; /* repeat the search: another value may reach zero earlier */
         }
     }
     memcpy(y, next, size);
@@ -183,8 +183,8 @@ static inline long double motion_rise(const long double *y, const void *of)
 }
 
 struct motion_course {
-    /* At zero overlap, and at zero force or, with a constant force, back at the surface. 0 and infinity: the bodies
-     * stay together */
+    /* eps and duration at zero overlap, and at zero force or, under a constant force, at the surface. 0 and infinity:
+     * the bodies stay together */
     long double eps[2], duration[2];
     long double max_overlap, time_of_max_overlap, force_max;
 };

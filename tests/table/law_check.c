@@ -20,7 +20,7 @@ static const char *const of_end[LAW_ENDS] = {" overlap", " force", " approach on
 struct law_case {
     const struct law_functions *f;
     struct cor_exponents law;
-    double threshold;               /* of zero overlap, or infinity */
+    double threshold;               /* threshold of zero overlap, or infinity */
     double worst[LAW_ENDS][CHECKS]; /* ulp */
 };
 
@@ -82,7 +82,7 @@ static int case_solve(struct collision *s, const struct law_case *c, const arb_t
         return status;
     }
     const double b = arf_get_d(arb_midref(beta), ARF_RND_NEAR);
-    return collision_solve(s, beta, &c->law, BITS + (b < 1 ? (slong)-log2(b) : 0)); /* 1 - eps has BITS bits */
+    return collision_solve(s, beta, &c->law, BITS + (b < 1 ? (slong)-log2(b) : 0)); /* here 1 - eps has BITS bits */
 }
 
 /* Computes eps and the duration; with damping during approach only, from the largest overlap and the rebound. */
@@ -291,7 +291,7 @@ void law_check_round_trip(const struct law_functions *f, size_t count)
             check(relative_error(loss_back, loss) < 8e-16, "%s: loss %.17g comes back as %.17g", f->name, loss,
                   loss_back);
             const double beta = f->beta[end](eps), back = f->eps[end](beta);
-            /* as ill-conditioned as eps is in beta; no beta exists above the largest double */
+            /* the inverse is as ill-conditioned as eps in beta; above the largest double no beta exists */
             const double step = 0x1p-20, slope = fabs((f->eps[end](beta * (1 - step)) / back - 1) / step);
             if (beta < 0x1p1000)
                 check(fabs(back / eps - 1) <= (2.5 * slope + 2) * DBL_EPSILON, "%s: eps %.17g comes back as %.17g, %g",

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The functions of one law, x'' + beta x^b x' + x^a = 0, against collisions enclosed for this test. At any beta: eps,
- * loss, times and largest overlap; then the inverse at these eps. */
+/* Tests the functions of one law, x'' + beta x^b x' + x^a = 0, against collisions enclosed for this test: eps, loss,
+ * times and largest overlap at any beta, then the inverse at these eps. */
 #ifndef COR_TESTS_TABLE_LAW_CHECK_H
 #define COR_TESTS_TABLE_LAW_CHECK_H
 
@@ -41,7 +41,7 @@ struct law_functions {
 /* Fail the test if a function misses its bound. The random checks also print the worst errors found. */
 void law_check_at(const struct law_functions *f, const double *beta, size_t n);
 void law_check_random(const struct law_functions *f, size_t points);
-void law_check_borders(const struct law_functions *f, size_t points); /* this number of borders, chosen at random */
+void law_check_borders(const struct law_functions *f, size_t points); /* tests this number of random borders */
 void law_check_special(const struct law_functions *f);
 
 /* Checks e -> beta -> e for all magnitudes of e and of 1 - e. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Hertz's dashpot of law.h against enclosed collisions */
+/* Tests Hertz's dashpot of law.h against enclosed collisions. */
 #include "law_check.h"
 
 #include "../unit/check.h"
@@ -46,7 +46,7 @@ TEST(test_borders)
     law_check_borders(&functions, points(4));
 }
 
-/* Where the rows of damping during approach only meet: the series, the near rows, the octaves and the tail */
+/* Places where the tables for damped approach meet: the series, the near rows, the octaves and the tail */
 TEST(test_approach_only)
 {
     leave_to_turn(1, 2);

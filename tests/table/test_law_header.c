@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A header of `corgen law` against enclosed collisions: LAW_HEADER of the law (LAW_ELASTIC, LAW_DAMPING) with the name
- * `law`. tests/law/run writes such headers and compiles this file for each. */
+/* Tests a header of `corgen law` against enclosed collisions: LAW_HEADER, with the law (LAW_ELASTIC, LAW_DAMPING) and
+ * the name `law`. tests/law/run writes such headers and compiles this file for each. */
 #include "law_check.h"
 
 #include "../unit/check.h"

@@ -81,8 +81,8 @@ static void options_of(char *options, char *arguments)
             strcat(options, word);
 }
 
-/* For every contact of tests/reference/contacts.csv that the page can describe: the numbers at the first speed, and the
- * first line for a simulator or the reason why there is none. */
+/* Every contact of tests/reference/contacts.csv for which the page has fields gives the numbers at the first speed. It
+ * also gives the first line for a simulator, or the reason for its absence. */
 TEST(test_contacts_of_the_list)
 {
     enum { NUMBERS = 7, COLUMNS = 8 };
