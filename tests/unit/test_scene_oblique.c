@@ -302,8 +302,8 @@ TEST(against_another_method)
                            .end = (int)random_below(&draw, 2),
                            .memory = (int)random_below(&draw, COR_TANGENTIAL_MEMORIES),
                            .damper_in_cap = (int)random_below(&draw, 2),
-                           .beta = random_below(&draw, 3) ? random_log(&draw, 1e-3, 2) : 0,
-                           .press = random_below(&draw, 4) ? 0 : random_log(&draw, 1e-3, 1),
+                           .beta = random_below(&draw, 3) ? random_log(&draw, 1e-3, 4) : 0,
+                           .press = random_below(&draw, 4) ? 0 : random_log(&draw, 1e-3, 10),
                            .kappa = random_log(&draw, 0.1, 100),
                            .mu = random_log(&draw, 1e-3, 10)};
         const int force = i.memory == COR_REMEMBERS_FORCE || i.memory == COR_REMEMBERS_FORCE_RESCALED,
