@@ -263,7 +263,7 @@ function withUnit(text, unit) {
         : `${text} ${unit}`;
 }
 
-// Returns for each speed the results at each end. Where eps was measured at either, each end has its own contact.
+// Returns the results for each speed and end. If eps was measured at an unknown end, each end has its own contact.
 function answers() {
     const [head, ...rows] = csv(cor.page.text("table", SHOWN, 0)), chosen = $("end").value.replace("-", "_");
     const ends = head.filter((name) => name.startsWith("eps_")).map((name) => name.slice(4)), found = new Map();
@@ -297,7 +297,7 @@ function showAnswer() {
 
 // ---- the picture ----
 
-// The rules of the svg, which are in the file, too. Each curve has a colour for light and one for dark.
+// The style rules of the svg, which a saved file contains, too. Each curve has a colour for light and one for dark.
 const COLOURS = [["#0060ad", "#6cb4f5"], ["#b83a14", "#ff8a5c"], ["#2f7029", "#7fc97a"], ["#7b3f99", "#c79be0"],
     ["#7d5c05", "#e0b84c"], ["#0a6b6b", "#5fd0d0"], ["#a3286b", "#ff8cc3"], ["#555555", "#bbbbbb"]];
 const rules = (mode, text, page, grid, axis) => `.b,.p{fill:${page}}.t{fill:${text};font:13px system-ui,sans-serif}` +
@@ -571,7 +571,7 @@ function chooseBodies() {
     $("fold-bodies").open = $("fold-bodies").open || (!material && kind() !== "none");
 }
 
-// A plate has its own law, whose loss is the waves in the plate.
+// Selects law, second body and damping to suit each other: a plate has its own law, whose loss is the waves in it.
 function fitPlate(id) {
     const plate = $(id).value === "plate", put = (id, other) => {
         $(id).value = plate ? id === "way" ? "none" : "plate" : /plate|none/.test($(id).value) ? other : $(id).value;

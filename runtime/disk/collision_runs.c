@@ -451,8 +451,8 @@ static int runs_advance(struct cor_motion *m, struct runs *runs, int averages)
     return 1;
 }
 
-/* Starts again with more angles if a measurement shows that they are too few. Their error should then use half of the
- * angles' share of the tolerance, if it decreases like the quadrature error. The last three steps are repeated. */
+/* Starts again with more angles if a measurement shows that they are too few. Then their error should be half of their
+ * share of the tolerance, if it decreases like the quadrature error. The last three steps are repeated. */
 static int runs_improve_angles(struct cor_motion *m, struct runs *runs)
 {
     const struct cor_collision_run *const last = &runs->run[runs->levels - 1];

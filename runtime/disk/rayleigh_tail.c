@@ -34,7 +34,7 @@ static const struct {
     double echo_low, half_echo_low; /* weight of the strength under the low window relative to the high window */
     double of_echo, of_half_echo;   /* for echoes in phase with the response, as strong as the windows show */
     double of_density, of_fifth;    /* for the density beyond 2 omega + a: terms in omega_max^-2 and omega_max^-5 */
-    /* for the density, an echo with T = 0, of which the kink of the echoes' weight at 1 leaves O((omega_max tau)^-2) */
+    /* for the density: an echo with T = 0. The kink of the echoes' weight at 1 leaves O((omega_max tau)^-2) of it. */
     double of_turn;
     /* for a table without modes l = 0. Chosen: the error of the tail is as large as the tail. */
     double unknown;

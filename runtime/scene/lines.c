@@ -149,7 +149,7 @@ static struct number number_text(double value, int digits)
 
 /* ---- the request to a simulator ---- */
 
-/* Contacts of two bodies: the pair and two of either kind, which the lines contain; each body at either wall */
+/* Contacts in the lines: the pair, and two bodies of each kind. Only for the time step: each body at each wall */
 enum { PAIR, LIKE_1, LIKE_2, PAIRS, CONTACTS = PAIRS + 4 };
 static const struct {
     int body, other, wall;
@@ -288,7 +288,7 @@ static int has_own_damping(const struct cor_scene *scene)
 }
 
 /* Changes the contact of the pair into another contact of its materials. Its damping comes from their dissipation
- * times, or has zeta or C/K of the pair. */
+ * times, or keeps zeta or C/K of the pair. */
 static void make_contact(struct cor_scene_contact *contact, const struct cor_scene *scene, int kind)
 {
     struct cor_sphere_contact sphere;

@@ -33,7 +33,7 @@ enum mode { STICKS, SLIPS, CREEPS };
 struct slide {
     struct motion m;
     int memory, damper_in_cap, slips, d, mode, idle, parts; /* idle: changes of the mode at one place */
-    int least;                                              /* exponent of u that `held` and T u x^p have at least */
+    int least;                                              /* `held` and T u x^p contain this power of u */
     int time, spring, rate, damper;                         /* indices of powers of u: T/d, x^r, T x^(p-r)/d, x^b */
     int stiff, elastic, damping;                            /* indices of T u x^p/d, x^a and x^b over u^least */
     double p, r, kappa, gamma, cap, side, sign;             /* side: direction of the slip force. sign: the sign of F */
@@ -119,7 +119,7 @@ static void expand_stick(struct slide *s)
     s->test[0][ORDER] = s->test[1][ORDER] = 0;
 }
 
-/* Sets w and `held`, the spring force in the direction of the slip over u^least: the cap minus a damper in it. */
+/* Sets w and `held`, u^-least times the spring force in the direction of slip: the cap, less a damper within it. */
 static void expand_slip(struct slide *s)
 {
     const struct motion *const m = &s->m;
@@ -138,8 +138,8 @@ static void expand_slip(struct slide *s)
     s->held[ORDER] = 0;
 }
 
-/* Expands, times T u/u^least, the rate at which the spring force would grow in the direction of the slip, minus the
- * rate of the held force. The contact slips while this difference is positive. w NULL: omits the spring force. */
+/* Sets T u/u^least times this difference: the rate at which the spring force would grow in the direction of the slip,
+ * minus the rate of the held force. The contact slips while it is positive. w NULL: omits the spring force. */
 static void expand_excess(struct slide *s, double *excess, const double *w)
 {
     double rise[ORDER + 1] = {0}; /* derivative of `held` in s */
@@ -151,10 +151,10 @@ static void expand_excess(struct slide *s, double *excess, const double *w)
         excess[n] = grows - rises + shrinks;
         s->terms[n] += fabs(grows) + fabs(rises) + fabs(shrinks);
     }
-    excess[ORDER - 1] = excess[ORDER] = 0; /* they need the unknown coefficient of `held` */
+    excess[ORDER - 1] = excess[ORDER] = 0; /* these two need the unknown last coefficient of `held` */
 }
 
-/* Sets w to the threshold and the tests of creep: while slipping w would fall below it, while sticking exceed it. */
+/* Sets w to the threshold, and the tests of creep: w would fall below it in slip, and exceed it in stick. */
 static void expand_creep(struct slide *s)
 {
     const double *const stiff = power_series(s, s->stiff), *const slope = power_series(s, s->time),
@@ -407,7 +407,7 @@ static int follow(struct slide *s, int end)
 #define NOT_INLINE static
 #endif
 
-/* Computes an impact for arguments in range. It is not inlined, so that its stack is not added to cor_scene_eps. */
+/* Computes an impact for arguments in range. Its stack must not add to that of cor_scene_eps, so it is not inlined. */
 NOT_INLINE int follow_impact(struct cor_oblique_impact *oblique, const struct cor_scene_contact *contact,
                              const struct cor_tangential *tangential, double friction, double speed_m_s, double tangent,
                              int end)

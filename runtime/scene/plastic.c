@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Contacts in a liquid, and spheres that yield. These follow Hertz's law up to the pressure p_y, then a linear spring
  * of stiffness pi R p_y. On the way back they follow Hertz's law with a larger radius (docs/theory.md, 21). With r =
- * v_y/v, the ratio of the yield force to the largest force
+ * v_y/v, let t be the ratio of the yield force to the largest force:
  *
  *     t = r sqrt(5/(6 - r^2))
- *
- * makes eps^4 = 108 t/((t + 2) (t^2 + 5)^2) rational, and 1 - eps^4 = (1 - t)^2 (t^3 + 4 t^2 + 17 t + 50)/(...) free of
+ * Then eps^4 = 108 t/((t + 2) (t^2 + 5)^2), and 1 - eps^4 = (1 - t)^2 (t^3 + 4 t^2 + 17 t + 50)/(...) has no
  * cancellation. */
 #include "cor/scene.h"
 

@@ -449,8 +449,8 @@ COR_KERNEL struct cor_inline_pair cor_inline_law_beta_of_power(struct cor_inline
 }
 
 /* Returns beta of an eps below the rows. At zero overlap eps is the power v_f beta^(-1/q). At zero force
- * eps = beta^power (a_0 + ...), so beta = R (1 + x)^s. R is beta of the power with a_0, and x is the orders in mu over
- * a_0, below 1e-5. The loop iterates ln(beta) = ln(R) + s x. */
+ * eps = beta^power (a_0 + ...), so beta = R (1 + x)^s. R is beta without the other terms, and x is the sum of these
+ * terms over a_0, below 1e-5. The loop iterates ln(beta) = ln(R) + s x. */
 COR_KERNEL double cor_inline_law_beta_far(struct cor_inline_law_quantity q, double eps)
 {
     int exponent;
