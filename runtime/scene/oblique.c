@@ -407,7 +407,7 @@ static int follow(struct slide *s, int end)
 #define NOT_INLINE static
 #endif
 
-/* Computes an impact for arguments in range. Its stack must not add to that of cor_scene_eps, so it is not inlined. */
+/* Computes an impact for arguments in range. It is not inlined, so that cor_scene_eps needs less stack. */
 NOT_INLINE int follow_impact(struct cor_oblique_impact *oblique, const struct cor_scene_contact *contact,
                              const struct cor_tangential *tangential, double friction, double speed_m_s, double tangent,
                              int end)
