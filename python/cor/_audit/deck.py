@@ -80,8 +80,9 @@ class Contact:
     damping of this contact over the damping that the model computes from e. slots: parts [start, end) of repair.text
     that contain e. gravity: acceleration that presses the bodies together, for walls. global_damping: the fraction by
     which YADE increases each force against the motion and decreases it along the motion. losses: sentences about losses
-    outside contacts. notes: sentences for the advice. unknown: reason why eps is not computed. tangential: a model of
-    cor_tangential_models, or ""; its stiffness, as `stiffness`; the ratio of its damper to the normal one; friction."""
+    outside contacts. cohesion: LIGGGHTS's sjkr or sjkr2, and its energy density. notes: sentences for the advice.
+    unknown: reason why eps is not computed. tangential: a model of cor_tangential_models, or ""; its stiffness, as
+    `stiffness`; the ratio of its damper to the normal one; friction."""
 
     file: str
     line: int
@@ -97,6 +98,7 @@ class Contact:
     limited: bool = False
     zeta_factor: float = 1.0
     solimp: Optional[Tuple[float, ...]] = None  # MuJoCo's five numbers
+    cohesion: Tuple[str, float] = "", 0.0
     unknown: str = ""
     notes: List[str] = field(default_factory=list)
     losses: List[str] = field(default_factory=list)

@@ -77,7 +77,8 @@ def collide_all() -> None:
     """Measures each collision whose materials interact in this run."""
     loops = [e for e in omega.engines if type(e).__name__ == "InteractionLoop"]
     newtons = [e for e in omega.engines if type(e).__name__ == "NewtonIntegrator"]
-    materials, dt = list(omega.materials), omega.dt
+    own = {b.mat.label: b.mat for b in omega.bodies if b and b.mat and b.mat.id < 0}  # materials that functions made
+    materials, dt = [*omega.materials, *own.values()], omega.dt
     if not loops or not newtons or not materials:
         return
     for c in todo:
@@ -109,7 +110,7 @@ def collide_all() -> None:
 
 def material_of(materials: List[Any], name: str, number: int) -> int:
     labels = [i for i, m in enumerate(materials) if m.label and m.label == name]
-    if not labels and number >= len(materials):
+    if not labels and (number >= len(materials) or (number < 0 and name != "default material")):
         raise collision.Failed(f"no {name} exists at this run")
     return labels[-1] if labels else number % len(materials)
 

@@ -701,6 +701,8 @@ class Granular(System):
         elif name not in ("HOOKE_VELOCITY", "HERTZ_VELOCITY"):
             contact.number *= share
         contact.notes.append("One body is neither frozen nor integrated: its mass counts in the damping.")
+        if math.isnan(share):
+            contact.unknown = contact.unknown or "The masses are not in the text."
 
     def new(self, words: Words, one: Body, two: Body, style: str, unknown: str = "") -> Contact:
         line = words.line
@@ -817,7 +819,14 @@ class Granular(System):
             contact.unknown = f"A value is not known here: {name}."
         elif not is_stiff and contact.number <= 0.05:
             contact.unknown = "LIGGGHTS refuses e of 0.05 and less."
-        is_on |= {"cohesion"} if old and words[at + 2][-1:] in tuple("13579") else set()
+        cohesion = words.after("cohesion", at)
+        if old and words[at + 2][-1:] in tuple("13579"):
+            is_on, cohesion = is_on | {"cohesion"}, "sjkr"
+        density = self.property("cohesionEnergyDensity")
+        if cohesion in ("sjkr", "sjkr2") and density and density.value(6) == types and not is_stiff:
+            contact.cohesion = cohesion, density.value(places[0])
+            contact.tangential, contact.slots = ("", NAN, NAN, NAN), ()
+            is_on -= {"cohesion"} if "limitForce" not in is_on else set()
         contact.unknown = next((reasons[r] for r in reasons if r in is_on), contact.unknown)
         return contact
 

@@ -14,7 +14,7 @@ from typing import Any, Callable, Dict, List, NamedTuple, NoReturn, Optional, Se
 from .deck import Options, Remark
 
 MAX_COMMANDS = 400000  # of all worlds together
-MAX_SECONDS = 6.0
+MAX_SECONDS = 5.0
 MAX_NESTED = 16  # files, as in LAMMPS
 MAX_WORLDS = 64
 MAX_WORDS = 100000  # of one line

@@ -34,7 +34,6 @@ _FRICTIONAL = {  # functors of linear springs without dashpots, and the numbers 
     "Ip2_FrictMat_FrictMat_FrictPhys": ("FrictPhys, CundallStrack", ()),
     "Ip2_CohFrictMat_CohFrictMat_CohFrictPhys": ("CohFrictPhys, CohesionMoment", ("normalCohesion", "shearCohesion")),
     "Ip2_JCFpmMat_JCFpmMat_JCFpmPhys": ("JCFpmPhys", ("tensileStrength", "cohesion")),
-    "Ip2_CpmMat_CpmMat_CpmPhys": ("CpmPhys", ("sigmaT",)),
 }
 
 
@@ -686,7 +685,6 @@ class _Reader:
             c.model, c.number, c.spring, c.line = "YADE_KN_CN", 0.0, Spring.HOOKE, functor.line
             c.style, strengths = _FRICTIONAL[functor.name]
             c.stiffness = in_series([2 * b.young * r for b, r in zip(c.bodies, self.radii(c))])
-            c.stiffness *= NAN if strengths == ("sigmaT",) else 1  # another stiffness, without effect on eps
             self.set_bonds(c, functor, strengths, a, b)
         elif functor is None:
             c.style = "-".join(names)
@@ -700,10 +698,10 @@ class _Reader:
         strong = any(m is None or m.values.get(key, -1) != 0 for m in materials for key in strengths)
         if strong and all(m and m.values.get("isCohesive") is not False for m in materials):
             new, now = (functor.values.get(f"setCohesion{when}", False) for when in ("OnNewContacts", "Now"))
-            first = functor.values.get("cohesiveTresholdIteration", functor.values.get("cohesiveThresholdIter", 10))
+            first = functor.values.get("cohesiveTresholdIteration", 1)
             if new is not False or not isinstance(first, (int, float)) or not 0 <= first <= 10:
                 c.unknown = "The cohesion changes eps."
-            elif now is not False or "normalCohesion" not in strengths:
+            elif now is not False or "cohesion" in strengths:
                 c.notes.append("eps holds for contacts whose bond is broken or absent.")
 
     def set_mindlin(self, c: Contact, functor: Thing, a: Optional[Thing], b: Optional[Thing]) -> None:
