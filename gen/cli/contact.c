@@ -146,7 +146,7 @@ static int print_tables(const struct contact_arguments *o, const struct contacts
             fputs("\n", out.file);
         if (rows)
             table_print(&table, format, out.file);
-        if (oblique.remark)
+        if (oblique.remark[0])
             fprintf(in_text ? out.file : stderr, in_text ? "\n%s\n" : "corgen: %s\n", oblique.remark);
         if (in_text)
             contact_print_ranges(out.file, contacts, rows);

@@ -57,12 +57,12 @@ static int spring_of(double *spring, double *damper, const struct contacts *cont
     return STATUS_OK;
 }
 
-/* Computes the impact at one speed and one tangent of the angle, and sets the remark. */
-static int impact_of(struct cor_oblique_impact *impact, const struct contacts *contacts, int k, int end, int id,
-                     struct oblique_request *request, double speed, double tangent)
+/* Computes the impact at one speed and one tangent of the angle, and sets the remark. least: the least time step of all
+ * impacts */
+static int impact_of(struct cor_oblique_impact *impact, double *least, const struct contacts *contacts, int k, int end,
+                     int id, struct oblique_request *request, double speed, double tangent)
 {
     const struct cor_scene_contact *const c = &contacts->contact[k];
-    const struct cor_tangential_model *const model = &cor_tangential_models[id];
     struct cor_tangential tangential;
     double spring, damper;
     int status = spring_of(&spring, &damper, contacts, k, end, id, request);
@@ -71,12 +71,14 @@ static int impact_of(struct cor_oblique_impact *impact, const struct contacts *c
     status = cor_scene_tangential_scaled(&tangential, c, (enum cor_tangential_id)id, spring, damper, speed);
     if (status == COR_FAULT_NONE)
         status = cor_scene_oblique(impact, c, &tangential, request->friction, speed, tangent, end);
-    const double ratio = damper / cor_scene_damping(c, COR_SCENE_DAMPING_COEFFICIENT);
-    if (model->damper_in_cap && !model->constant_stiffness && ratio * tangent > request->friction &&
-        (model->memory == COR_REMEMBERS_DISPLACEMENT || model->memory == COR_REMEMBERS_DISPLACEMENT_RESCALED) &&
-        c->law.damping < c->law.elastic - c->law.denominator)
-        request->remark = "The tangential damper exceeds the friction at the first touch, so the rebound in a "
-                          "simulation depends on its time step. Reduce --tangential-damping.";
+    if (isless(impact->time_step_s, *least)) {
+        *least = impact->time_step_s;
+        snprintf(
+            request->remark, sizeof request->remark,
+            "The tangential damper exceeds the friction at the first touch. A simulation needs time steps of about "
+            "%.2g s or less to agree within %g.",
+            *least, COR_OBLIQUE_STEP_ERROR);
+    }
     return status == COR_FAULT_NONE ? STATUS_OK
                                     : fail("cannot integrate the oblique impact at %g m/s with the tangential speed %g "
                                            "m/s: its numbers are out of range",
@@ -136,6 +138,7 @@ int contact_oblique(struct table *table, const struct contacts *contacts, struct
     const int id = model_of(request->model ? request->model : "displacement", &contacts->contact[0]);
     const struct cor_body body = cor_scene_body(&contacts->scene, 1);
     double *const tangent = xmalloc(2 * request->count * sizeof *tangent), *const ratio = tangent + request->count;
+    double least = INFINITY;
     char text[DECIMAL_TEXT], header[NAMES];
     int status = id < 0 ? STATUS_USAGE : STATUS_OK;
     snprintf(header, sizeof header, "speed_m_s,%s%s",
@@ -149,13 +152,13 @@ int contact_oblique(struct table *table, const struct contacts *contacts, struct
             const int k = contacts->count > 1 ? end : 0;
             const double speed = request->speed_m_s[i];
             const char *const name = cor_scene_end_name(&contacts->contact[k], end);
-            struct cor_oblique_impact impact = {NAN, NAN, NAN, NAN, 0};
+            struct cor_oblique_impact impact = {NAN, NAN, NAN, NAN, NAN, 0};
             if (!both && end != (contact_end(contacts, 0) == COR_END_ZERO_FORCE))
                 continue;
             for (size_t j = 0; j < request->count && status == STATUS_OK; j++) {
                 const double given = request->given[j];
                 tangent[j] = request->angles ? tan(given * DEGREE) : given / speed;
-                status = impact_of(&impact, contacts, k, end, id, request, speed, tangent[j]);
+                status = impact_of(&impact, &least, contacts, k, end, id, request, speed, tangent[j]);
                 ratio[j] = impact.restitution;
                 if (request->walton || status != STATUS_OK)
                     continue;
@@ -181,8 +184,9 @@ int contact_oblique(struct table *table, const struct contacts *contacts, struct
                     bounded = bounded || 1 - slip / tangent[j] < -beta_0;
                 if (!bounded) {
                     beta_0 = NAN;
-                    request->remark = "No beta_0: the contact slips to its end at every angle, so the result does not "
-                                      "depend on beta_0.";
+                    strcpy(request->remark,
+                           "No beta_0: the contact slips to its end at every angle, so the result does "
+                           "not depend on beta_0.");
                 }
                 const double value[] = {impact.eps, slip / factor, beta_0, error};
                 table_add_text(table, decimal_text(text, speed));

@@ -309,10 +309,12 @@ int cor_scene_tangential_scaled(struct cor_tangential *tangential, const struct 
 
 /* An oblique impact. restitution: u'/u, the velocity of the contact point along the surface after over before (the
  * tangential restitution coefficient of the literature is -u'/u). rebound_tangent: tangent of the rebound angle,
- * u'/(eps g). impulse: tangential impulse over m g. regime: a sum of enum cor_oblique_regime. */
+ * u'/(eps g). impulse: tangential impulse over m g. regime: a sum of enum cor_oblique_regime. time_step_s: a time step
+ * with which a simulation gives u'/u within COR_OBLIQUE_STEP_ERROR, if a damper in the cap fills it at the first touch;
+ * otherwise infinite. The step is an estimate. */
 enum cor_oblique_regime { COR_OBLIQUE_STICKS = 1, COR_OBLIQUE_SLIPS = 2 };
 struct cor_oblique_impact {
-    double restitution, eps, rebound_tangent, impulse;
+    double restitution, eps, rebound_tangent, impulse, time_step_s;
     int regime;
 };
 
@@ -325,7 +327,8 @@ struct cor_oblique_impact {
  * tests/unit/test_scene_oblique.c. Returns COR_OK; COR_FAULT_RANGE for numbers that are out of range and for plates,
  * yield, liquids and JKR; COR_FAULT_PRESSED if the motion takes too many steps. */
 #define COR_OBLIQUE_ERROR 1e-10
-#define COR_OBLIQUE_MOST 1e9 /* the largest kappa, damping, beta, tangent and finite friction */
+#define COR_OBLIQUE_STEP_ERROR 1e-2 /* sampled in tests/unit/test_scene_oblique.c */
+#define COR_OBLIQUE_MOST 1e9        /* the largest kappa, damping, beta, tangent and finite friction */
 int cor_scene_oblique(struct cor_oblique_impact *oblique, const struct cor_scene_contact *contact,
                       const struct cor_tangential *tangential, double friction, double speed_m_s, double tangent,
                       int end);

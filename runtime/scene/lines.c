@@ -985,8 +985,11 @@ static void put_oblique(struct text *t, const struct block *block, const struct 
         if (cor_scene_tangential_scaled(&tangential, &c, r->tangential, r->tangential_stiffness, r->tangential_damping,
                                         speed) == COR_OK &&
             cor_scene_oblique(&impact, &c, &tangential, r->friction, speed, tangent, end) == COR_OK)
-            put_comment(t, "tangential restitution = %s at %s degrees and %s m/s", TEXT(-impact.restitution),
-                        TEXT(atan(tangent) * 180 / COR_PI), TEXT(speed));
+            put_comment(t, "tangential restitution = %s at %s degrees and %s m/s%s%s%s", TEXT(-impact.restitution),
+                        TEXT(atan(tangent) * 180 / COR_PI), TEXT(speed),
+                        cor_is_infinity(impact.time_step_s) ? "" : ", with time steps up to about ",
+                        cor_is_infinity(impact.time_step_s) ? "" : TEXT(impact.time_step_s),
+                        cor_is_infinity(impact.time_step_s) ? "" : " s");
     }
 }
 

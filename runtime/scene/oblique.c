@@ -432,6 +432,24 @@ NOT_INLINE int follow_impact(struct cor_oblique_impact *oblique, const struct co
     return COR_FAULT_NONE;
 }
 
+/* Returns time_step_s. A damper that fills the cap in the first step leaves the spring outside the other side of the
+ * cap. The spring reaches that side at `spread` times the overlap of this step, and the slip there ends at slip_end.
+ * Until the contact slips, the force differs from its limit by at most twice the cap: `early` bounds the effect. */
+static double needed_step(const struct cor_scene_contact *contact, const struct cor_tangential *t, double friction,
+                          double speed_m_s, double tangent)
+{
+    const double p = t->constant_stiffness ? 0 : cor_elastic(&contact->law) - 1, b = cor_damping(&contact->law),
+                 cap = 3.5 * friction * cor_scene_beta(contact, speed_m_s), force = t->damping * tangent;
+    const int displaced = t->memory == COR_REMEMBERS_DISPLACEMENT || t->memory == COR_REMEMBERS_DISPLACEMENT_RESCALED;
+    if (!t->damper_in_cap || !displaced || b >= p || !(t->kappa > 0 && cap > 0 && isless(cap, force)))
+        return INFINITY;
+    const double spread = cor_quiet_power(1 + cor_quiet_quotient(2 * cap, force - cap), 1 / (p - b)),
+                 slip_end = cor_quiet_power((cap + force) * (p - b) / (t->kappa * tangent), 1 / (1 + p - b)),
+                 early = cor_quiet_power(0.1 * COR_OBLIQUE_STEP_ERROR * tangent * (b + 1) / cap, 1 / (b + 1));
+    return cor_quiet_product(cor_quiet_quotient(fmin(early, slip_end / 5), spread),
+                             speed_scales(contact, speed_m_s).time);
+}
+
 static int is_within(double x, double largest)
 {
     return isgreaterequal(x, 0) && x <= largest;
@@ -443,7 +461,7 @@ int cor_scene_oblique(struct cor_oblique_impact *oblique, const struct cor_scene
 {
     const int memory = tangential->memory,
               rescaled = memory == COR_REMEMBERS_DISPLACEMENT_RESCALED || memory == COR_REMEMBERS_FORCE_RESCALED;
-    *oblique = (struct cor_oblique_impact){NAN, NAN, NAN, NAN, 0};
+    *oblique = (struct cor_oblique_impact){NAN, NAN, NAN, NAN, NAN, 0};
     if (!cor_contact_is_sound(contact) || !is_within(cor_scene_beta(contact, speed_m_s), COR_OBLIQUE_MOST) ||
         !(is_within(friction, COR_OBLIQUE_MOST) || cor_is_infinity(friction)) ||
         !is_within(tangent, COR_OBLIQUE_MOST) || !is_within(tangential->kappa, COR_OBLIQUE_MOST) ||
@@ -456,6 +474,7 @@ int cor_scene_oblique(struct cor_oblique_impact *oblique, const struct cor_scene
         if (oblique->eps == 0 || (contact->force_n > 0 && status != COR_FAULT_NONE))
             return status;
     }
+    oblique->time_step_s = needed_step(contact, tangential, friction, speed_m_s, tangent);
     return follow_impact(oblique, contact, tangential, friction, speed_m_s, tangent, end);
 }
 

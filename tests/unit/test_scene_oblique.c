@@ -372,6 +372,65 @@ TEST(limits)
     assert_true(fabs(restitution(&d, &stiff, 1e6, 1, 0)) < 1e-3);
 }
 
+/* Returns u'/u by velocity Verlet in the units of the collision, as LAMMPS computes mindlin (or mindlin_rescale). */
+static double simulated(const struct cor_scene_contact *c, const struct cor_tangential *t, double mu, double tangent,
+                        double step, double phase)
+{
+    const double b = (double)c->law.damping / c->law.denominator;
+    double x = -phase * step, v = 1, w = tangent, s = 0, force = 0, side = 0, before = 0;
+    do {
+        v -= step / 2 * force;
+        w -= step / 2 * side;
+        x += step * v;
+        force = side = 0;
+        if (x > 0) {
+            s *= t->memory == COR_REMEMBERS_DISPLACEMENT_RESCALED && x < before ? sqrt(x / before) : 1;
+            s += step * w;
+            force = pow(x, 1.5) + cor_scene_beta(c, 1) * pow(x, b) * v;
+            const double damped = t->damping * pow(x, b) * w, cap = 3.5 * mu * fabs(force);
+            side = fmax(-cap, fmin(cap, t->kappa * sqrt(x) * s + damped));
+            s = (side - damped) / (t->kappa * sqrt(x));
+        }
+        before = x;
+        v -= step / 2 * force;
+        w -= step / 2 * side;
+    } while (x > 0 || v > 0);
+    return w / tangent;
+}
+
+/* The time step that a damper needs which fills the cap at the first touch */
+TEST(needed_step)
+{
+    struct cor_oblique_impact o;
+    for (size_t k = points(few_or_all(20, 200)); k > 0;) {
+        const int law = random_below(&draw, 3) ? COR_LAW_TSUJI : COR_LAW_HERTZ_DASHPOT;
+        const struct cor_scene_contact c = scaled_contact(&cor_law_exponents[law], random_log(&draw, 1e-2, 1), 0);
+        const double mu = random_log(&draw, 0.03, 1.5), tangent = mu * random_log(&draw, 0.1, 30);
+        const struct cor_tangential t = {.memory = random_below(&draw, 2) ? COR_REMEMBERS_DISPLACEMENT_RESCALED : 0,
+                                         .kappa = random_log(&draw, 1, 10),
+                                         .damper_in_cap = 1,
+                                         .damping = 3.5 * random_log(&draw, 0.1, 3) * cor_scene_beta(&c, 1)};
+        const int fills = t.damping * tangent > 3.5 * mu * cor_scene_beta(&c, 1);
+        assert_int_equal(cor_scene_oblique(&o, &c, &t, mu, 1, tangent, 0), COR_OK);
+        assert_true(isnan(o.restitution) || fills == (isless(o.time_step_s, 1) != 0));
+        if (isnan(o.restitution) || !fills || o.time_step_s < 3e-4)
+            continue;
+        const double seen = simulated(&c, &t, mu, tangent, fmin(o.time_step_s, 0.01), random_uniform(&draw, 0, 1));
+        check(fabs(seen - o.restitution) < COR_OBLIQUE_STEP_ERROR,
+              "law %d beta %.17g memory %d kappa %.17g damping %.17g mu %.17g tangent %.17g: %g, not %g", law,
+              cor_scene_beta(&c, 1), t.memory, t.kappa, t.damping, mu, tangent, seen, o.restitution);
+        k--;
+    }
+    const struct cor_scene_contact c = scaled_contact(&cor_law_exponents[COR_LAW_TSUJI], 0.2, 0);
+    struct cor_tangential t = {.kappa = 4.3, .damping = 0.35, .damper_in_cap = 1};
+    assert_int_equal(cor_scene_oblique(&o, &c, &t, 0.3, 1, 1, 0), COR_OK);
+    assert_true(fabs(o.time_step_s - 5.0456e-5) < 1e-8); /* 0.0645844/5/256, by hand */
+    assert_true(fabs(simulated(&c, &t, 0.3, 1, 50 * o.time_step_s, 0.5) - o.restitution) > COR_OBLIQUE_STEP_ERROR);
+    t.damper_in_cap = 0;
+    assert_int_equal(cor_scene_oblique(&o, &c, &t, 0.3, 1, 1, 0), COR_OK);
+    assert_true(isinf(o.time_step_s));
+}
+
 TEST(refused_numbers)
 {
     const struct cor_scene_contact c = scaled_contact(&cor_law_exponents[COR_LAW_VISCOELASTIC], 0.1, 0);

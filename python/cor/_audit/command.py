@@ -52,8 +52,8 @@ def add_arguments(parser: Parser) -> None:
             help=f"{name} of the spheres of one type or of all, {unit}, if the file does not contain it")  # fmt: skip
     add("--time-step", type=positive, metavar="DT", default=NAN, help="time step, s (default: the file's)")
     add("--angle", type=_angle, metavar="DEGREES", default=NAN,
-        help="impact angle, degrees, 0 to below 90; fills tangential_restitution (-u'/u) for pair styles granular "
-        "and gran/*/history of LAMMPS, and hertz tangential history of LIGGGHTS, without rolling")  # fmt: skip
+        help="impact angle, degrees, 0 to below 90; fills tangential_restitution (-u'/u) for LAMMPS, LIGGGHTS, YADE "
+        "and MercuryDPM; for other tangential forces the advice states the reason")  # fmt: skip
     add("--tolerance", type=positive, metavar="T", default=0.01,
         help="largest relative error of eps, and largest scatter, of a contact as asked (default 0.01)")  # fmt: skip
     add(

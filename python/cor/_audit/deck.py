@@ -7,9 +7,10 @@ Numbers of a deck are in the deck's own units, which must be consistent. Units c
 import math
 from dataclasses import dataclass, field
 from enum import Enum, auto
-from typing import Callable, Dict, List, Optional, Tuple
+from typing import Callable, Dict, List, NamedTuple, Optional, Tuple
 
 NAN = math.nan
+ROLLS = "rolling or twisting friction also acts"
 MAX_BYTES = 1 << 26  # of one file
 MAX_CONTACTS = 20000
 
@@ -70,6 +71,19 @@ class Repair:
     text: str
 
 
+class Tangential(NamedTuple):
+    """A tangential force. model: a name in cor_tangential_models, or the reason why cor has no model. stiffness: over
+    the normal spring's, or in N/m for a constant one next to a Hertz spring. damper: over the normal damper."""
+
+    model: str = ""
+    stiffness: float = NAN
+    damper: float = NAN
+    friction: float = NAN
+
+
+NO_FRICTION = Tangential("viscous", 0.0, 0.0, 0.0)
+
+
 @dataclass
 class Contact:
     """One contact of two bodies as a reader found it.
@@ -81,8 +95,7 @@ class Contact:
     that contain e. gravity: acceleration that presses the bodies together, for walls. global_damping: the fraction by
     which YADE increases each force against the motion and decreases it along the motion. losses: sentences about losses
     outside contacts. cohesion: LIGGGHTS's sjkr or sjkr2, and its energy density. notes: sentences for the advice.
-    unknown: reason why eps is not computed. tangential: a model of cor_tangential_models, or ""; its stiffness, as
-    `stiffness`; the ratio of its damper to the normal one; friction."""
+    unknown: reason why eps is not computed."""
 
     file: str
     line: int
@@ -112,7 +125,7 @@ class Contact:
     integrator: Optional[int] = None  # enum cor_integrator; None: the simulator's own
     units: Units = Units()
     runs: Tuple[int, ...] = ()  # of a script, from 1: the runs with this contact; empty: a deck without runs
-    tangential: Tuple[str, float, float, float] = "", NAN, NAN, NAN
+    tangential: Tangential = Tangential()
 
 
 @dataclass(frozen=True)
@@ -133,6 +146,11 @@ class Deck:
     simulator: str
     contacts: List[Contact] = field(default_factory=list)
     remarks: List[Remark] = field(default_factory=list)
+
+
+def share(part: float, whole: float) -> float:
+    """Returns part/whole; 0 if part is 0, and NaN for other divisions by 0."""
+    return part / whole if part and whole else part and NAN
 
 
 @dataclass(frozen=True)

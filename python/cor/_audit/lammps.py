@@ -12,7 +12,10 @@ from itertools import chain
 from typing import Any, Dict, FrozenSet, Iterator, List, Optional, Sequence, Tuple
 
 from .._cor import lib
-from .deck import MAX_CONTACTS, NAN, Body, Contact, Deck, Options, Remark, Repair, Spring, Units
+from .deck import (
+    MAX_CONTACTS, NAN, NO_FRICTION, ROLLS, Body, Contact, Deck, Options, Remark, Repair, Spring, Tangential, Units,
+    share,
+)  # fmt: skip
 from .script import SIGNS, OutOfBounds, Script, System, Unknown, Words, is_known, number
 
 MAX_COHORTS, MAX_TYPES, MAX_LINES, MANY = 1000, 200, 20000, 1 << 30
@@ -42,7 +45,9 @@ _MIXES_SINCE = 20221103  # earlier, LAMMPS uses damping velocity for every mixed
 _MODELS = ("hertz", "hooke", "hertz/stiffness", "hooke/stiffness")  # of LIGGGHTS
 _OLD_MODEL = re.compile(r"gran/(hertz|hooke)(/history|/incremental)?(/energy)?(/stiffness)?")  # of before version 3
 _TANGENTIAL = ("mindlin", "mindlin/force", "mindlin_rescale", "mindlin_rescale/force")  # with the contact radius
-_HISTORY = {"hooke/history": "linear_history", "hertz/history": "mindlin"}  # old styles, by their force
+_OLD = {"hooke": "linear_nohistory", "hooke/history": "linear_history", "hertz/history": "mindlin"}  # by their force
+_MIXED = "LAMMPS mixes the tangential forces of two types"
+_STILL = "a fix without /sphere moves the particles, or they are discs"
 _RIGID = "\0rigid"  # the group of atoms inserted as parts of bodies
 
 
@@ -592,7 +597,7 @@ class Granular(System):
         for contact in chain(self.pair_contacts(moving) if self.style else (), self.wall_contacts(moving)):
             self.script.tick()
             contact.unknown = contact.unknown or fault
-            contact.tangential = contact.tangential if is_turned else ("", NAN, NAN, NAN)
+            contact.tangential = contact.tangential if is_turned else Tangential(_STILL)
             contact.losses, contact.style = sentences, "" if contact.model else contact.style
             contact.speeds = self.speeds_of(contact.bodies[1].wall)
             contact.time_step, contact.units = self.time_step, self.units
@@ -681,7 +686,7 @@ class Granular(System):
             x, y = contact.stiffness, second.stiffness
             is_material = _NORMAL.get(own.model()[0], 0) > 2
             contact.stiffness = 2 / (1 / x + 1 / y) if is_material and x > 0 and y > 0 else math.sqrt(abs(x * y))
-            contact.number, contact.tangential = math.sqrt(abs(contact.number * second.number)), ("", NAN, NAN, NAN)
+            contact.number, contact.tangential = math.sqrt(abs(contact.number * second.number)), Tangential(_MIXED)
             contact.repair, contact.slots, contact.line, contact.file = None, (), second.line, second.file
             contact.unknown = contact.unknown or second.unknown
             contact.notes = ["No line for this pair: LAMMPS uses the geometric mean of both types."]
@@ -752,25 +757,33 @@ class Granular(System):
         contact.model = f"LAMMPS_{name}" + ("_LIMIT" if is_limited and has_row else "")
         contact.limited, contact.unknown = is_limited and not has_row, _FAULTS.get(force, "")
         contact.spring = Spring.HOOKE if force == "hooke" else Spring.HERTZ
-        if of.style == "granular" and not any(words.after(w, at) not in ("", "none") for w in ("rolling", "twisting")):
+        if of.style == "granular" and any(words.after(w, at) not in ("", "none") for w in ("rolling", "twisting")):
+            contact.tangential = Tangential(ROLLS)
+        elif of.style == "granular":
             self.read_tangential(contact, words, at)
-        elif of.style in _HISTORY:
+        elif of.style in _OLD:
             normal, damper = words.value(at + 2), words.value(at + 3) if words[at + 3] != "NULL" else NAN
-            ratio = 0.5 if words[at + 3] == "NULL" else damper / normal if normal > 0 else damper and NAN
+            ratio = 0.5 if words[at + 3] == "NULL" else share(damper, normal)
             ratio = 0.0 if words.value(at + 5) == 0 else ratio
-            spring = words.value(at) * 2 / 7 if words[at + 1] == "NULL" else words.value(at + 1)
-            contact.tangential = _HISTORY[of.style], spring, ratio, words.value(at + 4)
+            spring = 2 / 7 if words[at + 1] == "NULL" else share(words.value(at + 1), contact.stiffness)
+            contact.tangential = Tangential(_OLD[of.style], spring, ratio, words.value(at + 4))
 
     def read_tangential(self, contact: Contact, words: Words, at: int) -> None:
         """Sets the tangential force. The stiffness NULL of mindlin is 8 G* from the numbers of hertz/material."""
         name, k = words.after("tangential", at), words.find("tangential", at) + 2
-        if name == "linear_nohistory":
-            contact.tangential = name, 0.0, words.value(k), words.value(k + 1)
+        if name in ("", "none"):
+            contact.tangential = NO_FRICTION
+        elif name == "linear_nohistory":
+            contact.tangential = Tangential(name, 0.0, words.value(k), words.value(k + 1))
         elif name == "linear_history" or (name in _TANGENTIAL and contact.spring is Spring.HERTZ):
             stiffness, poisson = words.value(k), words.value(at + 3)
             if words[k] == "NULL" and name in _TANGENTIAL and _NORMAL[words[at]] > 2:
                 stiffness = 2 * words.value(at + 1) / (2 - poisson) / (1 + poisson)
-            contact.tangential = name, stiffness, words.value(k + 1), words.value(k + 2)
+            if name in _TANGENTIAL or contact.spring is Spring.HOOKE:
+                stiffness = share(stiffness, contact.stiffness)
+            contact.tangential = Tangential(name, stiffness, words.value(k + 1), words.value(k + 2))
+        else:
+            contact.tangential = Tangential(f"cor has no model of tangential {name} next to this spring")
 
     def matrix(self, words: Words, at: int, one: Body, two: Body) -> Contact:
         """Returns the contact of two LIGGGHTS types from the properties. words[at]: the name of the model."""
@@ -799,16 +812,26 @@ class Granular(System):
             speed = self.property("characteristicVelocity")
             contact.spring = Spring.MATERIAL if is_hertz else Spring.CHARACTERISTIC
             contact.spring_speed = speed.value(6) if speed else NAN
-            friction, rolls = self.property("coefficientFriction"), words.after("rolling_friction", at)
-            if is_hertz and friction and words.after("tangential", at) == "history" and rolls in ("", "off"):
-                kappa = lib.cor_tangential_kappa(one.young, one.poisson, two.young, two.poisson)  # 21 G*/E*
-                compliance = sum((1 - body.poisson**2) / (body.young or NAN) for body in (one, two))
-                ratio = 0.0 if words.after("tangential_damping", at) == "off" else math.sqrt(4 * kappa / 21)
-                contact.tangential = "history", 8 / 21 * kappa / (compliance or NAN), ratio, friction.value(places[0])
+            kappa = lib.cor_tangential_kappa(one.young, one.poisson, two.young, two.poisson)  # 21 G*/E*
+            spring = 2 / 7 * kappa if is_hertz else 2 / 7 if "ktToKnUser" in is_on else 1.0
+            ratio = math.sqrt(4 * kappa / 21) if is_hertz else 1.0
         else:
             kn = self.property("kn")
             contact.stiffness = kn.value(places[0]) if kn and kn.value(6) == types else NAN
             contact.spring = Spring.HERTZ if is_hertz else Spring.HOOKE
+            kt, gammat = (w.value(places[0]) if w else NAN for w in map(self.property, ("kt", "gammat")))
+            spring, ratio = share(kt, contact.stiffness), share(gammat, contact.number)
+        slides, friction = words.after("tangential", at) or "off", self.property("coefficientFriction")
+        if slides == "off":
+            contact.tangential = NO_FRICTION
+        elif slides not in ("history", "no_history"):
+            contact.tangential = Tangential(f"cor has no model of tangential {slides}")
+        else:
+            ratio = 0.0 if words.after("tangential_damping", at) == "off" else ratio
+            mu = friction.value(places[0]) if friction else NAN
+            contact.tangential = Tangential(slides.replace("no_history", "viscous"), spring, ratio, mu)
+        if words.after("rolling_friction", at) not in ("", "off"):
+            contact.tangential = Tangential(ROLLS)
         reasons = {
             "superquadric": "The particles are superquadrics, which cor does not support.",
             "cohesion": "The cohesion changes eps.",

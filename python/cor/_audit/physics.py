@@ -389,19 +389,25 @@ class _Audit:
         self.add_oblique(row, contact, scene, speed, end)
 
     def add_oblique(self, row: Row, contact: Contact, scene: Any, speed: float, end: int) -> None:
-        """Sets -u'/u at the angle of the options, if the model, numbers and speed are known."""
+        """Sets -u'/u at the angle of the options, or adds the reason why it is not known."""
+        if math.isnan(self.options.angle):
+            return
         name, stiffness, ratio, friction = contact.tangential
         found = [k for k, model in enumerate(lib.cor_tangential_models) if string(model.name) == name]
-        if not found or math.isnan(self.options.angle + speed):
+        reason = "" if found else name or "cor has no model of this tangential force"
+        if found and contact.global_damping != 0:
+            reason = "YADE's damping of all forces also acts along the surface"
+        elif contact.cohesion[0]:
+            reason = "cor has no tangential force with cohesion"
+        elif found and math.isnan(speed):
+            reason = "it depends on the speed, so give --speed"
+        elif found and math.isnan(stiffness + ratio + friction):
+            reason = "the stiffness, damping or friction of the tangential force is not known"
+        if reason:
+            row.advice += f" No tangential restitution: {reason}."
             return
         model, tangent = lib.cor_tangential_models[found[0]], math.tan(math.radians(self.options.angle))
-        no_force = model.memory in (lib.COR_REMEMBERS_DISPLACEMENT, lib.COR_REMEMBERS_DISPLACEMENT_RESCALED)
-        grows = no_force and model.damper_in_cap and not model.constant_stiffness and ratio * tangent > friction
-        if grows and 2 * scene.law.damping < scene.law.denominator:  # its limit needs impracticably small steps
-            row.advice += " The tangential damper exceeds the friction at the first touch: the rebound along the "
-            row.advice += "surface depends on the time step."
-            return
-        stiffness *= 1 if model.constant_stiffness else math.sqrt(scene.radius_m)
+        stiffness *= 1 if model.constant_stiffness and contact.spring not in _LINEAR else scene.stiffness
         damper = ratio * lib.cor_scene_damping(scene, lib.COR_SCENE_DAMPING_COEFFICIENT)
         scaled, impact = ffi.new("struct cor_tangential *"), ffi.new("struct cor_oblique_impact *")
         if (
@@ -409,6 +415,10 @@ class _Audit:
             and lib.cor_scene_oblique(impact, scene, scaled, friction, speed, tangent, end) == lib.COR_OK
         ):
             row.tangential_restitution = -impact.restitution
+            needed = impact.time_step_s * contact.units.time_s
+            if needed < (math.inf if math.isnan(row.time_step_s) else row.time_step_s):
+                row.advice += " The tangential damper exceeds the friction at the first touch: the tangential "
+                row.advice += f"restitution needs a time step of about {needed:.2g} s or less."
 
     def rows_of(self, contact: Contact) -> List[Row]:
         """Returns the rows of one contact: one for each size and speed."""

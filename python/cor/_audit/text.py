@@ -10,7 +10,9 @@ import re
 import warnings
 from typing import Any, Dict, Iterator, List, Set, Tuple
 
-from .deck import NAN, Body, Contact, Deck, DeckError, Options, Remark, Repair, Spring, Units
+from .deck import (
+    NAN, NO_FRICTION, ROLLS, Body, Contact, Deck, DeckError, Options, Remark, Repair, Spring, Tangential, Units, share,
+)  # fmt: skip
 from .yade import Script, number_of
 
 Slot = Tuple[int, int]
@@ -388,6 +390,7 @@ _SETTERS = (
     {  # setter: model; argument indices of e or its number, the stiffness, and the mass of one of two equal particles
         "setStiffnessAndRestitutionCoefficient": ("MERCURYDPM_LINEAR", 1, 0, 2),
         "setCollisionTimeAndRestitutionCoefficient": ("MERCURYDPM_LINEAR", 1, 0, 2),
+        "setCollisionTimeAndNormalAndTangentialRestitutionCoefficient": ("MERCURYDPM_LINEAR", 1, 0, 3),
         "setRestitutionCoefficient": ("MERCURYDPM_LINEAR", 0, None, 1),
         "setEffectiveElasticModulusAndRestitutionCoefficient": ("MERCURYDPM_HERTZIAN", 1, None, None),
     }
@@ -433,10 +436,35 @@ def read_mercurydpm(text: str, name: str, options: Options) -> Deck:
                 source.place(c, start + len(words[k]) - len(words[k].lstrip()), start + len(words[k].rstrip()))
             if math.isnan(c.number):
                 c.unknown = f"{m[2]} is called without a literal number."
+            logs = [math.log(v) if v > 0 else NAN for v in values[1:3]] if "Tangential" in m[2] else []
+            c.tangential = _mercury_tangential(c, m[1], plain, constants, logs)
             deck.contacts.append(c)
     if not deck.contacts:
         deck.remarks.append(Remark(name, 1, "the text calls no setter of a restitution coefficient that cor supports"))
     return deck
+
+
+def _mercury_tangential(
+    c: Contact, of: str, plain: str, constants: Dict[str, str], logs: List[float]
+) -> Tangential:
+    """Returns the tangential force of a species. Numbers may be parts of its normal ones. logs: of e and e_t."""
+    found = dict(re.findall(rf"\b{of}\s*(?:->|\.)\s*setSliding(\w+)\(([^;]*)\)\s*;", plain))
+    if re.search(rf"\b{of}\s*(?:->|\.)\s*set(Rolling|Torsion)\w+\(", plain):
+        return Tangential(ROLLS)
+    if c.spring is not Spring.HOOKE and c.spring is not Spring.CONTACT_TIME:
+        return Tangential("cor has no model of MercuryDPM's tangential force next to this spring")
+    if "FrictionCoefficient" not in found:
+        return NO_FRICTION
+    ratios = []
+    for key, whole in (("Stiffness", c.stiffness), ("Dissipation", c.number)):
+        text = found.get(key, "0")
+        part, count = re.subn(rf"\b{of}\s*(?:->|\.)\s*get{key}\(\)", "1", constants.get(text.strip(), text))
+        is_number = c.spring is Spring.HOOKE and (key == "Stiffness" or not c.model.startswith("MERCURYDPM"))
+        whole = 1.0 if count else whole if is_number else NAN
+        ratios.append(share(arithmetic(part), whole))
+    if logs:
+        ratios = [2 / 7 * (math.pi**2 + logs[1] ** 2) / (math.pi**2 + logs[0] ** 2), 2 / 7 * share(logs[1], logs[0])]
+    return Tangential("sliding-friction", ratios[0], ratios[1], arithmetic(found["FrictionCoefficient"]))
 
 
 def _mercury_dashpot(
@@ -462,4 +490,5 @@ def _mercury_dashpot(
     c.time_step = arithmetic(constants.get(step[1].strip(), step[1])) if step else NAN
     if "Hertzian" in plain or math.isnan(c.stiffness) or math.isnan(c.number):
         c.unknown = "The stiffness or dissipation of this species is not a literal number, or its law is not linear."
+    c.tangential = _mercury_tangential(c, m[1], plain, constants, [])
     return c

@@ -6,7 +6,7 @@ import xml.etree.ElementTree as ET
 from typing import Any, Dict, List, Optional, Set, Tuple
 from xml.parsers import expat
 
-from .deck import NAN, Body, Contact, Deck, DeckError, Options, Remark, Spring
+from .deck import NAN, Body, Contact, Deck, DeckError, Options, Remark, Spring, Tangential
 
 MAX_DEPTH, MAX_ELEMENTS, MAX_INCLUDES, MAX_GEOMS, MAX_PAIRS = 100, 100000, 100, 2000, 5000
 
@@ -235,6 +235,7 @@ class _Model:
         bodies = [Body(g.name, wall=self.weld[g.body] == 0) for g in (one, two)]
         bodies.sort(key=lambda b: b.wall)
         c = Contact(at.file, at.line, "mujoco", (bodies[0], bodies[1]), pair=f"{one.name}-{two.name}")
+        c.tangential = Tangential("in MuJoCo no number sets it, and its friction is a constraint that only damps")
         self.set_model(c, ref, imp, condim)
         self.deck.contacts.append(c)
 

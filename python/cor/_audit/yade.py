@@ -9,7 +9,8 @@ import warnings
 from dataclasses import dataclass, field
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
-from .deck import NAN, Body, Contact, Deck, DeckError, Options, Remark, Repair, Spring
+from .._cor import lib
+from .deck import NAN, ROLLS, Body, Contact, Deck, DeckError, Options, Remark, Repair, Spring, Tangential, share
 
 MAX_TEXT, MAX_STEPS, MAX_ITEMS, MAX_CALLS = 1 << 22, 300000, 20000, 30
 
@@ -502,6 +503,12 @@ def in_series(values: List[float]) -> float:
     return values[0] * values[1] / sum(values) if sum(values) > 0 else NAN
 
 
+def _pair(values: List[float]) -> float:
+    """Returns a number of ViscElPhys from both materials: in series, without a number that is 0."""
+    inverse = sum(1 / v for v in values if v != 0)
+    return 1 / inverse if inverse else 0.0
+
+
 def young_of(material: Optional[Thing]) -> float:
     """Returns Young's modulus of a material."""
     return material.number("young", 1e9) if material else 1e7
@@ -684,7 +691,9 @@ class _Reader:
         elif functor is not None and functor.name in _FRICTIONAL:
             c.model, c.number, c.spring, c.line = "YADE_KN_CN", 0.0, Spring.HOOKE, functor.line
             c.style, strengths = _FRICTIONAL[functor.name]
-            c.stiffness = in_series([2 * b.young * r for b, r in zip(c.bodies, self.radii(c))])
+            c.stiffness, shear = self.springs(c)
+            if not strengths:
+                c.tangential = Tangential("cundall-strack", shear, 0.0, self.friction(functor, a, b))
             self.set_bonds(c, functor, strengths, a, b)
         elif functor is None:
             c.style = "-".join(names)
@@ -705,25 +714,35 @@ class _Reader:
                 c.notes.append("eps holds for contacts whose bond is broken or absent.")
 
     def set_mindlin(self, c: Contact, functor: Thing, a: Optional[Thing], b: Optional[Thing]) -> None:
-        c.line, c.spring = functor.line, Spring.MATERIAL
-        en, betan = "en" in functor.values, "betan" in functor.values
-        c.model = "YADE_EN" if en else "YADE_BETAN"
-        c.number = 0.0
-        if en or betan:
-            self.set_number(c, functor, "en" if en else "betan", a, b)
-        if en and betan:
+        c.line, c.spring, c.number = functor.line, Spring.MATERIAL, 0.0
+        key = next((name for name in ("en", "es") if name in functor.values), "betan")
+        c.model = "YADE_BETAN" if key == "betan" else "YADE_EN"
+        if key in functor.values:
+            self.set_number(c, functor, key, a, b)
+        if "en" in functor.values and "betan" in functor.values:
             c.unknown = "The functor has both en and betan; cor supports one of them."
         elif "vn" in functor.values:
             c.model = "YADE_EN_VN"
             c.unknown = "" if functor.number("vn") == 1 else "The en holds at the speed vn; cor supports only vn = 1."
         elif "gamma" in functor.values:
             c.unknown = "The adhesion changes eps."
+        one, two = c.bodies
+        spring = 2 / 7 * lib.cor_tangential_kappa(one.young, one.poisson, two.young, two.poisson)
+        name, numbers, shear = "hertz-mindlin", [c.number, c.number], "betas" if key == "betan" else "es"
+        if shear in functor.values:
+            numbers[0] = number_of(self.value_of(functor, shear, a, b)[0])
+        if key != "betan":
+            numbers = [lib.cor_simulator_model(lib.COR_YADE_EN).damping_of_e(e) for e in numbers]
+        ratio = 1.0 if "vn" in functor.values else share(*numbers) * math.sqrt(spring / 1.5)
+        if 0 < lib.cor_simulator_version(self.options.version.encode()) < 20230200:
+            name = "before 2023.02 YADE had another tangential force"
+        elif any(given in functor.values for given in ("krot", "ktwist", "eta")):
+            name = ROLLS
+        c.tangential = Tangential(name, spring, ratio, self.friction(functor, a, b))
 
     def set_number(self, c: Contact, thing: Thing, key: str, a: Optional[Thing], b: Optional[Thing]) -> None:
-        """Sets number and place of a contact from a keyword, which may be a MatchMaker."""
-        value, node = thing.values[key], thing.nodes.get(key)
-        if isinstance(value, Thing) and value.name == "MatchMaker":
-            value, node = self.match(value, a, b)
+        """Sets number and place of a contact from a keyword."""
+        value, node = self.value_of(thing, key, a, b)
         c.number = number_of(value)
         if math.isnan(c.number):
             known = isinstance(thing.values[key], Thing)
@@ -731,6 +750,24 @@ class _Reader:
             c.unknown = c.unknown or f"{key} of {thing.name} cannot be read as a number."
         elif node is not None and hasattr(node, "lineno"):
             self.place(c, node)
+
+    def value_of(self, thing: Thing, key: str, a: Optional[Thing], b: Optional[Thing]) -> Tuple[Any, Any]:
+        """Returns value and node of a keyword, which may be a MatchMaker."""
+        value, node = thing.values[key], thing.nodes.get(key)
+        return self.match(value, a, b) if isinstance(value, Thing) and value.name == "MatchMaker" else (value, node)
+
+    def friction(self, functor: Optional[Thing], a: Optional[Thing], b: Optional[Thing]) -> float:
+        """Returns the coefficient of friction: from the functor, or the smaller angle of both materials."""
+        if functor is not None and "frictAngle" in functor.values:
+            return math.tan(number_of(self.value_of(functor, "frictAngle", a, b)[0]))
+        angles = [m.number("frictionAngle", 0.5) if m else 0.5 for m in (a, b)]
+        return math.tan(min(angles) + 0 * sum(angles))  # NaN if one is
+
+    def springs(self, c: Contact) -> Tuple[float, float]:
+        """Returns the normal stiffness from Young's moduli, and the tangential stiffness over it."""
+        single = [2 * body.young * r for body, r in zip(c.bodies, self.radii(c))]
+        shear = [k * body.poisson for k, body in zip(single, c.bodies)]
+        return in_series(single), share(in_series(shear), in_series(single))
 
     def match(self, maker: Thing, a: Optional[Thing], b: Optional[Thing]) -> Tuple[Any, Optional[ast.AST]]:
         known = self.script.materials
@@ -792,12 +829,12 @@ class _Reader:
                 numbers.append(c.number)
             elif by_time:
                 numbers.append(sum(values) / 2)
-            else:  # in series; a number that is 0 is ignored
-                inverse = sum(1 / v for v in values if v != 0)
-                numbers.append(1 / inverse if inverse else 0.0)
+            else:
+                numbers.append(_pair(values))
         c.number = numbers[0] if by_time or keys[0] in own else 2 * numbers[0]
         c.spring = Spring.CONTACT_TIME if by_time else Spring.HOOKE
-        c.stiffness = in_series([2 * x.young * r for x, r in zip(c.bodies, self.radii(c))]) if by_young else numbers[1]
+        c.stiffness, shear = self.springs(c) if by_young else (numbers[1], NAN)
+        c.tangential = self.viscoelastic(c, (a, b), functor, numbers, shear)
         if any(math.isnan(n) for n in numbers):
             lost = sorted({k for m in (a, b) for k in keys if k not in own and math.isnan(m.number(k))})
             has = [k for k in lost if k in a.values or k in b.values]
@@ -809,6 +846,25 @@ class _Reader:
             self.mixed |= {id(a), id(b)}
         if by_time or by_young:
             self.set_mass(c, one, two)
+
+    def viscoelastic(
+        self, c: Contact, both: Tuple[Thing, Thing], functor: Optional[Thing], numbers: List[float], shear: float
+    ) -> Tangential:
+        """Returns the tangential force of ViscElPhys. numbers: en and tc, or cn and kn."""
+        own, key = functor.values if functor else {}, "et" if c.spring is Spring.CONTACT_TIME else "ks"
+        ratio, friction = 0.0, self.friction(functor, *both)
+        if any(m.number("mR", 0.0) != 0 for m in both):
+            return Tangential(ROLLS)
+        if key == "et":
+            e_t = sum(m.number(key) for m in both) / 2
+            e_t = number_of(self.value_of(functor, key, *both)[0]) if functor and key in own else e_t
+            logs = [math.log(e) if e > 0 else NAN for e in (numbers[0], e_t)]
+            shear = 2 / 7 * (math.pi**2 + logs[1] ** 2) / (math.pi**2 + logs[0] ** 2)
+            ratio = 2 / 7 * share(logs[1], logs[0])
+        elif len(numbers) == 2:
+            shear, damper = (_pair([m.number(k) for m in both]) for k in ("ks", "cs"))
+            shear, ratio = share(shear, numbers[1]), share(damper, numbers[0])
+        return Tangential("viscel", shear, ratio, friction)
 
     def radii(self, c: Contact) -> List[float]:
         """Returns the radii from which YADE computes stiffnesses. A wall has the sphere's radius."""
