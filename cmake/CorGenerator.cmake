@@ -48,7 +48,7 @@ if(FLINT_FOUND)
   target_link_libraries(corgen_core PUBLIC FLINT::FLINT m Threads::Threads PRIVATE cor_defaults)
   # corgen spends most of its time in FLINT; -O2 for its own code takes longer to compile and gains little
   target_compile_options(corgen_core PRIVATE $<$<AND:$<CONFIG:Release>,$<C_COMPILER_ID:GNU,Clang,AppleClang>>:-O1>)
-  # -O2 only for paths, which are computed in doubles, and formulas, which are read at each node of an integral
+  # -O2 only for paths, which are computed in doubles, and for formulas, which each node of an integral evaluates
   file(GLOB of_corgen CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gen/enclosure/complex_*.c)
   set_source_files_properties(${of_corgen} ${PROJECT_SOURCE_DIR}/gen/support/formula.c PROPERTIES
     COMPILE_OPTIONS $<$<AND:$<CONFIG:Release>,$<C_COMPILER_ID:GNU,Clang,AppleClang>>:-O2>)

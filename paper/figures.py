@@ -333,7 +333,7 @@ def wall_limit():
         f"where the lines are drawn through, no point is off by more than {max(off['line']):.2f} % of the limit. "
         f"Softer walls, down to alpha v = 10, are off by up to {max(off['soft']):.1f} %. At alpha v = 200, still "
         f"harder, points are off by up to {max(off['hard']):.1f} %: {modes} modes cannot follow such a wall, so the "
-        f"number of modes must grow first. alpha v is 10 to 200, because the paper does not state its walls. Dots are "
+        f"number of modes must grow first. alpha v is 10 to 200; the paper does not state its walls. Dots are "
         f"the limit of all modes at a rigid wall. The lines end between {min(ends):+.1f} % and {max(ends):+.1f} % from "
         f"it.")
 
