@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""Generators of the bindings of other languages, run at build time on the public headers."""
+"""Generates the bindings of other languages from the public headers, at build time."""

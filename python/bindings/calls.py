@@ -7,7 +7,7 @@ from typing import Dict, List, Optional
 
 from .declarations import Declarations, Function, Parameter, Struct
 
-# The table of law.h, which each binding has written by hand, and its names in Python
+# The functions of law.h for which each binding has code written by hand, and their names in Python
 BY_HAND = {
     "cor_law_function": "function",
     "cor_law_value": "value",
@@ -62,7 +62,7 @@ def output_struct(p: Parameter) -> str:
 
 
 def form_of(functions: Dict[str, Function], name: str) -> str:
-    """Returns the function through which one is called: itself, or the function whose array loop it is."""
+    """Returns the name of the function to call: this one or, for an array loop, its scalar function."""
     base = re.sub("_arrayf?$", "", name)
     return base if base in functions and is_elementwise(functions[base]) else name
 

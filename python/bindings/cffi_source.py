@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The C module of the Python package: declarations for cffi, and one loop over arrays for each function.
+"""Writes the C module of the Python package: declarations for cffi, and one loop over arrays for each function.
 
-A loop accepts the address and the step of each number. The step is 0 if all elements share the number, otherwise 1.
-The loop calls the library's array function if one exists for these steps, and the scalar function otherwise. Both
+A loop accepts the address and the step of each argument. The step is 0 if all elements share the number, otherwise
+1. The loop calls the library's array function if one exists for these steps, and the scalar function otherwise. Both
 give the same bits.
 """
 
@@ -17,7 +17,7 @@ C_OF_KIND = {"d": "double", "i": "int", "n": "size_t"}
 
 
 def kind_of(p: Parameter) -> str:
-    """Returns how a number is passed to a loop: d, i or n."""
+    """Returns the letter of a number's type in a loop: d, i or n."""
     return {"double": "d", "size_t": "n"}.get(p.type, "i")
 
 
@@ -101,7 +101,8 @@ def source(declared: Declarations) -> str:
 
 
 def _observers(declared: Declarations) -> List[str]:
-    """Returns the Python functions that C calls, one for each struct field that is a pointer to a function."""
+    """Returns declarations of the Python functions that C calls, one for each struct field that is a function
+    pointer."""
     return [
         field.type.replace("(*)", f"cor_python_{field.name}_{struct.name[len('cor_'):]}")
         for struct in declared.structs.values()

@@ -96,7 +96,7 @@ _TEXT = re.compile(
 
 
 class Declarations:
-    """Every public declaration that cor.h includes, in the order of the headers."""
+    """The public declarations that cor.h includes, in the order of the headers."""
 
     def __init__(self, include: Path) -> None:
         self.functions: Dict[str, Function] = {}
@@ -170,7 +170,7 @@ class Declarations:
 
 
 def comment_text(comment: str) -> str:
-    """Returns the text of a comment without its marks. Indented lines remain indented."""
+    """Returns the text of a comment without /*, * and */. Indented lines remain indented."""
     first, *lines = comment[2:-2].split("\n")
     return "\n".join([first.strip()] + [re.sub(r"^[ \t]*\*?[ ]?", "", line).rstrip() for line in lines]).strip()
 
@@ -205,7 +205,7 @@ def _declared(field: Parameter) -> str:
 
 
 def _with_comments(body: str, separator: str) -> Iterator[Tuple[str, str]]:
-    """Yields the parts of a struct or enum body, each with the comment after it on its line, or else before it."""
+    """Yields the parts of a struct or enum body, each with its comment: after it on its line, otherwise before it."""
     part = rf"((?:/\*.*?\*/|\([^()]*\)|[^{separator}])*)(?:{separator}|$)(?:[ \t]*(/\*.*?\*/))?"
     for found in re.finditer(part, body, re.S):
         comments = _COMMENT.findall(found[1] + (found[2] or ""))

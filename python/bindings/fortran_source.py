@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""The Fortran module cor, fortran/cor.f90.
+"""Writes the Fortran module cor, fortran/cor.f90.
 
-    python3 python/bindings/fortran_source.py [--check]        writes the file, or fails if it is another
+    python3 python/bindings/fortran_source.py [--check]     writes the file, or fails if the file differs
 """
 
 import sys
@@ -135,7 +135,7 @@ def _dummy(function: Function, p: Parameter) -> str:
 
 
 def _packed(statements: List[str], indent: int) -> str:
-    """Returns statements, with several on a line if they fit."""
+    """Returns statements, several on a line if they fit."""
     lines = [statements[0]]
     for statement in statements[1:]:
         fits = indent + len(lines[-1]) + len(statement) + 2 <= WIDTH

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""The list of all public functions, generated/public_functions.inc, by which tests call every one of them.
+"""Writes the list of all public functions, generated/public_functions.inc, from which tests call every function.
 
-    python3 python/bindings/function_list.py [--check]        writes the file, or fails if it is another
+    python3 python/bindings/function_list.py [--check]     writes the file, or fails if the file differs
 """
 
 import re

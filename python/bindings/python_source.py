@@ -93,7 +93,8 @@ class _Module:
         return text
 
     def _written_by_hand(self) -> str:
-        """Returns the import of names that the module _NAME must define. An ImportError names the missing one."""
+        """Returns an import of the names that the module _NAME must define, so that an ImportError names a missing
+        one."""
         names = [self.short(c.function.name) for c in self.calls if c.kind == "other"]
         names += [self.short(o.name) for o in self.declared.objects.values() if o.header in self.headers]
         names += BESIDE.get(self.name, [])
@@ -137,7 +138,7 @@ class _Module:
         return f"{made}def {short}({', '.join(typed)}) -> {returned}:\n{_docstring(doc)}    return {body})\n"
 
     def _without_prototypes(self, doc: str) -> str:
-        """Removes C prototypes, as help() has the Python signature. Comments on several functions keep their names."""
+        """Removes C prototypes, because help() has the signature. A comment on several functions keeps their names."""
         doc = re.sub("^---- (.*) ----\n", r"\1.\n", doc)
         found = list(PROTOTYPE.finditer(doc))
         if len(found) == 1 and found[0].start() == 0 and found[0][2]:

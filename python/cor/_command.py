@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The command cor: its options, messages, tables and files, which the subcommands share.
+"""Implements the command cor: options, messages, tables and files, which its subcommands share.
 
 A subcommand is a module with NAME, SUMMARY, add_arguments(parser) and run(options) -> exit status. Its output goes
 through write_output, its errors are UsageError (status 2) or Failure (status 1).
@@ -102,8 +102,8 @@ def read_text(path: str, most: int) -> str:
 
 
 def write_output(path: Optional[str], content: Union[str, bytes]) -> None:
-    """Writes a result to standard output, or to a file that changes only if everything succeeds: a temporary file in
-    its folder, renamed over it. Links are followed; devices and pipes are written directly. Raises Failure."""
+    """Writes a result to standard output, or to a file that changes only if everything succeeds: writes a temporary
+    file in its folder and renames it. Follows links; writes devices and pipes directly. Raises Failure."""
     data = content if isinstance(content, bytes) else content.encode("utf-8", "backslashreplace")
     try:
         if path is None:

@@ -50,7 +50,7 @@ def _exponents(elastic: Any, damping: Any) -> Tuple[int, int, int]:
 
 
 def _spring_of_engine(law: Optional[str], erp: Any, cfm: Any, time_step: Any) -> Dict[str, float]:
-    """Returns K = ERP/(h CFM) and C = (1 - ERP)/CFM, from exact decimals as in corgen."""
+    """Returns K = ERP/(h CFM) and C = (1 - ERP)/CFM, computed from exact decimals, as in corgen."""
     given = {"erp": erp, "cfm": cfm, "time_step": time_step}
     values = [float(number(name, x)) for name, x in given.items() if x is not None]
     if law not in (None, "linear") or len(values) < 3 or not all(0 < x < math.inf for x in values) or values[0] > 1:
@@ -81,8 +81,8 @@ class Contact:
                     "largest_pull" with JKR: where restitution or duration was measured and eps is computed
 
     Accuracy (cor/scene.h): COR_SCENE_MAX_ERROR; with a constant force COR_SCENE_PRESSED_ERROR, with JKR
-    COR_JKR_EPS2_MAX_ERROR. Exponents that no named law has must be equal, or need a constant force. Otherwise a
-    ValueError refers to corgen contact, which computes enclosures for them.
+    COR_JKR_EPS2_MAX_ERROR. Exponents that no named law has must be equal, except under a constant force. Otherwise a
+    ValueError refers to corgen contact, which can compute such contacts.
     """
 
     def __init__(
@@ -292,8 +292,8 @@ class Contact:
 
         angle_degrees: the angle of the velocity of the contact point to the normal. speed_m_s: its normal component.
         tangential: a model of corgen contact --tangential, such as "mindlin_rescale", or a simulator. The stiffness,
-        N/m^(1+p), is Mindlin's if omitted. tangential_damping: the tangential damper over the normal one (0; viscous:
-        1). COR_OBLIQUE_ERROR bounds the error of tangential_restitution. Impacts after which the bodies stay are NaN.
+        N/m^(1+p), is Mindlin's if omitted. tangential_damping: the tangential damper over the normal one (0;
+        viscous: 1). COR_OBLIQUE_ERROR bounds the error of tangential_restitution. NaN: the bodies stay together.
         """
         contact = self._one()
         models = [string(model.name) for model in lib.cor_tangential_models]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Functions of disk.h that fill the caller's arrays or call the caller back, and the class of tables of modes."""
+"""Wraps functions of disk.h that fill or call something of the caller, and defines the class of mode tables."""
 
 import os
 from typing import Any, Callable, Optional, Tuple, TypeVar, Union
@@ -39,7 +39,7 @@ def _documented(name: str) -> Callable[[F], F]:
 
 
 class DiskModes:
-    """Free modes of an elastic disk: a table for functions of cor.disk, with short forms of these as methods.
+    """Free modes of an elastic disk: a table for functions of cor.disk, which are also methods of the table.
 
     DiskModes(nu, count) computes the lowest count modes for Poisson's ratio nu by cor_disk_modes_compute;
     DiskModes.read(path) reads a file of corgen. cor.disk.modes_nu033 and modes_nu090 are the tables of the library.
@@ -120,7 +120,7 @@ def _modes_address(mode: Array) -> Any:
 
 
 def _constant(c: Any) -> DiskModes:
-    """Returns a table of the library, which exists until the program ends."""
+    """Returns a table of the library, which is valid until the program ends."""
     table = np.frombuffer(ffi.buffer(c.mode, c.count * _MODE.itemsize), _MODE)
     return DiskModes._of(table, ffi.addressof(c))
 
@@ -131,7 +131,7 @@ modes_nu090 = _constant(lib.cor_disk_modes_nu090)
 
 @_documented("cor_disk_modes_read")
 def modes_read(path: Union[str, "os.PathLike[str]"]) -> DiskModes:
-    """Reads the modes of a file. If a line of the file is wrong, the attribute line of CorError is its number."""
+    """Reads the modes of a file. If a line of the file is wrong, CorError has its number as the attribute `line`."""
     name = os.fsencode(path)
     c = ffi.new("struct cor_disk_modes *")
     line = ffi.new("size_t *")
@@ -166,7 +166,7 @@ def _table(modes: DiskModes) -> Any:
 def _fractions_array(
     modes: DiskModes, n_modes: int, shape: Tuple[int, ...], wanted: bool
 ) -> Tuple[Optional[Array], Any]:
-    """Returns an array for the fractions of the modes and its address; none if C reports n_modes as an error."""
+    """Returns an array for the fractions of the modes, and its address. Returns no array if C will refuse n_modes."""
     if not wanted or not 0 < n_modes <= modes.count:
         return None, ffi.NULL
     fractions = np.zeros(shape + (n_modes,))

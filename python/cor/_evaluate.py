@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Broadcasting, dtypes, structs and errors for calls of the C module's loops by the generated modules."""
+"""Handles broadcasting, dtypes, structs and errors when generated modules call the loops of the C module."""
 
 import operator
 import re
@@ -51,7 +51,7 @@ class CorError(ValueError):
 
 
 class CorWarning(UserWarning):
-    """A status of cor that comes with results, which are less than requested."""
+    """A status of cor for results that do not meet the request, such as a tolerance that was not reached."""
 
     __module__ = "cor"
 
@@ -131,7 +131,7 @@ def judge(status: Array) -> None:
 
 
 def caller() -> int:
-    """Returns the stacklevel, seen from judge, of the first caller outside this package."""
+    """Returns the stacklevel, counted from judge, of the first caller outside this package."""
     level = 2
     frame = sys._getframe(2)
     while frame.f_back is not None and frame.f_globals.get("__name__", "").partition(".")[0] == __package__:
@@ -195,7 +195,7 @@ def address(array: Array, writable: bool = False) -> Any:
 
 
 def _is_narrow(value: Any, array: Array, name: str) -> Optional[bool]:
-    """True if a real number fits float32 by its type; None for a Python number, which adopts the others' type."""
+    """True if a real number's type fits in float32; None for a Python number, which adopts the others' type."""
     if array.dtype.kind == "O":
         for element in array.flat:
             number(name, element)
@@ -309,7 +309,7 @@ class Elementwise(_Function):
 
 
 def fits(out: Optional[Array], arrays: List[Array], shape: Tuple[int, ...], dtype: "np.dtype[Any]") -> bool:
-    """True if C may write to out: its format suits C, and no argument overlaps it, except out itself."""
+    """True if C may write to out: C can use its format, and no argument except out itself overlaps it."""
     if not isinstance(out, np.ndarray) or out.dtype != dtype or out.shape != shape:
         return False
     if not (out.flags.c_contiguous and out.flags.aligned and out.flags.writeable):

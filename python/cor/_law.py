@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The table of law.h: every function of a law, by names."""
+"""Provides the table of law.h: every function of a law, by names."""
 
 from functools import lru_cache
 from typing import Any, List, NamedTuple, Optional, Tuple

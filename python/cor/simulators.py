@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Contacts in simulators: lines for their inputs, the realised restitution, the audit of an input and the error of a
-time step. The functions correspond to cor/scene.h, corgen contact and cor audit.
+"""Computes contacts in simulators: lines for inputs, the realised restitution, the audit of an input, and the error of
+a time step. The functions correspond to cor/scene.h, corgen contact and cor audit.
 
 A contact is a cor.Contact, or one cor.Body, a pair of them or nothing, with the keywords of cor.Contact.
 """
@@ -90,14 +90,14 @@ def realised(simulator: str, model: str, e: ArrayLike) -> Any:
     return like([e], result[()])
 
 
-# Columns of numbers, with the arguments of cor.Contact of equal range
+# Columns of numbers, each with the argument of cor.Contact that has the same range
 _MATERIAL = {"young_pa": "young", "poisson": "poisson", "density_kg_m3": "density", "radius_m": "radius", "wall": ""}
 _MATERIAL.update(radius_max_m="radius", dissipation_time_s="dissipation_time")
 _PAIR = {"restitution": "restitution", "at_m_s": "at", "friction": "zeta"}
 
 
 def _row(argument: str, row: Mapping[str, Any], texts: Tuple[str, ...], numbers: Dict[str, str]) -> Dict[str, Any]:
-    """Returns the cells of a row of materials or pairs; numbers are NaN if they are not given."""
+    """Returns the cells of a row of materials or pairs. Numbers that are not given are NaN."""
     cells: Dict[str, Any] = {**dict.fromkeys(texts, ""), **dict.fromkeys(numbers, math.nan)}
     for column, given in row.items():
         if column not in cells:
@@ -114,7 +114,7 @@ def _row(argument: str, row: Mapping[str, Any], texts: Tuple[str, ...], numbers:
 
 
 def _many(request: Any, materials: Sequence[Mapping[str, Any]], pairs: Sequence[Mapping[str, Any]]) -> List[Any]:
-    """Puts several materials into a request. Returns the objects that must exist as long as the request."""
+    """Puts several materials into a request. Returns objects that must live as long as the request."""
     rows = [_row("materials", row, ("name", "made_of"), _MATERIAL) for row in materials]
     names = [row["name"] for row in rows]
     texts = [ffi.new("char[]", _text("materials", text)) for text in names + [row["made_of"] for row in rows]]
@@ -156,8 +156,8 @@ def lines(
     step_corrected: bool = False,
     **scene: Any,
 ) -> str:
-    """Returns the lines by which a simulator realises a contact, to be put into its input unchanged, as printed by
-    corgen contact --for. Raises ValueError if impossible. speeds: impact speeds at which the text states eps.
+    """Returns the input lines with which a simulator realises a contact, as printed by corgen contact --for. Raises
+    ValueError if impossible. speeds: impact speeds at which the text states eps.
 
     materials: instead of a contact, rows as from csv.DictReader with the columns of corgen contact --materials;
     pairs: rows of the measured pairs; friction: of all others. Keywords are then law, elastic, damping and end, and

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""The audit of simulators' inputs: readers make contacts (deck), physics makes rows, measure runs the simulator."""
+"""Audits inputs of simulators: readers make contacts (deck), physics makes rows, measure runs the simulator."""

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""A collision that a simulator computes step by step. Programs that run inside a simulator also import this file, so
-it needs only Python."""
+"""Measures collisions that a simulator computes step by step. Programs that run inside a simulator also import this
+file, so it imports only the standard library."""
 
 import math
 from typing import Callable, Tuple

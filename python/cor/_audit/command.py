@@ -72,7 +72,7 @@ def add_arguments(parser: Parser) -> None:
 
 
 def _includes(first: str, name: str, of: str) -> Optional[Tuple[str, str]]:
-    """Returns text and path of an included file. Searches the folder of the including file, then of the first."""
+    """Returns text and path of an included file. Searches the folder of the file `of`, then of the first file."""
     for folder in (os.path.dirname(of), os.path.dirname(first)):
         path = os.path.join(folder, name)
         try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The data shared by the parts of the audit: a deck as a reader returns it, and a row of the report.
+"""Defines the data that the parts of the audit share: a deck, which a reader returns, and a row of the report.
 
 Numbers of a deck are in the deck's own units, which must be consistent. Units converts them. Unknown numbers are NaN.
 """
@@ -86,7 +86,7 @@ NO_FRICTION = Tangential("viscous", 0.0, 0.0, 0.0)
 
 @dataclass
 class Contact:
-    """One contact of two bodies as a reader found it.
+    """One contact of two bodies, as found by a reader.
 
     model: the id of a model of cor_simulators without COR_, such as "LAMMPS_HOOKE_VELOCITY". If it is "", cor does not
     support the model, and `unknown` is the reason. style: the deck's own name of the model; it replaces the table's.
@@ -124,7 +124,7 @@ class Contact:
     time_step: float = NAN
     integrator: Optional[int] = None  # enum cor_integrator; None: the simulator's own
     units: Units = Units()
-    runs: Tuple[int, ...] = ()  # of a script, from 1: the runs with this contact; empty: a deck without runs
+    runs: Tuple[int, ...] = ()  # the runs of a script with this contact, from 1; empty: a deck without runs
     tangential: Tangential = Tangential()
 
 
@@ -169,7 +169,7 @@ class Options:
     variables: Dict[str, Tuple[str, ...]] = field(default_factory=dict)
     include: Callable[[str, str], Optional[Tuple[str, str]]] = lambda name, of: None
     progress: Callable[[str], None] = lambda step: None
-    angle: float = NAN  # of oblique impacts, degrees
+    angle: float = NAN  # angle of oblique impacts, degrees
 
 
 COLUMNS = (
@@ -180,9 +180,9 @@ COLUMNS = (
 
 @dataclass
 class Row:
-    """One contact at one speed, or, with an empty model, a remark on a line. COLUMNS are reported. The rest is for
-    the text, cor.simulators.audit and measure. as_asked: None if no e was requested or eps is unknown. judged:
-    False makes the exit status 4. A row refers to its contact and to the bodies' size: 0 least, 1 largest."""
+    """One contact at one speed, or, with an empty model, a remark on a line. COLUMNS are reported. The rest is for the
+    text, cor.simulators.audit and measure. as_asked: None if no e was requested or eps is unknown. judged: False
+    makes the exit status 4. A row contains its contact and the size of the bodies: 0 least, 1 largest."""
 
     file: str
     line: int

@@ -19,7 +19,7 @@ from .deck import (
 from .script import SIGNS, OutOfBounds, Script, System, Unknown, Words, is_known, number
 
 MAX_COHORTS, MAX_TYPES, MAX_LINES, MANY = 1000, 200, 20000, 1 << 30
-# Units of length, mass and time in SI, and the default time step in these units
+# For each `units`: length, mass and time in SI, and the default time step in these units
 UNITS = {
     "si": (1.0, 1.0, 1.0, 1e-8),
     "cgs": (1e-2, 1e-3, 1.0, 1e-8),
@@ -43,7 +43,7 @@ _BY_ROOT = ("HOOKE_TSUJI", "HERTZ_TSUJI", "COEFF_RESTITUTION")  # damping is pro
 _KNOWN = _BY_MASS + _BY_ROOT + ("HOOKE_VELOCITY", "HERTZ_VELOCITY")
 _MIXES_SINCE = 20221103  # earlier, LAMMPS uses damping velocity for every mixed pair
 _MODELS = ("hertz", "hooke", "hertz/stiffness", "hooke/stiffness")  # of LIGGGHTS
-_OLD_MODEL = re.compile(r"gran/(hertz|hooke)(/history|/incremental)?(/energy)?(/stiffness)?")  # of before version 3
+_OLD_MODEL = re.compile(r"gran/(hertz|hooke)(/history|/incremental)?(/energy)?(/stiffness)?")  # before version 3
 _TANGENTIAL = ("mindlin", "mindlin/force", "mindlin_rescale", "mindlin_rescale/force")  # with the contact radius
 _OLD = {"hooke": "linear_nohistory", "hooke/history": "linear_history", "hertz/history": "mindlin"}  # by their force
 _MIXED = "LAMMPS mixes the tangential forces of two types"
@@ -74,7 +74,7 @@ class Cohort:
 
 @dataclass
 class Coefficient:
-    """The normal force of a pair style, a pair_coeff line, or a wall.
+    """A line that defines a normal force: a pair style, a pair_coeff line, or a wall.
 
     at: the index in words of the model (granular) or K_n (gran). style: such as "hooke/history" or "granular". first
     and last: the range of both types. part: the part of a hybrid style."""
@@ -158,7 +158,7 @@ class Granular(System):
         self.velocities: Dict[str, Tuple[float, ...]] = {}  # of groups
         self.created = 0  # atoms; -1: unknown
         self.is_run, self.is_changed, self.has_unread_atoms = False, True, False
-        self.last: List[Contact] = []  # of the last snapshot
+        self.last: List[Contact] = []  # contacts of the last snapshot
 
     def copy(self) -> "Granular":
         other = copy.copy(self)
@@ -297,7 +297,8 @@ class Granular(System):
         return is_inside == ("out" not in region)
 
     def selected(self, how: str, what: Sequence[str]) -> Any:
-        """Returns a function: True, False or None (partly) if a cohort is in the types, ids, group or region."""
+        """Returns a function of a cohort: True if the types, ids, group or region contain it, False, or None
+        (partly)."""
         if how in ("type", "id") and len(what) > 1 and re.match("[<>=!]", what[0]):
             x, y = number(what[1]), number(what[-1])
             sign: Any = SIGNS.get(what[0], lambda of, low: bool(low <= of <= y))
@@ -529,7 +530,7 @@ class Granular(System):
         return "", NAN
 
     def count_types(self) -> int:
-        """Returns the number of types, counted from the contacts if no command gives it."""
+        """Returns the number of types. If no command states it, counts the types of the contacts."""
         properties = [
             f for f in self.fixes.values() if f[3].startswith("property/global") and f[5] == "peratomtypepair"
         ]
@@ -576,7 +577,7 @@ class Granular(System):
     # ---- contacts ----
 
     def snapshot(self, run: int) -> List[Contact]:
-        """Adds the contacts of this moment to the deck, and returns them."""
+        """Adds the contacts of the present state to the deck, and returns them."""
         self.script.tick()
         moving = self.moving()
         losses = [f for f in self.fixes.values() if _LOSSES.match(_ACCELERATED.sub("", f[3]))]
@@ -632,7 +633,7 @@ class Granular(System):
         return is_whole and is_plain and all(_same(plain[0], b) for b in plain)
 
     def pair_contacts(self, moving: Dict[int, List[Moving]]) -> Iterator[Contact]:
-        """Yields the contacts of pairs. If all types are alike, a line for all of them is one contact, *-*."""
+        """Yields the contacts of pairs. If all types are alike, a line for all of them gives one contact, *-*."""
         everyone = [m for bodies in moving.values() for m in bodies]
         pairs = [(i, j, *self.resolve(i, j)) for i in sorted(moving) for j in sorted(moving) if i <= j]
         first = pairs[0][2]
@@ -660,7 +661,7 @@ class Granular(System):
         return "hybrid/overlay adds up several forces, which cor does not judge." if several else ""
 
     def resolve(self, i: int, j: int) -> Tuple[Optional[Coefficient], Optional[Coefficient]]:
-        """Returns the coefficients of a pair, or the two that LAMMPS mixes if no line has this pair."""
+        """Returns the coefficients of a pair; if no line has this pair, the two coefficients that LAMMPS mixes."""
         if self.is_liggghts or (not self.coefficients and self.style[0].style != "granular"):
             return (self.style[0] if not self.hybrid else None), None
         used = [c for c in self.coefficients.values() if c.part >= 0 or self.hybrid != "hybrid/overlay"]
@@ -697,7 +698,7 @@ class Granular(System):
         return contact
 
     def fix_one(self, contact: Contact) -> None:
-        """Corrects the damping if one body is neither integrated nor frozen: it is held, but its mass counts."""
+        """Corrects the damping if a body is neither integrated nor frozen: it does not move, but its mass counts."""
         masses = [b.mass[0] if b.mass else _sphere(b.radius[0], b.density) for b in contact.bodies]
         share = masses[contact.bodies[0].held is False] / sum(masses)
         name = contact.model.split("_", 1)[1].replace("_LIMIT", "")
@@ -769,7 +770,7 @@ class Granular(System):
             contact.tangential = Tangential(_OLD[of.style], spring, ratio, words.value(at + 4))
 
     def read_tangential(self, contact: Contact, words: Words, at: int) -> None:
-        """Sets the tangential force. The stiffness NULL of mindlin is 8 G* from the numbers of hertz/material."""
+        """Sets the tangential force. A stiffness NULL of mindlin means 8 G*, from the numbers of hertz/material."""
         name, k = words.after("tangential", at), words.find("tangential", at) + 2
         if name in ("", "none"):
             contact.tangential = NO_FRICTION

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""cor audit --run: measures the restitution of each contact of the audit with the user's own program."""
+"""Implements cor audit --run: measures the restitution of each contact of the audit with the user's own program."""
 
 import importlib.util
 import json
@@ -21,7 +21,7 @@ from .deck import Contact, Options, Row
 from .process import ALL_S, Process, copy_folder_of
 
 SLOW = 0.01  # overlap over radius, if any speed may be used
-TOLERANCE = 2e-3  # between measured and computed eps, besides the error of the step
+TOLERANCE = 2e-3  # allowed between measured and computed eps, besides the error of the step
 
 
 def measure(path: str, options: Options, rows: List[Row], program: str, keep: bool) -> None:
@@ -56,7 +56,7 @@ def measure(path: str, options: Options, rows: List[Row], program: str, keep: bo
 
 
 def speed_of(row: Row, contact: Contact) -> float:
-    """Returns the impact speed in the deck's units. If eps does not depend on it, a speed of small overlap."""
+    """Returns the impact speed in the deck's units or, if eps does not depend on it, a speed of small overlap."""
     units, free = contact.units, 0.1
     if math.isnan(row.speed_m_s) and row.duration_s > 0 and contact.bodies[0].radius[row.size] > 0:
         free = SLOW * contact.bodies[0].radius[row.size] * units.length_m / row.duration_s
@@ -81,7 +81,7 @@ def sizes_of(row: Row, contact: Contact) -> Tuple[List[float], List[float]]:
 
 
 def enter(row: Row, eps: float, eps_small_step: float, version: str) -> None:
-    """Fills the row, and reports a difference between the measured and the computed eps."""
+    """Fills in the measured eps, and reports a difference between the measured and the computed eps."""
     bodies = row.contact.bodies if row.contact else ()
     assumed = any(math.isnan(b.radius[0]) and not b.wall for b in bodies) and not math.isnan(row.realised)
     row.measured, row.measured_small_step = math.nan if assumed else eps, eps_small_step
@@ -142,7 +142,7 @@ def by_script(words: List[str], folder: str, path: str, options: Options, rows: 
 
 
 def name_of(text: str) -> Tuple[str, str, int]:
-    """Returns "facet", "wall", "box" or "", the label of its material, and the index in O.materials or -1."""
+    """Parses the name of a body: "facet", "wall", "box" or "", its material's label, and index in O.materials or -1."""
     found = re.fullmatch(r"(?:(facet|wall|box) of )?(.*?)(?:, fixed)?", text, re.S)
     assert found is not None
     number = re.fullmatch(r"(material )?(\d+)", found[2])
@@ -150,7 +150,7 @@ def name_of(text: str) -> Tuple[str, str, int]:
 
 
 def inside(command: List[str], folder: str, path: str, options: Options, rows: List[Row]) -> None:
-    """Runs a file inside a program. The file reads the collisions as json and prints a line of json for each."""
+    """Runs a Python file inside a program. The file reads the collisions as json and prints a line of json for each."""
     here = os.path.dirname(os.path.abspath(__file__))
     spec = os.path.join(folder, "cor-collisions.json")
     todo: List[Dict[str, Any]] = [{"here": here, "script": os.path.basename(path)}]
@@ -197,7 +197,7 @@ def inside(command: List[str], folder: str, path: str, options: Options, rows: L
         except Failed as error:
             if at is None or not any(c["number"] == at for c in pending):
                 reason, pending = str(error), []
-            else:  # this collision ended the program
+            else:  # the program ended during this collision
                 refuse(rows[at], str(error))
                 pending = [c for c in pending if c["number"] != at]
         finally:

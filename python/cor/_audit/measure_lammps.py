@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Runs collisions in the user's own LAMMPS or LIGGGHTS. The program reads its script line by line from a pipe, up
-to each run. Then it gets two particles, or one and a plane wall. It evaluates all variables and conditions. Only the
-order of lines (if, jump, label, include) is followed here, so that each command is checked before execution."""
+"""Runs collisions in the user's own LAMMPS or LIGGGHTS. The program reads its script line by line from a pipe, up to
+each run. Then it gets two particles, or one and a plane wall. The program evaluates all variables and conditions.
+This module follows the order of lines (if, jump, label, include) to check each command before execution."""
 
 import itertools
 import math
@@ -126,7 +126,7 @@ class Script:
         return self.process.read_until(f"cor {self.marks}.")
 
     def answer(self, text: str) -> str:
-        """Returns a text, which has no line break, with its variables replaced by the program."""
+        """Returns a text of one line after the program has replaced its variables."""
         quote = next((q for q in ("'", '"', '"""') if q not in text), "'")
         found = [line for line in self.ask(f"print {quote}cor = {text}{quote}") if line.startswith("cor = ")]
         return found[-1][6:] if found else text
@@ -139,7 +139,7 @@ class Script:
     # ---- the script ----
 
     def play(self, path: str) -> None:
-        """Executes a file. A jump may replace it by another file."""
+        """Executes a file. A jump may continue in another file."""
         lines, i = lines_of(path), 0
         while i < len(lines):
             self.number, line = lines[i]
@@ -231,7 +231,7 @@ class Script:
     # ---- the collisions ----
 
     def collide(self) -> None:
-        """Measures the collisions of this run. Restores the program, unless nothing is left to measure."""
+        """Measures the collisions of this run, then restores the program, unless nothing is left to measure."""
         ready = False
         for c in self.todo:
             if c.done or c.runs and self.runs and self.runs not in c.runs:

@@ -26,7 +26,7 @@ SIMULATORS = {
     ),
     "kratos": ("text", "read_kratos", ('"COEFFICIENT_OF_RESTITUTION"', '"DAMPING_GAMMA"', '"material_relations"')),
 }
-# Models of other versions
+# The models that other versions of a simulator have in place of a model
 _OTHER = {
     "LAMMPS_HERTZ_TSUJI": "LAMMPS_HERTZ_TSUJI_2026",
     "LAMMPS_HOOKE_TSUJI": "LAMMPS_HOOKE_TSUJI_2026",
@@ -41,7 +41,7 @@ _NEVER = 1e5  # m/s, Gazebo's default threshold: no impact is so fast
 
 
 def model_of(name: str) -> Any:
-    """Returns the row of cor_simulators with this id, given without COR_."""
+    """Returns the model of cor_simulators with this id, which is given without COR_."""
     return lib.cor_simulator_model(getattr(lib, f"COR_{name}"))
 
 
@@ -197,8 +197,8 @@ class _Audit:
         return self.needed[key]
 
     def damp(self, row: Row, contact: Contact, law: int, end: int, zeta: float) -> None:
-        """Sets eps if all forces are 1 + d times larger against the motion and 1 - d times along it. The way in belongs
-        to one collision, the way out to another one with the same largest overlap."""
+        """Sets eps if all forces against the motion are multiplied by 1 + d, and all forces along it by 1 - d. Approach
+        and rebound then belong to two different collisions with the same largest overlap."""
         d, q = contact.global_damping, lib.COR_MAX_OVERLAP
         ratio = NAN
         if 0 <= d < 1 and law in (lib.COR_LAW_LINEAR, lib.COR_LAW_TSUJI):
@@ -212,13 +212,13 @@ class _Audit:
         row.advice += "holds for a fixed partner, and for two bodies of opposite momenta."
 
     def add_surface(self, row: Row, contact: Contact, scene: Any, speed: float, end: int) -> None:
-        """Sets eps at the surface under gravity that presses the sphere against a wall."""
+        """Sets eps at the surface, if gravity presses the sphere against a wall."""
         gravity, d = contact.gravity, contact.global_damping
         is_known = gravity > 0 and speed > 0 and math.isfinite(row.realised)
         if not is_known or contact.cohesion[0] or not any(b.wall for b in contact.bodies):
             return
         if d != 0:
-            # YADE changes the sum of spring and weight, whose potential is lowest inside the contact
+            # YADE changes the sum of spring force and weight, whose potential has its minimum inside the contact
             a = scene.law.elastic / scene.law.denominator
             lowest = 2 * a / (a + 1) * gravity * (scene.mass_kg * gravity / scene.stiffness) ** (1 / a) / speed**2
             square = (1 - d) / (1 + d) * (1 + (1 - d) * lowest) - (1 + d) * lowest
@@ -517,7 +517,7 @@ def _same(x: float, y: float) -> bool:
 
 
 def rows_of(deck: Deck, options: Options) -> List[Row]:
-    """Returns all rows of a deck: contacts in their order and remarks by line."""
+    """Returns all rows of a deck: the contacts in their order, and the remarks in the order of lines."""
     audit = _Audit(deck, options)
     rows: List[Row] = [
         Row(r.file, r.line, deck.simulator, advice=r.text, judged=not r.matters) for r in dict.fromkeys(deck.remarks)

@@ -16,12 +16,12 @@ from typing import List, Sequence
 from .collision import Failed
 
 RUN_S, ALL_S = 60.0, 600.0  # time limits of one answer and of all runs
-MOST_BYTES, MOST_FILES = 200_000_000, 20_000  # of a copied folder
+MOST_BYTES, MOST_FILES = 200_000_000, 20_000  # limits of a copied folder
 
 
 def copy_folder_of(path: str, whole: str) -> str:
-    """Copies the folder of a file, up to a size, so deep into the folder `whole` that paths with ../ remain in `whole`.
-    Returns the path of the copy. Copies only files, no devices."""
+    """Copies the folder of a file, up to a size, into `whole`, so deep that paths with ../ stay inside `whole`. Returns
+    the path of the copy. Copies only files, no devices."""
     source, target = os.path.dirname(os.path.realpath(path)), os.path.join(whole, "1", "2", "3")
     size = files = 0
     for folder, folders, names in os.walk(source):
@@ -40,7 +40,7 @@ def copy_folder_of(path: str, whole: str) -> str:
 
 
 class Process:
-    """A program that reads from a pipe and writes to a terminal, so that each line arrives immediately."""
+    """A program that reads from a pipe. It writes to a terminal, so that each line arrives immediately."""
 
     def __init__(self, command: Sequence[str], folder: str, end: float) -> None:
         """end: the time.monotonic() at which all runs end."""

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""An interpreter of the scripts of LAMMPS and LIGGGHTS. It handles variables, branches, loops and included files. It
-passes other commands to a System (cor._audit.lammps), which takes a snapshot at each run. It runs no program and reads
-files only through Options.include.
+"""Interprets the scripts of LAMMPS and LIGGGHTS: variables, branches, loops and included files. Passes other commands
+to a System (cor._audit.lammps), which records its contacts at each run. Runs no program, and reads files only
+through Options.include.
 
 An `if` whose condition is unknown splits the script into worlds, one for each branch."""
 
@@ -13,23 +13,23 @@ from typing import Any, Callable, Dict, List, NamedTuple, NoReturn, Optional, Se
 
 from .deck import Options, Remark
 
-MAX_COMMANDS = 400000  # of all worlds together
+MAX_COMMANDS = 400000  # in all worlds together
 MAX_SECONDS = 5.0
-MAX_NESTED = 16  # files, as in LAMMPS
+MAX_NESTED = 16  # depth of files, as in LAMMPS
 MAX_WORLDS = 64
 MAX_WORDS = 100000  # of one line
-MAX_CONTINUED = 2000  # lines that one command continues on
+MAX_CONTINUED = 2000  # continuation lines of one command
 MAX_LINE = 1 << 26
 _MARK = "\0"  # encloses the name of an unknown value within a word, whose blanks are \1
 _BLANK = "\1"
 
 
 class Unknown(Exception):
-    """A value that only a run of the simulator can give. The text names it."""
+    """Raised for a value that only a run of the simulator can give. The text names the value."""
 
 
 class OutOfBounds(Exception):
-    """The script takes too long. The text is the reason."""
+    """Raised if reading the script takes too long. The text is the reason."""
 
 
 class Variable(NamedTuple):
@@ -89,7 +89,7 @@ SIGNS: Dict[str, Callable[[Any, Any], float]] = {
 
 
 class _Formula:
-    """A formula with LAMMPS's precedence: minus and ! bind before ^, and operators of equal precedence to the left.
+    """A formula with LAMMPS's precedence: minus and ! bind before ^, and equal operators are evaluated from the left.
 
     is_test: the condition of an `if`, in which names are words and arithmetic is not allowed."""
 
@@ -258,7 +258,7 @@ class Words(List[str]):
 class System:
     """The state of the simulator. The method on_NAME executes the command NAME; it returns False if nothing changes."""
 
-    is_changed = True  # since the last run
+    is_changed = True  # True if the system changed since the last run
 
     def copy(self) -> "System":
         raise NotImplementedError
@@ -271,7 +271,7 @@ class System:
         raise Unknown("is_defined()")
 
     def finish(self) -> None:
-        """Takes a snapshot of a system that was never run."""
+        """Records the contacts of a system that was never run."""
 
 
 class World:
@@ -283,7 +283,7 @@ class World:
         self.stack: List[Tuple[Source, int, int]] = []  # file, offset, number of the next line
         self.label, self.skip_jump, self.partition, self.depth, self.is_left = "", False, 0, 0, False
         self.evaluated: Set[str] = set()
-        self.changes = 0  # of the system, and of the variables at each unknown condition
+        self.changes = 0  # counts changes of the system, and of the variables at each unknown condition
         self.visited: Dict[Tuple[str, int], Any] = {}
         self.pending: List[str] = []
         self.place = Line("", 0, 0, "")
@@ -474,7 +474,7 @@ class World:
             self.stack[-1] = (source, at, line)
 
     def branch(self, words: Words) -> None:
-        """Executes the first true branch of `if`. Each earlier branch of unknown condition gets its own world."""
+        """Executes the first true branch of `if`. Each earlier branch with an unknown condition gets its own world."""
         marks = [1] + [i for i in range(2, len(words)) if words[i] in ("elif", "else")] + [len(words)]
         branches: List[List[str]] = []
         unknown, is_true = "", False

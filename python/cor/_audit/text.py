@@ -470,7 +470,7 @@ def _mercury_tangential(
 def _mercury_dashpot(
     source: Source, m: "re.Match[str]", plain: str, constants: Dict[str, str], step: Any, wall: bool
 ) -> Contact:
-    """Returns the contact of a species with linear spring and dashpot, and the text's first radius. 2D: discs."""
+    """Returns the contact of a species with linear spring and dashpot, for the text's first radius; in 2D of discs."""
 
     def given(setter: str, of: str = r"\w+") -> float:
         found = re.search(rf"\b{of}\s*(?:->|\.)\s*{setter}\(([^;]*)\)\s*;", plain)

@@ -56,7 +56,7 @@ def _numbers(text: Optional[str]) -> List[float]:
 
 
 class _Geom:
-    """Attributes of a geom, with its defaults applied."""
+    """A geom: its attributes after the defaults have been applied."""
 
     def __init__(self, element: ET.Element, values: Dict[str, str], body: int) -> None:
         self.line, self.file, self.body = int(element.get(" line", 0)), element.get(" file", ""), body
@@ -306,7 +306,7 @@ def read_gazebo(text: str, name: str, options: Options) -> Deck:
             c.number, c.threshold, c.time_step = min(one[3], two[3]), min(one[4], two[4]), step
             if engines:
                 c.unknown = f"cor supports only contacts of ODE, not of the physics {', '.join(sorted(engines))}."
-            c.number += 0 * (one[3] + two[3])  # NaN if one of both is
+            c.number += 0 * (one[3] + two[3])  # NaN if one of the two is NaN
             deck.contacts.append(c)
     for one in found if not deck.contacts else []:  # a model without a world
         a, b = Body(one[0]), Body("any")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Reads YADE's Python from its syntax tree. Nothing is executed; statements with constant values are interpreted."""
+"""Reads YADE's Python from its syntax tree. Does not execute the script; interprets statements of constants."""
 
 import ast
 import math
@@ -24,7 +24,7 @@ _OPERATORS: Dict[Any, Callable[..., Any]] = {
 }  # fmt: skip
 _MATH = {n: getattr(math, n) for n in "sqrt exp log log10 sin cos tan asin acos atan atan2 ceil floor radians".split()}
 _MATH.update(pow=math.pow, float=float, int=int, abs=abs, min=min, max=max, len=len, degrees=math.degrees)
-_MATH.update(toHP1=float, Real=float, radiansHP1=math.radians)  # of yade.math, which also accepts "0.3"
+_MATH.update(toHP1=float, Real=float, radiansHP1=math.radians)  # functions of yade.math, which also accept "0.3"
 _MATERIAL = {"young": 1e9, "poisson": 0.25, "density": 1000.0}  # defaults of YADE's classes
 _LOSSES: Tuple[str, ...] = ("DragEngine", "LinearDragEngine", "HydroForceEngine", "FlowEngine", "TwoPhaseFlowEngine")
 _LOSSES += ("ViscousForceEngine", "SPHEngine", "FluidDomain", "OpenFoamCoupling")
@@ -69,7 +69,7 @@ class Spheres:
 
 
 class Return(Exception):
-    """The end of a function, a loop's break or continue."""
+    """Raised at the end of a function, or by break or continue of a loop."""
 
 
 class Script:
@@ -178,7 +178,7 @@ class Script:
         return found.value if isinstance(found, Placed) else found
 
     def items(self, node: ast.AST) -> Any:
-        """Returns a loop's elements; for a SpherePack, (centre, radius) of its smallest and largest sphere."""
+        """Returns the elements of a loop; for a SpherePack (centre, radius) of its smallest and largest sphere."""
         of = self.value(node)
         is_pack = isinstance(of, Thing) and of.name == "SpherePack"
         return [(UNKNOWN, r) for r in of.values.get("radius", (NAN, NAN))] if is_pack else of
@@ -451,7 +451,7 @@ class Script:
             self.forget(statement)
 
     def forget(self, statement: ast.stmt) -> None:
-        """Makes the names unknown that a statement assigns."""
+        """Sets the names that a statement assigns to UNKNOWN."""
         for node in ast.walk(statement):
             if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
                 self.names[node.id] = UNKNOWN
@@ -703,7 +703,7 @@ class _Reader:
             c.unknown = f"cor does not support the contact of {' and '.join(dict.fromkeys(names))} by {functor.name}."
 
     def set_bonds(self, c: Contact, functor: Thing, strengths: Sequence[str], *materials: Optional[Thing]) -> None:
-        """Refuses contacts with a bond that pulls. A bond of the first step does not act on later contacts."""
+        """Refuses contacts with a bond that can pull. A bond of the first step only does not act on later contacts."""
         strong = any(m is None or m.values.get(key, -1) != 0 for m in materials for key in strengths)
         if strong and all(m and m.values.get("isCohesive") is not False for m in materials):
             new, now = (functor.values.get(f"setCohesion{when}", False) for when in ("OnNewContacts", "Now"))
@@ -795,7 +795,7 @@ class _Reader:
         return made
 
     def strange_matches(self, functor: Thing) -> None:
-        """Adds the pairs of a MatchMaker whose materials are not in the text, named by number."""
+        """Adds the pairs of a MatchMaker whose materials are not in the text. Their numbers are their names."""
         maker = functor.values.get("en")
         if not (isinstance(maker, Thing) and maker.name == "MatchMaker" and functor.name.endswith("MindlinPhys")):
             return

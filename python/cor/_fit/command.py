@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""cor fit: models of restitution fitted to measured bounces."""
+"""Implements cor fit, which fits models of restitution to measured bounces."""
 
 import argparse
 import io

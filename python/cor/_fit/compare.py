@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Fits several models to the same data, ranks them by AIC, judges them, and names outliers.
 
-A curve is judged by its p value. With given errors it is the tail of chi^2 with n - k degrees of freedom. Without them,
-and in the robust fit (with psi(z) instead of z), it is the tail of Fisher's F. The data form m = n/3 groups of
-neighbours in speed, with m between k + 1 and 12. F is
+A curve is judged by its p value. With given errors it is the tail of chi^2 with n - k degrees of freedom. Without
+given errors, and in the robust fit (with psi(z) instead of z), it is the tail of Fisher's F. The data form m = n/3
+groups of neighbours in speed, with m between k + 1 and 12. F is
 
     [sum over groups n_j mean_j^2/(m - k)]/[sum (z_i - mean_j)^2/(n - m)]
 """
@@ -20,7 +20,7 @@ from .likelihood import HUBER, LEAST_RESIDUAL, MANY, Field, Problem, Reduced, Sa
 from .models import POWER_LAW, Curve, Model
 
 SIGNIFICANCE = 0.01  # a curve with a smaller p value does not fit
-REACH = 67  # number of bounces after a time that still determine its error
+REACH = 67  # bounces up to this number after a time determine its error
 MAX_OUTLIERS = 8
 NO_SCATTER = 1e-12  # smaller residuals of eps are rounding, not errors
 NEAR = 2.0  # models whose AIC differs by less are equally good
@@ -33,14 +33,14 @@ class Estimate:
     problem: Problem
     theta: Floats
     minimum: float  # Q
-    scale: float  # s of the errors, times the root of the determinants for times and heights; nan if given
+    scale: float  # s of the errors, times the root of the determinants for times and heights; nan if errors are given
     intervals: Any = None  # [coordinate, level, side], infinite beyond the range of theta
     determined: Tuple[bool, ...] = ()  # False: the minimum is flat
     rms: float = math.nan
     chi2: float = math.nan
     p_value: float = math.nan
     p_of_chi2: bool = False
-    sigma: Tuple[float, float] = (math.nan, math.nan)  # sigma of a time or height, and of the scatter of eps
+    sigma: Tuple[float, float] = (math.nan, math.nan)  # sigma of a time or height, and sigma of the scatter of eps
     aic: float = math.nan
 
     @property
@@ -63,7 +63,7 @@ class Setup(NamedTuple):
 def estimate(
     curve: Curve, sample: Sample, setup: Setup, whole: bool = True, near: Optional[Estimate] = None
 ) -> Optional[Estimate]:
-    """Fit a curve; None with too few points. whole: also intervals and p value. near: a fit of nearly equal data."""
+    """Fit a curve; None with too few points. whole: also intervals and p value. near: a fit of nearly the same data"""
     parameters = len(curve.kinds) + len(setup.free)
     if sample.size <= parameters:
         return None
@@ -166,13 +166,13 @@ def _judge(e: Estimate) -> None:
 
 @dataclass
 class Comparison:
-    """The fits of the models, the least AIC first. Equal AICs are in the order of the models."""
+    """The fits of the models, the least AIC first. Fits with equal AIC are in the order of the models."""
 
     fits: List[Tuple[Model, Estimate]] = field(default_factory=list)
     too_many_parameters: int = 0  # models omitted because the points are too few
 
     def best(self) -> Optional[Tuple[Model, Estimate]]:
-        """Return the simplest model that fits with an AIC less than NEAR above the least AIC of fitting models."""
+        """Among the models that fit, with an AIC less than NEAR above the least, return the simplest one."""
         fitting = [fit for fit in self.fits if not math.isnan(fit[1].p_value) and fit[1].fits]
         near = [fit for fit in fitting if fit[1].aic < fitting[0][1].aic + NEAR]
         return min(near, key=lambda fit: fit[1].parameters) if near else None
@@ -214,8 +214,8 @@ class Outlier(NamedTuple):
 
 
 def distances(e: Estimate) -> Tuple[Ints, Floats]:
-    """Return the lines and their distances from the curve in standard deviations. For points: (eps - eps(v))/s. For
-    times, and heights of one drop: the number's error over its s, as determined by the later bounces of the drop."""
+    """Return the lines and their distances from the curve in standard deviations. For a point: (eps - eps(v))/s. For a
+    time or a height of a drop: its error over s, where the drop's later bounces determine the error."""
     p, sample, n = e.problem, e.problem.sample, e.problem.size
     theta = finite_theta(e)
     if not sample.is_chain:
@@ -229,7 +229,7 @@ def distances(e: Estimate) -> Tuple[Ints, Floats]:
     place = np.where(numbers < 0, -1, numbers - np.where(numbers[0] < 0, numbers[1], numbers[0])[start][drop])
     known, at = np.unique(numbers, return_index=True)
     known, at = known[known >= 0], at[known >= 0]
-    groups = int(place.max()) // REACH + 1  # of a drop: numbers REACH apart do not affect each other
+    groups = int(place.max()) // REACH + 1  # number of groups in a drop: numbers REACH apart do not affect each other
     found = np.empty(known.size)
     for colour in range(min(REACH, int(place.max()) + 1)):
         use = (place >= 0) & (place % REACH == colour)
@@ -256,9 +256,9 @@ def _squares(e: Estimate) -> float:
 def find_outliers(data: Data, sample: Sample, models: Sequence[Model], setup: Setup, progress: Any) -> List[Outlier]:
     """Return the lines that are too far from the curve of the first model of the robust fits. The line farthest from
     the robust fit is removed while n normal errors would reach that distance with a probability below 1/20. At most
-    MAX_OUTLIERS and a fourth of the points are removed. Then the nearest is restored while its probability, Student's t
-    times the number of lines, is SIGNIFICANCE or more. Given errors have the normal tail. If they are too small for the
-    other points, too, they are first scaled to chi^2 = n - k."""
+    MAX_OUTLIERS and a fourth of the points are removed. Then the removed line nearest to the curve is restored, as
+    long as its probability, Student's t times the number of lines, is at least SIGNIFICANCE. Given errors have the
+    normal tail. If the given errors are also too small for the other points, they are first scaled to chi^2 = n - k."""
     if sample.size > MANY:
         return []
     special = scipy("special")
@@ -285,7 +285,7 @@ def find_outliers(data: Data, sample: Sample, models: Sequence[Model], setup: Se
         if here.size * special.erfc(abs(found[k]) / math.sqrt(2)) > 0.05:
             break
         left_out.append(Outlier(int(lines[k]), float(found[k])))
-        if rest().size < 3 * sample.size // 4:  # too many: the last one is not removed
+        if rest().size < 3 * sample.size // 4:  # too many points would be removed: keep the last one
             left_out.pop()
             break
     count = sample.numbers
@@ -320,7 +320,7 @@ def find_outliers(data: Data, sample: Sample, models: Sequence[Model], setup: Se
 
 
 def _on(p: Problem, sample: Sample) -> Problem:
-    """Return the problem of this curve and noise with other bounces."""
+    """Return the same problem, with its curve and noise, for other bounces."""
     made = Problem(p.curve, sample, p.field, p.free, p.robust)
     made.scale, made.log_ratio = p.scale, p.log_ratio + math.log(made.mean_square / p.mean_square)
     return made

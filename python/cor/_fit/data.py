@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Measured bounces as the reader (records) passes them to the fit: SI units, in the order of the file."""
+"""Defines measured bounces, which the reader (records) passes to the fit: in SI units and in the order of the file."""
 
 from dataclasses import dataclass, replace
 from typing import Any, Dict, Optional, Tuple, Union
@@ -16,24 +16,24 @@ MAX_FLIGHT_RATIO = 1.2  # noise of a flight or a rebound may raise eps up to thi
 
 
 class DataError(ValueError):
-    """Data that cannot be read. The text names line and column, the allowed values and an example."""
+    """Raised for data that cannot be read. The text names line and column, the allowed values and an example."""
 
 
 @dataclass(frozen=True)
 class Points:
-    """Impacts with measured speed and eps. Speeds in and out are Points, too."""
+    """Impacts with measured speed and eps, or with measured speeds before and after."""
 
     speed_m_s: Floats
     eps: Floats
     sigma: Optional[Floats]  # standard deviation of eps
     line: Ints
     ball: Ints  # index in Data.balls
-    run: Tuple[str, ...]  # of each point; empty without such a column
+    run: Tuple[str, ...]  # run of each point; empty without such a column
 
 
 @dataclass(frozen=True)
 class Heights:
-    """Drops from a height, each with the height of its first rebound. Drag changes the speeds that follow from them."""
+    """Drops from a height, each with the height of its first rebound. The speeds depend on the drag, too."""
 
     drop_m: Floats
     rebound_m: Floats
@@ -46,19 +46,19 @@ class Heights:
 
 @dataclass(frozen=True)
 class Times:
-    """Drops whose bounces have times. Drop k has the elements start[k] to start[k + 1] - 1 of time_s and line."""
+    """Drops with measured times of bounces. Drop k has the elements start[k] to start[k + 1] - 1 of time_s and line."""
 
     time_s: Floats  # ascending within a drop, any origin
     line: Ints
     start: Ints
-    height_m: Floats  # of each drop: the height above the ground from which the ball fell; nan: unknown
+    height_m: Floats  # for each drop, the height above the ground from which the ball fell; nan: unknown
     ball: Ints  # of each drop
-    run: Tuple[str, ...]  # of each drop; empty without such a column
+    run: Tuple[str, ...]  # run of each drop; empty without such a column
 
 
 @dataclass(frozen=True)
 class Apexes:
-    """Drops whose apexes have heights: element start[k] of height_m is the drop height, the others are rebounds."""
+    """Drops with heights of apexes. Element start[k] of height_m is the drop height of drop k; rebounds follow."""
 
     height_m: Floats
     sigma_m: Optional[Floats]
@@ -72,7 +72,7 @@ class Apexes:
 class Data:
     """A file or arrays. balls is empty without a column ball; then every ball index is 0."""
 
-    name: str  # for messages: a path, "standard input", "the data frame"
+    name: str  # name in messages: a path, "standard input", "the data frame"
     record: Union[Points, Heights, Times, Apexes]
     balls: Tuple[str, ...] = ()
     unused: Tuple[str, ...] = ()  # names of the columns that are not read
@@ -100,7 +100,7 @@ class Data:
 class Form:
     """The format of the source."""
 
-    unit: Optional[str] = None  # of speeds, heights or times whose columns name no unit: "cm/s", "cm", "ms"
+    unit: Optional[str] = None  # unit of speeds, heights or times whose columns name no unit: "cm/s", "cm", "ms"
     separator: Optional[str] = None  # one of , ; tab; None: the most frequent one in the first row
     decimal_comma: bool = False
     drop_height_m: Optional[float] = None  # of every drop

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Finds the least Q of a curve, and profile-likelihood intervals of its coordinates.
 
-The interval of a coordinate has the values at which the least Q over the others exceeds the minimum by at most z^2
-(errors given). If errors are unknown it is t^2 s^2, with Student's t of n - k degrees of freedom. In the robust fit
-this threshold is multiplied by Huber's factor [sum psi^2/(n - k)]/[sum psi'/n]. The search for an end of the 95 %
-interval starts at the end of the 68 % interval, so that one contains the other.
+In the interval of a coordinate, the least Q over the others exceeds the minimum by at most a threshold. It is z^2 if
+errors are given, otherwise t^2 s^2, with Student's t of n - k degrees of freedom. In the robust fit the threshold is
+multiplied by Huber's factor [sum psi^2/(n - k)]/[sum psi'/n]. The search for an end of the 95 % interval starts at
+the end of the 68 % interval, so that the first interval contains the second.
 """
 
 import math
@@ -111,7 +111,7 @@ def _starts(p: Problem, extra: Sequence[float]) -> List[List[float]]:
 
 
 def _lines(p: Problem, extra: Sequence[float]) -> List[List[float]]:
-    """Return the weighted mean, or both this and the line of ln eps over ln v with weights eps^2/sigma^2."""
+    """Return starts: the weighted mean for a constant, otherwise the line of ln eps over ln v, and the mean."""
     flights = p.at(np.array([*([0.0] * len(p.curve.kinds)), *extra]))
     eps, weight = flights.eps, (p.spread(flights) * np.ones(p.size)) ** -2
     if p.curve is CONSTANT:
@@ -230,8 +230,8 @@ def covariance_of(p: Problem, theta: Floats) -> Any:
 def interval_ends(
     p: Problem, theta: Floats, j: int, sign: int, minimum: float, targets: Sequence[float], covariance: Any
 ) -> List[float]:
-    """Return the ends of the intervals of coordinate j on one side. There the square root of the excess of the profile
-    over the minimum reaches the targets; this root is nearly linear."""
+    """Return the ends of the intervals of coordinate j on one side. At an end, the square root of the profile's excess
+    over the minimum, which is nearly linear, reaches a target."""
     ways, width = covariance[j] / covariance[j, j], math.sqrt(covariance[j, j])
     limit = p.high[j] if sign > 0 else p.low[j]
     inside, others = theta.copy(), _other_starts(p, theta, j)
@@ -279,7 +279,7 @@ def interval_ends(
 
 
 def _other_starts(p: Problem, theta: Floats, j: int) -> Callable[[float], List[Floats]]:
-    """Return a function that finds starts for the other of two coordinates on a grid. Its minimum may jump."""
+    """Return a function that finds starts for the other of two coordinates on a grid: the minimum may jump."""
     if p.curve.start != "grid" or p.parameters != 2 or p.scatters:
         return lambda x: []
     _, q = _coarse(p, 250, [])
@@ -336,7 +336,7 @@ def find_intervals(p: Problem, theta: Floats) -> Tuple[Floats, float, Any]:
 
 
 def _level_ends(p: Problem, theta: Floats, minimum: float, unit: float, found: Any) -> Floats:
-    """Move the minimum to an end of a range, which means 0 or infinity, if Q is flat up to that end."""
+    """Move the minimum to the end of a range, where a parameter is 0 or infinite, if Q is flat up to that end."""
     for j, side in zip(*np.nonzero(np.isinf(found[:, 0]))):
         if p.kinds[j] == "log" and np.isfinite(found[j, 0, 1 - side]):
             place = theta.copy()

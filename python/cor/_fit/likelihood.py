@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The residuals of a curve, whitened by the covariance of the measured times or heights.
 
-Bounce k is between two flights: it has the impact speed v_k and eps_k = u_(k+1)/v_k. The fit minimises Q, the sum of
-squares of z. Points have z_k = r_k/sigma_k for the residual r_k = eps_k - eps(v_k). For times, c_k = v_k dT/du at
-flight k + 1 makes r_k an error of the time at its end. To first order in the errors e of the times
+Bounce k is between two flights. It has the impact speed v_k, the rebound speed u_(k+1) and eps_k = u_(k+1)/v_k. The
+fit minimises Q, the sum of squares of z. Points have z_k = r_k/sigma_k for the residual r_k = eps_k
+- eps(v_k). For times, c_k = v_k dT/du at flight k + 1 makes r_k an error of the time at its end. To first order in
+the errors e of the times
 
     c_k r_k = e_(k+2) - (1 + a_k) e_(k+1) + a_k e_k + c_k h_k,   a_k = (dT/du)_(k+1) (dv/dT)_k (eps + d eps/d ln v)(v_k)
 
@@ -28,7 +29,7 @@ HUBER = 1.345
 LEAST_RESIDUAL = float(np.finfo(float).eps)  # smaller residuals are raised to this value, so that AIC is finite
 SLOPE_STEP = 1e-4  # in ln v
 STEEPEST = 5.0  # eps + d eps/d ln v; above, where eps drops to 0, errors are not of first order
-LOG_RATIO = (math.log(1e-10), math.log(1e8))  # of lambda times the mean square of c
+LOG_RATIO = (math.log(1e-10), math.log(1e8))  # range of ln(lambda times the mean square of c)
 MANY = 20000  # bounces; more are reduced to a basis of curves
 
 
@@ -94,7 +95,7 @@ class Field(NamedTuple):
 
     @classmethod
     def of(cls, gravity: float, ball: Dict[str, float], air_density: float, **drag: Any) -> "Field":
-        """ball: of mass, density, radius and diameter those known. drag: drag_coefficient, terminal_speed, fit_drag."""
+        """ball: known mass, density, radius, diameter. drag: drag_coefficient, terminal_speed, fit_drag"""
         given = [name for name, value in drag.items() if value is not None and value is not False]
         if len(given) > 1:
             raise ValueError(f"{given[1]}: not with {given[0]}; allowed: one of them")
@@ -123,12 +124,12 @@ class Flights(NamedTuple):
     log_speed: Floats
     eps: Floats
     weight: Floats  # c
-    gain: Floats  # a over eps + d eps/d ln v
-    order: Ints  # of the speeds; equal speeds in the order of the file
+    gain: Floats  # a divided by eps + d eps/d ln v
+    order: Ints  # order of the speeds; equal speeds in the order of the file
 
 
 class Sample:
-    """The bounces of a record. without: lines that are omitted with the bounces that need them."""
+    """The bounces of a record. without: lines to omit, together with the bounces that need them"""
 
     def __init__(self, data: Data, without: Sequence[int] = ()) -> None:
         record = data.record
@@ -286,7 +287,7 @@ class Problem:
         return flights.weight * (flights.eps - eps[:n]), flights.weight, flights.gain * slope
 
     def factor(self, weight: Floats, a: Floats, ratios: Sequence[float]) -> Tuple[Any, Any]:
-        """Return L, as blocks of one matrix, and ln det W for each lambda; nan if a W is not positive."""
+        """For each lambda, return L, as blocks of one matrix, and ln det W; nan if W is not positive definite."""
         n, sample = self.size, self.sample
         band: Any = np.zeros((len(ratios), n, 3))
         if sample.is_times:
@@ -311,7 +312,7 @@ class Problem:
         return determinant, z.reshape(-1, self.size)
 
     def z_at(self, parts: Tuple[Floats, Floats, Floats], log_ratios: Any) -> Floats:
-        """Return z with the determinants, for each ln of lambda times the mean square of c."""
+        """Return z, including the determinants. log_ratios: logarithms of lambda times the mean square of c"""
         if not self.sample.scatters:
             return self.whiten(parts, [0.0])[1]
         determinant, z = self.whiten(parts, [0.0, *(math.exp(u) / self.mean_square for u in log_ratios)])
@@ -359,8 +360,8 @@ class Problem:
         return np.where(np.isnan(found), math.inf, found)
 
     def set_noise(self, theta: Floats) -> None:
-        """Set the least scale and its lambda. Errors of times and scatter of bounces may both be likely, so each local
-        minimum of a scan is refined. A median has many minima by chance; of these only the lowest is refined."""
+        """Set the least scale and its lambda. Errors of times and scatter of bounces may both explain the data, so each
+        local minimum of a scan is refined. A median has many minima by chance; only the lowest is refined."""
         parts = self.parts(theta)
         if not self.scatters:
             self.scale = float(self.scale_of(parts[0]))

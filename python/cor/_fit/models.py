@@ -34,9 +34,9 @@ class Curve:
     name: str
     eps: Callable[[Any, Floats], Any]
     kinds: Tuple[str, ...]
-    ranges: Callable[[float, float], Ranges]  # of theta, for speeds from exp(least) to exp(most)
+    ranges: Callable[[float, float], Ranges]  # ranges of theta, for speeds from exp(least) to exp(most)
     start: str  # "lines", "scan", "grid" or "given"
-    dry: Optional["Curve"] = None  # the curve without the loss
+    dry: Optional["Curve"] = None  # the curve without adhesion or liquid
     given: Tuple[float, ...] = ()  # the start of a user's function
 
 
@@ -106,7 +106,7 @@ def _adhesive(dry: Curve) -> Curve:
 
 
 def _wet(dry: Curve) -> Curve:
-    """Return the curve if a liquid takes s = exp(theta_1) off the speed both ways: (eps(v - s) (v - s) - s)/v."""
+    """Return the curve if a liquid reduces the speed by s = exp(theta_1) on each way: (eps(v - s) (v - s) - s)/v."""
 
     def eps(theta: Any, x: Floats) -> Any:
         ratio = np.exp(theta[1] - x)
@@ -247,7 +247,7 @@ class Model:
     plain: Tuple[Parameter, ...]
     with_bodies: Optional[WithBodies] = None
     replaced: int = 0
-    is_contact: bool = True  # False: a formula without a contact
+    is_contact: bool = True  # False: a formula without a law of contact
 
     @property
     def title(self) -> str:
@@ -265,7 +265,7 @@ def _models() -> List[Model]:
     ends = {"zero-overlap": SPHERE_ZERO_OVERLAP, "zero-force": SPHERE_ZERO_FORCE}
     g_star, adhesion, liquid = _g_star(), _power("adhesion_speed_m_s"), _power("liquid_speed_m_s")
     dry, zener = _plain("eps_dry"), _power("zener_lambda_at_1_m_s", 1.5)
-    # of one unit of the parameter; v_y is proportional to the power 5/2 of the yield stress
+    # for one unit of the parameter; v_y is proportional to the power 5/2 of the yield stress
     plate = {"law": "plate", "plate_thickness": 1.0}
     dashpot = {"law": "hertz-dashpot", "damping_coefficient": 1.0}
     plastic = {"law": "elastic-plastic", "yield_stress": 1e6}
@@ -312,7 +312,7 @@ def function_model(function: Callable[..., Any]) -> Model:
 
 
 def choose(names: Any, end: Optional[str]) -> List[Model]:
-    """Return the models of "viscoelastic,power-law", a list, or "all" that have the end. Functions are models."""
+    """Return the models with this end. names: "viscoelastic,power-law", a list, or "all"; a function is a model, too"""
     allowed = list(dict.fromkeys(model.name for model in MODELS))
     chosen = names.split(",") if isinstance(names, str) else [names] if callable(names) else list(names)
     for name in chosen:

@@ -50,7 +50,7 @@ def _limits(values: Floats, pad: float) -> Any:
 
 
 def draw(result: Any, group: str = "", every: bool = False) -> Any:
-    """Return a figure of Matplotlib. every: also draw the other models."""
+    """Return a Matplotlib figure. every: also draw the other models"""
     model, best = result.find(group=group)
     flights, errors = best.problem.at(finite_theta(best)), _errors(best)
     order = np.argsort(flights.speed)
@@ -99,6 +99,6 @@ def draw(result: Any, group: str = "", every: bool = False) -> Any:
 
 
 def save(figure: Any, file: Any, form: str) -> None:
-    """Write a figure, with equal bytes at each call."""
+    """Write a figure with reproducible bytes."""
     with _module("matplotlib").rc_context({"svg.hashsalt": "cor", "svg.fonttype": "none", "pdf.fonttype": 42}):
         figure.savefig(file, format=form, dpi=200, metadata=FORMATS[form])

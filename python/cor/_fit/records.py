@@ -54,7 +54,7 @@ for _key, _dimension, _least, *_names in map(str.split, ROWS.splitlines()):
     QUANTITIES[_key] = Quantity(_dimension, _names, float(_least))
     QUANTITIES[_key + "_sigma"] = Quantity(_dimension, [n + "sigma" for n in _names], 1e-30)
 SIGMA_WORDS = "sigma std stdev stddev sd sem err error errors uncertainty unc σ delta standarddeviation standarderror"
-# A kind of record, the columns that it needs, and optional ones. A kind has priority over the kinds below it.
+# Each kind of record: its required and its optional columns. A kind has priority over the kinds below it.
 KINDS: List[Tuple[str, List[str], List[str]]] = [
     ("points", ["speed", "eps"], ["eps_sigma"]),
     ("speeds", ["speed", "speed_out"], ["speed_sigma", "speed_out_sigma"]),
@@ -84,7 +84,7 @@ def _plain(name: str) -> str:
 
 def _split_name(name: str) -> Tuple[str, Optional[str]]:
     """Return the plain name without its unit, and the unit, or None if the name has no unit. "Latest: Time (s)" and
-    "Time (s) Run #1" are plainly time."""
+    "Time (s) Run #1" have the plain name "time"."""
     name = re.sub(r"\s+Run #?\d+$", "", name.strip()).rpartition(": ")[2]
     found = _UNIT_END.match(name)
     if not found or (found["end"] == "in" and _plain(found["base"]) in QUANTITIES["speed"].names):  # v_in
@@ -112,11 +112,11 @@ class Table:
         self.name, self.word, self.form = name, word, form
         self.header: List[str] = []
         self.separator = form.separator or ""
-        self.columns: List[Any] = []  # of texts, or arrays
+        self.columns: List[Any] = []  # lists of texts, or arrays
         self.line: Ints = np.zeros(0, dtype=np.int64)
         self.header_line = self.last_line = 1
         self.found: Dict[str, int] = {}  # the column of a quantity
-        self.factor: Dict[str, float] = {}  # from its unit to SI
+        self.factor: Dict[str, float] = {}  # factor from its unit to SI
         self.remarks: List[str] = []
 
     def refuse(self, line: int, key: Optional[str], why: str) -> NoReturn:
@@ -269,7 +269,7 @@ def _read_csv(table: Table, file: Any, progress: Callable[[str], None]) -> None:
 
 def _find_names(table: Table, number: int, lines: List[str]) -> int:
     """Set the names of the columns. Return the number of lines above the rows of numbers, or 0 if there are only
-    comments. Rows above the names, as in files of Tracker or Logger Pro, are not read. Units may have a row below."""
+    comments. Rows above the names, as in files of Tracker or Logger Pro, are not read. Units may follow in a row."""
     rows = [(at, line) for at, line in enumerate(lines[:MAX_ABOVE], 1) if _split(table, number + at, line, ",")]
     if not rows:
         return 0
@@ -388,7 +388,7 @@ def _factor(table: Table, key: str, unit: Optional[str], given: Dict[str, str], 
 
 
 def _near_name(plain: str, missing: List[str], kind: str) -> Optional[str]:
-    """Return the name of the missing column that nearly matches this name."""
+    """Return the missing column whose name is nearly this name."""
     for key in missing:
         names, words = QUANTITIES[key].names, SIGMA_WORDS.split()
         bases = [n[: -len("sigma")] for n in names] + [""] * (key in ("eps_sigma", "h1_sigma", "h_sigma"))
@@ -413,7 +413,7 @@ def _starts(ball: Ints, run: List[str]) -> Ints:
 
 
 def _refuse_gain(table: Table, key: str, eps: Floats, rows: Optional[Ints] = None) -> None:
-    """Refuse the first rebound whose gain is too large for noise."""
+    """Refuse the first rebound whose eps is above 1 by more than noise explains."""
     for at in np.flatnonzero(eps > MAX_FLIGHT_RATIO):
         why = f"the rebound makes eps = {eps[at]:.4g}; allowed: eps up to 1, and by noise up to {MAX_FLIGHT_RATIO}"
         table.refuse_row(int(at if rows is None else rows[at]), key, why)
@@ -460,7 +460,7 @@ def _heights(table: Table, ball: Ints, run: List[str]) -> Heights:
 
 
 def _times(table: Table, ball: Ints, run: List[str], key: str) -> Times:
-    """Return the drops of times, or of intervals, whose sums from 0 are times."""
+    """Return the drops of measured times. Intervals are summed from 0 to times."""
     time, start = table.numbers(key), _starts(ball, run)
     first, row = start[:-1], np.arange(len(time))
     height = _drop_heights(table, len(time))[first]

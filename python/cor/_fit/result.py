@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""cor.fit and its result: parameters, verdict, predictions, commands."""
+"""Implements cor.fit and its result: parameters, verdict, predictions, commands."""
 
 import math
 from dataclasses import dataclass
@@ -226,7 +226,7 @@ class Result:
     # ---- predictions ----
 
     def _region(self, model: Model, e: Estimate, group: str) -> List[List[Floats]]:
-        """Return, for each level, points on the boundary of the region of theta whose projections are the intervals."""
+        """For each level, return points on the boundary of a region of theta. Its projections are the intervals."""
         key = (group, id(e))
         if key in self._regions:
             return list(self._regions[key])
@@ -271,7 +271,7 @@ class Result:
         self, speed_m_s: Any, model: Optional[str] = None, *, end: Optional[str] = None, group: str = ""
     ) -> Any:
         """Return eps at impact speeds, m/s, with its intervals: a record array with the fields speed_m_s, eps, low_68,
-        high_68, low_95, high_95. The uncertainty of all parameters is carried to eps. model: as in find."""
+        high_68, low_95, high_95. The intervals include the uncertainty of all parameters. model: as in find."""
         chosen, e = self.find(model, end, group)
         speed = np.asarray(speed_m_s, np.float64)
         if not np.all((speed > 0) & np.isfinite(speed)):

@@ -14,7 +14,7 @@ ALLOWED = "a track of at least three bounces with the heights upward, 4 samples 
 
 
 class Bounces(NamedTuple):
-    """time_s: of the bounces; row: the lowest sample of each; gravity_m_s2: from the curvature of the flights."""
+    """time_s: times of the bounces; row: the lowest sample of each; gravity_m_s2: from the curvature of the flights"""
 
     time_s: Floats
     row: Ints
@@ -38,7 +38,7 @@ def _crossing(first: "np.poly1d", second: "np.poly1d", near: float) -> float:
 
 
 def find_bounces(time: Floats, height: Floats) -> Bounces:
-    """Fit a polynomial to each flight. A bounce is where two meet. Raise ValueError with the allowed input."""
+    """Fit a polynomial to each flight. Two flights meet at a bounce. Raise ValueError with the allowed input."""
     bend = np.diff(height, 2)
     if len(bend) < 3 * LEAST_SAMPLES:
         raise ValueError(f"{len(height)} samples of the height are too few; allowed: {ALLOWED}")
