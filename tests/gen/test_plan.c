@@ -358,6 +358,26 @@ TEST(test_disks)
     plan_clear(&plan);
 }
 
+/* A model that has no value at one of the speeds, the first and the last included */
+TEST(test_missing_value)
+{
+    for (slong missing = 0; missing < 4; missing++) {
+        struct plan plan;
+        plan_init(&plan, 4, 0.1, 1);
+        plan.tolerance = 1e-3;
+        struct plan_model *const model = plan_add(&plan, "model %d", 1);
+        for (slong i = 0; i < 4; i++) {
+            plan.truth[i] = 0.5;
+            if (i != missing)
+                model->value[i] = 0.5;
+        }
+        plan_model_is(&plan, model, 1, "", NULL);
+        plan_choose(&plan);
+        assert_true(model->verdict == PLAN_OUTSIDE && model->worst_at == missing && plan.chosen == -1);
+        plan_clear(&plan);
+    }
+}
+
 TEST(test_contact_time)
 {
     leave_to_turn(2, 3);
