@@ -103,8 +103,8 @@ check_ctest() {
     [[ $log == *"tests passed"* ]] || bad "$1 ctest" "$log"
 }
 
-# stage NAME...: begins a stage, which lasts until the next stage or summary. summary shows the seconds of each, and
-# the processor seconds of the processes that ended in it.
+# stage NAME...: begins a stage, which ends at the next stage or summary. The summary shows the seconds of each stage,
+# and the processor seconds of the processes that ended in it.
 stages=()
 stage_name=
 stage() {

@@ -6,7 +6,7 @@
 #     ```c                     a program, after a line <!-- NAME.c -->, or lines that replace the loop in the
 #     ```                      page's first program; its output, if shown, is the next indented block
 #
-# samples_of PAGE [NEW-PAGE]: one verdict for each example; NEW-PAGE becomes the page with the current outputs.
+# samples_of PAGE [NEW-PAGE]: gives one verdict for each example; writes the page with the current outputs to NEW-PAGE.
 
 # sample_output COMMAND: runs it in the shell, in a folder like the reader's, and prints the output.
 sample_output() {

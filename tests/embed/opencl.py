@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A scene header in OpenCL C, after the lines in docs/embed.md, gives the bits of C on the first available device.
+"""Tests that a header in OpenCL C, after the lines in docs/embed.md, gives the bits of C on the first device.
 
     python3 opencl.py HEADER FUNCTION double|float FOLDER      FOLDER: where a library in C may be written
 """

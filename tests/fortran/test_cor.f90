@@ -1,5 +1,5 @@
-! SPDX-License-Identifier: MIT
-! The Fortran module: values of each kind of function, against independently known numbers and against the loops of C.
+! SPDX-License-Identifier: MIT Tests the Fortran module: values of each kind of function against independently known
+! numbers and the loops of C.
 program test_cor
   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_float, c_int, c_loc, &
     c_null_char, c_null_funptr, c_null_ptr, c_ptr, c_size_t
@@ -57,7 +57,7 @@ contains
     call expect('no element', all(y < 0))
   end subroutine
 
-  ! Every function of the table, as a number, as an array, in float and by its pointer
+  ! Calls every function of the table with a number, with an array, in float and by its pointer.
   subroutine laws()
     real(c_double) :: x(3), y(3), z(3)
     real(c_float) :: yf(3)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Tests for tests/mutation/run that are not programs of ctest: guard.sh NAME, in a copy of the sources.
 case $1 in
-# Gappa proves these quickly: a goal of each kind, and the sums that goals.cpp compares with the bounds of cor/contact.h
+# Gappa proves these quickly: a goal of each kind, and the sums that are compared with the bounds of cor/contact.h
 proof) goals=('loss_zero_overlap_0004*' eps_zero_overlap_0006 pair_times log_0003 contact_beta) ;;
 disk_goals) goals=(disk_far_0500 disk_step_03 disk_newton_03 disk_one_plus_series) ;;
 disk_bounds)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The bits of every public function: bits FILE DRAWS calls each with DRAWS times 150 arguments, and writes a line
- * "FUNCTION BITS" for each result, in hexadecimal. */
+/* Writes the bits of the results of every public function. `bits FILE DRAWS` calls each function with DRAWS times 150
+ * arguments, and writes a line "FUNCTION BITS" for each result, in hexadecimal. */
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -24,7 +24,7 @@ int main(int argc, char **argv)
             public_functions[f].call(&a, &r);
         }
         for (size_t i = 0; i < r.count; i++) {
-            uint64_t bits = UINT64_C(0x7ff8000000000000); /* every NaN counts as one */
+            uint64_t bits = UINT64_C(0x7ff8000000000000); /* all NaN count as equal */
             if (!isnan(r.value[i]))
                 memcpy(&bits, &r.value[i], sizeof bits);
             fprintf(file, "%s %08lx%08lx\n", public_functions[f].name, (unsigned long)(bits >> 32),

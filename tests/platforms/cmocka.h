@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The parts of cmocka that tests/unit/ uses, for platforms without a package of cmocka. Every test runs. A failed
- * assertion and skip() end their test. The program's status is the number of failed tests. */
+/* Implements the parts of cmocka that tests/unit/ uses, for platforms without a package of cmocka. All tests run; a
+ * failed assertion or skip() ends only its own test. The program's status is the number of failed tests. */
 #ifndef COR_TESTS_PLATFORMS_CMOCKA_H
 #define COR_TESTS_PLATFORMS_CMOCKA_H
 

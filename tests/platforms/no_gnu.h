@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* If included before a source file of the runtime, hides from gcc all parts that the runtime uses only where __GNUC__
- * is defined, such as vectors and attributes. The C library's headers need __GNUC__ and come first. */
+/* Included before a source file of the runtime, this file hides __GNUC__, so that gcc compiles the file without the
+ * parts that need it, such as vectors and attributes. The C library's headers need __GNUC__ and come first. */
 #ifndef COR_TESTS_PLATFORMS_NO_GNU_H
 #define COR_TESTS_PLATFORMS_NO_GNU_H
 

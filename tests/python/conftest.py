@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The C compiler, with which tests use the headers and the library without the package.
+"""Provides the C compiler, with which tests use the headers and the library without the package.
 
 COR_TEST_PREFIX names the prefix of an installed static cor.
 """
@@ -19,7 +19,7 @@ MODULES = (cor.contact, cor.disk, cor.law, cor.sphere, cor.status, cor.version)
 
 
 def module_of(c_name):
-    """Returns the module that has a function of C, and its name there; found only by names."""
+    """Returns the module with a function of C, and the function's name there. Searches only by names."""
     for module in MODULES:
         for prefix in (f"cor_{module.__name__.split('.')[1]}_", "cor_"):
             if c_name.startswith(prefix) and c_name[len(prefix) :] in module.__all__:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Optional arguments, each of which has an effect, and arguments of other kinds than numbers and arrays."""
+"""Tests that each optional argument has an effect, and arguments of other kinds than numbers and arrays."""
 
 import _thread
 import inspect

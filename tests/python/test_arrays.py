@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Shapes, dtypes, layouts and out=, as in NumPy's own functions."""
+"""Tests shapes, dtypes, layouts and out=, which work as in NumPy's own functions."""
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ GLASS = cor.Body(70e9, 0.22, 4e-7, 5e-3, 1e-3)
 
 
 def eps(beta):
-    """One element at a time."""
+    """Computes eps of one element at a time."""
     return np.vectorize(lambda b: float(cor.sphere.eps_zero_force(float(b))), otypes=[float])(beta)
 
 
@@ -46,7 +46,7 @@ def test_layouts():
         result = cor.sphere.eps_zero_force(array)
         assert result.shape == array.shape and result.dtype == np.float64
         np.testing.assert_array_equal(result, eps(array))
-    # C reads no double at an odd address, although many processors would allow it
+    # C must not read a double at an odd address, although many processors allow it
     assert prepared_array(unaligned, np.dtype(np.float64)).flags.aligned
     assert prepared_array(X, np.dtype(np.float64)) is X
 
@@ -68,7 +68,7 @@ def test_dtypes():
 
 
 def test_numbers_alone():
-    """Numbers go to C without arrays; test_bits.py tests them for all functions of one and of two numbers."""
+    """Numbers reach C without arrays; test_bits.py tests them for all functions of one or two numbers."""
     contact = cor.contact.sphere_contact_init(GLASS, GLASS)
     for function, count in (
         (lambda g: cor.contact.duration_s_zero_overlap(contact, g), 1),

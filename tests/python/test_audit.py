@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""cor audit: all decks of tests/audit, against results of simulators, closed forms and the recorded rows.
+"""Tests cor audit on all decks of tests/audit, against results of simulators, closed forms and the recorded rows.
 
 The first line of a deck names the public input that it follows, its licence, and options of cor audit.
     python3 tests/python/test_audit.py     writes tests/audit/expected.csv and the table of docs/audit.md
@@ -139,8 +139,8 @@ def eps(z, end):
 
 
 def test_closed_forms(audited):
-    """eps of each requested e, by the formula in a paper or a page of the simulator. Thornton's is within 3e-4 up to
-    0.9 and within 0.008 above."""
+    """eps of each requested e agrees with the formula in a paper or a page of the simulator. Thornton's is within 3e-4
+    up to 0.9 and within 0.008 above."""
     count = 0
     for deck, (_, rows) in audited.items():
         for row in rows:
@@ -166,7 +166,7 @@ def test_closed_forms(audited):
 
 
 def test_dashpots(audited):
-    """eps by mass, stiffness and the closed form, if the deck gives a dashpot."""
+    """If the deck gives a dashpot, eps follows from mass, stiffness and the closed form."""
     pi = math.pi
     wanted = {
         ("lammps-pour.lmp", "1-1"): 25 * math.sqrt(pi / 12 / 2000),
@@ -203,7 +203,7 @@ VISCOUS = (
     ],
 )
 def test_reasons(tmp_path, old, new, reason):
-    """YADE: the missing number, the numbers of yade.math, and functors whose names have the same end."""
+    """YADE: advice for a missing number, for numbers of yade.math, and for functors whose names end alike."""
     loop = "InteractionLoop([],[Ip2_ViscElMat_ViscElMat_ViscElPhys()],[])"
     text = re.sub(old, new, VISCOUS.format("").replace("damping=0)", f"damping=0),{loop}"), flags=re.S)
     out = run("audit", write(tmp_path, "deck.py", text), "--format", "json", "--speed", "1")[1]
@@ -226,7 +226,7 @@ def test_reasons(tmp_path, old, new, reason):
     ],
 )
 def test_texts_for_numbers(tmp_path, deck, old, new, reason):
-    """The damping of a deck of each simulator is a text, or is missing."""
+    """In a deck of each simulator the damping is replaced by a text, or removed."""
     text, count = re.subn(old, new, (DECKS[0].parent / deck).read_text())
     out = run("audit", write(tmp_path, deck, text), "--format", "json")
     assert count and reason in str(out), out
@@ -264,7 +264,7 @@ def test_defaults(tmp_path, name, default):
 
 
 def test_walls_and_lines(tmp_path):
-    """A facet has its own number, and the line to write suits the contacts that exist."""
+    """A facet has its own number, and the replacement line fits the contacts that exist."""
     cases = {
         "O.bodies.append([sphere((0,0,0),.01),facet(((0,0,0),(1,0,0),(0,1,0)))])\n": {"facet": (0.5, 0.645895)},
         "O.bodies.append([sphere((0,0,0),.01),sphere((0,0,1),.01),wall(0,2)])\n": {
@@ -296,7 +296,7 @@ O.engines=[InteractionLoop([],[Ip2_FrictMat_FrictMat_{}()],[]),NewtonIntegrator(
 
 @pytest.mark.parametrize("functor,speed,measured", [("FrictPhys", 0.1, 0.4454), ("MindlinPhys", 1, 0.63391)])
 def test_damped_fall(tmp_path, functor, speed, measured):
-    """YADE's damping acts on weight and spring; values of YADE 2023.02a at 2e-6 s."""
+    """YADE's damping acts on weight and spring. The values are from YADE 2023.02a with a step of 2e-6 s."""
     deck = write(tmp_path, "deck.py", FALL.format(functor))
     (row,) = json.loads(run("audit", deck, "--speed", speed, "--format", "json")[1])
     assert abs(row["realised_surface"] - measured) < 3e-4 < row["realised"] - measured
@@ -472,7 +472,7 @@ PROGRAMS = {"lammps": os.environ.get("LMP", "lmp"), "liggghts": os.environ.get("
 
 @pytest.mark.parametrize("name,settings", [(n, line) for n, text in SETTINGS.items() for line in text.split("\n")])
 def test_simulators_agree(tmp_path, name, settings):
-    """The collision of the script has one phase of the time step, so eps may be off by four standard deviations."""
+    """The script's collision has one phase of the time step, so its eps may differ by four standard deviations."""
     if not shutil.which(PROGRAMS[name]):
         pytest.skip(f"no program {PROGRAMS[name]}; Debian calls its package {name}")
     text = (ROOT / "tests" / "audit" / f"{name}.in").read_text(encoding="utf-8")
@@ -498,7 +498,7 @@ MUJOCO = """0.0068 solref="0.01 0.25" solimp="0.99 0.99 0.001"
 
 
 def test_mujoco_agrees(tmp_path):
-    """The contact has 2000 steps, which change eps by at most 2e-4."""
+    """MuJoCo agrees. The contact has 2000 steps, which change eps by at most 2e-4."""
     source, program = ROOT / "tests" / "simulators" / "restitution" / "mujoco.c", tmp_path / "mujoco"
     built = subprocess.run(["cc", "-O1", "-o", program, source, "-lmujoco", "-lm"], capture_output=True)
     if built.returncode:
@@ -524,7 +524,7 @@ linear_nohistory 0.7 0.3"""
 
 @pytest.mark.parametrize("line", OBLIQUE.splitlines())
 def test_oblique_impacts(tmp_path, line):
-    """-u'/u of a deck against corgen contact, by the numbers of the deck; empty where something else acts."""
+    """-u'/u of a deck equals corgen contact's value for the numbers of the deck; empty if other forces act."""
     text = (ROOT / "tests" / "audit" / "lammps.in").read_text(encoding="utf-8")
     text = text.replace("0.5 0.3 damping tsuji", "0.2 0.3 damping velocity").replace("linear_nohistory 0 0", line)
     (name, *stiffness), (ratio, friction) = line.split()[:-2], line.split()[-2:]
@@ -587,7 +587,7 @@ def test_oblique_impacts_of_other_styles(tmp_path):
 
 
 def test_reasons_without_a_tangential_restitution(tmp_path):
-    """The advice names what is missing. MercuryDPM: with an angle of 0 the contact point rebounds with e_t."""
+    """The advice names the missing number. MercuryDPM: at the angle 0 the contact point rebounds with e_t."""
     species = "Mercury3D p; LinearViscoelasticSlidingFrictionSpecies s; s.set{}; s.setDensity(2500); s.setSliding{};"
     friction, part = "FrictionCoefficient(0.3)", "Stiffness(2.0/7*s.getStiffness())"
     setter = "CollisionTimeAndNormalAndTangentialRestitutionCoefficient(1e-3, 0.7, 0.5, 0.01)"
@@ -645,8 +645,8 @@ def sides_of(*command):
 
 @pytest.mark.parametrize("name", SLIDES)
 def test_simulators_slide(tmp_path, name):
-    """-u'/u next to LIGGGHTS and YADE, extrapolated to small steps. A short test has one angle of every third model.
-    Equal spheres at 1e-5 m/s, whose overlap does not change lever arms"""
+    """-u'/u agrees with LIGGGHTS and YADE, extrapolated to small steps. A short test has one angle of every third
+    model. The spheres are equal; at 1e-5 m/s their overlap does not change lever arms."""
     program, turn, sides = os.environ.get(name.upper(), name), int(os.environ.get("COR_TEST_TURN", "0")), []
     if not shutil.which(program):
         pytest.skip(f"no program {program}; Debian calls its package {name}")

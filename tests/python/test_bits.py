@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Every function of one or two real numbers, and every function of a law, against a program in C, bit for bit."""
+"""Compares every function of one or two real numbers, and every function of a law, with a program in C, bit for bit."""
 
 import itertools
 import re

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""cor.fit: synthetic truth, flights by an integrator, dense matrices, profile likelihoods on a grid.
+"""Tests cor.fit against synthetic data, flights by an integrator, dense matrices, and profile likelihoods on a grid.
 
 COR_TEST_LONG=1 draws more data.
 """
@@ -164,7 +164,7 @@ def test_drag_is_no_property_of_the_ball(table_tennis):
     free = cor.fit(times(drops), law="constant", mass=0.0027, diameter=0.04, fit_drag=True)
     row = by_name(free, "constant")["drag_coefficient"]
     assert row.low_95 < 0.47 < row.high_95 and row.high_95 - row.low_95 < 0.1
-    # the same speeds without units of the ball
+    # speeds computed from the same numbers without a ball's mass and diameter
     speed = (
         math.sqrt(2 * 0.0027 * G * (1 - 1.204 * math.pi / 6 * 0.04**3 / 0.0027) / (1.204 * 0.47 * math.pi / 4)) / 0.04
     )
@@ -206,8 +206,8 @@ def test_gravity_follows_from_a_drop_height():
 
 
 def trajectory_q(name, theta, data, ratio):
-    """Q with the determinants, by dense matrices of the whole trajectory. The first time and flight of each drop and
-    the scatter of eps move all later times."""
+    """Computes Q with the determinants by dense matrices of the whole trajectory. The first time and flight of each
+    drop and the scatter of eps change all later times."""
     total, logs, n, record = 0.0, 0.0, 0, data.record
     for first, end in zip(record.start, record.start[1:]):
         t = record.time_s[first:end]
@@ -388,7 +388,7 @@ def test_stored_data(file, title, parameter, value, low, high, aic, p):
 
 
 def test_points_behind_the_drag_of_the_stored_times():
-    """p of a table tennis ball at C_d = 0.40, from independent points without buoyancy."""
+    """p of a table tennis ball at C_d = 0.40 agrees with p of independent points without buoyancy."""
     record = cor.fit(DATA / "ping_pong_ball_parquet.csv", law="constant").data
     sample = likelihood.Sample(record)
     flights = sample.flights(G, 0.4 * 1.204 * math.pi / 4 * 0.04**2 / (2 * 0.0027 * G))
@@ -412,7 +412,7 @@ def test_many_bounces_are_reduced(monkeypatch):
 
 
 def is_likely(n, k, low, high):
-    """True if k of n draws, with a probability from low to high, are neither too few nor too many."""
+    """True if k hits in n draws are plausible for a probability from low to high."""
     return stats.binom.cdf(k, n, low) > 1e-6 and stats.binom.sf(k - 1, n, high) > 1e-6
 
 
@@ -668,7 +668,7 @@ def test_a_loss_that_explains_nothing_is_zero():
 
 
 def test_outliers_need_scatter():
-    """Heights that are rounded may not scatter at all, or only in one line: nothing is judged by rounding."""
+    """Rounded heights may not scatter at all, or only in one line; outliers are then not judged."""
     for h0, h1 in ([100, 100, 50, 50], [64, 64, 32, 32]), ([100, 80, 60, 40], [64, 51.2, 38.4, 25.6]):
         exact = cor.fit({"h0_cm": h0, "h1_cm": h1}, law="constant")
         assert "without scatter" in " ".join(exact.remarks()) and "too few to judge any" in exact.verdict()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Measured bounces as laboratories record them: accepted files, and files refused with line, column and advice."""
+"""Tests records of laboratories: accepted files, and files refused with line, column and advice."""
 
 import io
 import json
@@ -56,7 +56,7 @@ READ = [
     ("h0_cm,h1_cm,speed_m_s,eps\n100,64,4.4,.81\n", {}, Points, dict(eps=[0.81])),
     ("t_s,h0_cm,h1_cm\n1,100,64\n", {}, Heights, dict(drop_m=[1])),
     ("run,speed_m_s,eps\na,1,.5\nb,2,.4\n", {}, Points, dict(run=["a", "b"])),
-    # as programs export them: rows above the names, units below them, runs, empty cells and rows
+    # files exported by programs: rows above the names, units below the names, runs, empty cells and rows
     ("mass_A\nt\tx\n0E0\t1\n1\t\n1.8\t1\n", dict(unit="s"), Times, dict(time_s=[0, 1, 1.8], line=[3, 4, 5])),
     ("Vernier Format 2\nTime\tForce\nT\tF\nms\tN\n\n0\t1\n1000\t1\n1800\t1\n", {}, Times, dict(time_s=[0, 1, 1.8])),
     ("LabVIEW Measurement\nTime\t9\n***End_of_Header***\t\nX_Value\tA\tComment\n0\t1\n1\t1\n1.8\t1\n", dict(unit="s"),
@@ -216,7 +216,7 @@ def test_bounces_of_a_track(eps, rate, noise, bound):
 
 
 def test_hostile_bytes():
-    """Changed files are read with numbers in their ranges, or refused by DataError."""
+    """Files with random changes are read with numbers in their ranges, or refused by DataError."""
     seeds = [text if isinstance(text, bytes) else text.encode() for text, *_ in READ]
     pick = random.Random(3)
     for _ in range(1500):

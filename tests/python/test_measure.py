@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""cor audit --run: the decks of tests/audit in the programs of their users, and the lines that the audit offers.
+"""Tests cor audit --run: the decks of tests/audit in their programs, and the lines that the audit offers.
 
 A few decks are run by default, and all of them if COR_TEST_LONG is set. LMP, LIGGGHTS and YADE name the programs.
     python3 tests/python/test_measure.py     runs all decks, and writes the measured values to tests/audit/judged.csv
@@ -48,7 +48,7 @@ def measured(deck, options, program):
 
 @pytest.mark.parametrize("deck", [d for d in RUNNABLE if LONG or d.name in FEW], ids=lambda deck: deck.name)
 def test_measured(deck):
-    """If a program runs the deck, its eps agrees with cor's."""
+    """If a program can run the deck, its eps agrees with cor's."""
     rows, messages = measured(deck, options_of(deck), program_of(deck))
     assert "executes this file" in messages
     for row in rows:
@@ -125,7 +125,8 @@ def test_left_out(tmp_path):
 
 
 def test_kept_and_late(tmp_path, monkeypatch):
-    """The folder of a run stays only with --keep. A program that does not answer ends. No contact: nothing runs."""
+    """Only --keep keeps the folder of a run. A program that does not answer is ended. Without a contact nothing
+    runs."""
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "tmp"))
     os.mkdir(tmp_path / "tmp")
     deck, program, late = tmp_path / "deck.lmp", program_of(Path("x.lmp")), str(tmp_path / "late")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Own laws: corgen's numbers and compiled headers, C and C++, against NumPy's long doubles and SciPy's PCHIP."""
+"""Tests own laws: corgen's numbers and compiled headers against NumPy's long doubles and SciPy's PCHIP."""
 
 import ctypes
 import os
@@ -16,7 +16,7 @@ LONG = np.longdouble
 
 
 def laws(folder):
-    """Options, range and eps of each law. The rows of the table rise, fall and stay, at unequal distances."""
+    """Returns options, range and eps of each law. The table has unequal distances, and eps rises, falls and stays."""
     rng = np.random.default_rng(SEED)
     rows = int(rng.integers(2, 40))
     speed = np.cumsum(rng.uniform(0.01, 1, rows)) * 10 ** rng.uniform(-3, 0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Structs, errors and warnings, modes, collisions with observers; nothing public is missing."""
+"""Tests structs, errors and warnings, modes, collisions with observers, and that no public function is missing."""
 
 import inspect
 import pickle

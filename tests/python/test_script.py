@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The interpreter of LAMMPS' scripts: against lmp if installed, and its bounds; the bodies and contacts of scripts.
-tests/audit has whole decks, which were compared with the simulators."""
+"""Tests the interpreter of LAMMPS' scripts against lmp, if installed, and its limits. Tests the bodies and contacts of
+scripts. tests/audit has whole decks, which were compared with the simulators."""
 
 import math
 import random
@@ -52,7 +52,7 @@ def by_lammps(text, folder):
     return [line for line in done.stdout.splitlines() if not line.startswith(noise)]
 
 
-# Each has the values that lmp (29 Sep 2021) gives.
+# Formulas with the values that lmp (29 Sep 2021) gives
 FORMULAS = {
     "-2^2": "4", "2^-3^2": "0.015625", "2^3^2": "64", "-30^2+1000": "1900", "round(-2.5)": "-2", "round(2.5)": "3",
     "log(1000)": "3", "ln(2)": "0.693147180559945", "7%4*2": "6", "5%-3": "2", "!0+1": "2", "1<2==1": "1",
@@ -133,7 +133,7 @@ def test_bounds(monkeypatch):
 
 @pytest.mark.skipif(not shutil.which("lmp"), reason="no program lmp")
 def test_against_lammps(monkeypatch, tmp_path):
-    """Random formulas, within the four operands of LAMMPS' stack, and random loops."""
+    """Random formulas, which need at most four operands of LAMMPS' stack, and random loops."""
     draw = random.Random(1)
 
     def formula(depth):
@@ -196,7 +196,7 @@ BALLS = {1: math.pi / 6 * 1e-6 * 2500, 2: math.pi / 6 * 8e-6 * 1000}
     ],
 )  # fmt: skip
 def test_masses(more, pairs):
-    """zeta = (gamma/2) sqrt(m/K), by hand, for the effective mass of each pair."""
+    """zeta = (gamma/2) sqrt(m/K), computed by hand for the effective mass of each pair."""
     found = dict(rows(ATOMS + more + HOOKE))
     for pair, mass in pairs.items():
         assert pair in found, found.keys()
@@ -246,7 +246,7 @@ def test_runs_loops_and_versions():
 
 
 def test_lines_to_write():
-    """A line keeps its variables, unless one of them contains several words."""
+    """A replacement line keeps the variables of the line, unless one of them contains several words."""
     head = BOX + "pair_style granular\nvariable m string 'hertz 1e7 0.5'\nvariable e equal 1/2\nvariable k index 1e7\n"
     for line, repaired in {
         "pair_coeff * * hertz $k ${e} damping tsuji": "pair_coeff * * hertz $k 0.366651 damping tsuji",

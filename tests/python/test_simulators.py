@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""cor.simulators against corgen contact, and the contact of a measured restitution."""
+"""Tests cor.simulators against corgen contact, and the contact of a measured restitution."""
 
 import csv
 import io

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Collisions in other simulators, compared with corgen: in LAMMPS, which can end contact either way, in YADE,
-which ends it at zero force, in LIGGGHTS, and by REBOUND's callback. docs/simulators.md has the equations.
+"""Compares collisions in simulators with corgen: in LAMMPS, which can end contacts at both ends, in YADE, which ends
+them at zero force, in LIGGGHTS, and by REBOUND's callback. docs/simulators.md has the equations.
 
     tests/simulators/collisions.py [--long]    CORGEN, LMP, LIGGGHTS and YADE name the programs
 """
@@ -19,8 +19,8 @@ sys.dont_write_bytecode = True
 from common import (CORGEN, HERE, LIGGGHTS, LMP, ROOT, YADE, extrapolated, first_row, numbers_of,  # noqa: E402
                     output_of, run, script, skip, summary, verdict)
 
-# Largest |simulated/exact - 1| after extrapolation. Seen: 8e-8 at 1e-6 m/s, where doubles of positions have too few
-# digits for the overlap. A wrong model must differ by MARGIN tolerances.
+# TOLERANCE: largest |simulated/exact - 1| after extrapolation. The largest value seen is 8e-8 at 1e-6 m/s, where
+# doubles of positions have too few digits for the overlap. A wrong model must differ by MARGIN tolerances.
 TOLERANCE, MARGIN = 3e-7, 100
 # The spheres of restitution/yade.py and lammps.in
 A, REFF, MEFF = 1.25e-3, 0.004, 0.0016
@@ -74,7 +74,7 @@ def lines_of(command, word):
 
 
 def eps_of(rows, power):
-    """Returns eps of three rows eps ... VALUE CHANGE, extrapolated; 0 if the velocity still changes."""
+    """Returns eps extrapolated from three rows eps ... VALUE CHANGE; 0 if the velocity still changes."""
     values = [float(row[-2]) for row in rows if abs(float(row[-1])) < 1e-12]
     return extrapolated(power, values) if len(values) == 3 else 0
 
@@ -141,7 +141,7 @@ def lammps_oblique(work):
 
 
 def lammps_gravity():
-    """A ball that falls on a wall stays there at 0.01 m/s. The time step of gravity.in leaves an error of 4e-5 of
+    """A ball that falls on a wall at 0.01 m/s does not rebound. The time step of gravity.in causes an error of 4e-5 in
     eps^2."""
     of_law = {"viscoelastic": "--stiffness 1e5 --damping-coefficient 30", "linear":
               "--law linear --stiffness 1e3 --damping-coefficient 0.4"}
@@ -157,8 +157,8 @@ def lammps_gravity():
 
 
 def lammps_jkr():
-    """Spheres that adhere. At a speed at which they stick, eps is 0 and the surfaces overlap. The force jumps when
-    the contact breaks, so the end is known only to a step: eps^2 to 1e-5."""
+    """Spheres with adhesion. At a speed at which they stick, eps is 0 and the surfaces overlap. The force jumps when
+    the contact breaks, so its end is known only to a time step, and eps^2 to 1e-5."""
     for time in "0", "5e-9":
         spheres = ("--young 1e9 --poisson 0.25 --radius 1e-5 --density 2500 --adhesion 0.1 --adhesion-model jkr "
                    "--dissipation-time " + time).split()
@@ -276,7 +276,7 @@ eps_table, before_step = eps, ["set_dashpots()"]
 
 
 def yade_constant(work):
-    """YADE's own law: a constant betan is damping by x^(1/4) with beta = sqrt(6) betan."""
+    """YADE's own law: a constant betan is damping with x^(1/4) and beta = sqrt(6) betan."""
     law, betans = ("--elastic", "3/2", "--damping", "1/4"), [0.05, 0.4, 1]
     durations = [duration_of(0.1, "zero_force", "--law", "tsuji", "--zeta", "%.17g" % (math.sqrt(1.2) * b))
                  for b in betans]
@@ -352,8 +352,8 @@ def yade_vn(work):
 
 
 def rebound(work):
-    """The lines of corgen contact --for rebound, with the header that they need, in a program. If REBOUND names a
-    source tree of REBOUND, the program is linked to it."""
+    """Compiles the lines of corgen contact --for rebound, with their header, into a program. If REBOUND names a source
+    tree of REBOUND, links the program to it."""
     contact = [CORGEN, "contact", *SPHERES, "--restitution", "0.5", "--at", "1", "--end", "zero-force"]
     callback = output_of(contact + ["--for", "rebound"])
     with open(os.path.join(work, "callback.inc"), "w", encoding="utf-8") as file:
@@ -416,8 +416,8 @@ def unlike_options(host, bodies, kind, e, gravity="0"):
 
 
 def unlike_paste(host, texts, kind):
-    """Returns a user's own lines for equal bodies, and the text of corgen. If the format allows only one such line,
-    returns corgen's text with the user's numbers."""
+    """Returns a user's own lines for equal bodies, followed by corgen's text. If the format allows only one such line,
+    returns corgen's text with the user's numbers in it."""
     if host == "lammps":
         like = [re.search("^(pair_coeff) . .( .*)", texts[k].replace("* *", "1 1"), re.M) for k in LIKE]
         own = ["pair_style granular"] + ["%s %d %d%s" % (m[1], i + 1, i + 1, m[2]) for i, m in enumerate(like)]
@@ -478,8 +478,8 @@ def unlike(host, work, seed):
 
 
 def several(host, work, seed):
-    """Measured contacts have their eps. Other contacts have the eps that follows from the dissipation times of equal
-    bodies. The comment on larger balls of one material is right. At the wall each ball slips with its own friction."""
+    """Measured contacts have their eps, other contacts the eps from the dissipation times of equal bodies. The comment
+    on larger balls of one material is right. At the wall each ball slips with its own friction."""
     draw, end = random.Random(seed + 1), "zero-force" if host == "yade" else "zero-overlap"
     low, high, names = (1e7, 0.1, 2e-3, 1000), (1e9, 0.45, 6e-3, 8000), ["young", "poisson", "radius", "density"]
     balls = [["%.6g" % draw.uniform(*bounds) for bounds in zip(low, high)] for _ in "12"]

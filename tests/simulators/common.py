@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Shared by the scripts here: the programs, verdicts and their counts, and pages with a marked part to renew."""
+"""Provides programs, verdicts and their counts, and the renewal of marked parts of pages, for the scripts here."""
 import csv
 import io
 import os
@@ -64,7 +64,7 @@ def numbers_of(*options):
 
 def extrapolated(power, values):
     """Extrapolates to step 0 from the steps 4 h, 2 h and h. Simulators use the velocity of half a step earlier, an
-    error of order h. Damping like x^b adds an error of order h^(1+b), the power."""
+    error of order h. Damping proportional to x^b adds an error of order h^(1+b), whose exponent is `power`."""
     first = [2 * fine - coarse for coarse, fine in zip(values, values[1:])]
     return (2**power * first[1] - first[0]) / (2**power - 1)
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Two equal spheres meet head-on under the callback that corgen contact --for rebound prints, at each of the given
+/* Collides two equal spheres head-on with the callback that corgen contact --for rebound prints, at each of the given
  * speeds in m/s. callback.inc has the lines of the callback. The program prints for each speed
  *     eps SPEED VALUE
  * If COR_REBOUND is defined, REBOUND finds and resolves the collision. Otherwise a struct that has only the callback

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Tests that rewording labels, sentences and templates of runtime/scene changes no number. A test build replaces their
-letters by other letters. It must print the same lines and the same maps of every model, except for letters. If a label
-decided a number, they would differ.
+letters by other letters. Apart from letters it must print the same lines and the same maps of every model. If a
+label decided a number, the output would differ.
 
     tests/simulators/reworded.py    CORGEN names the program, next to libcor_scene.a
 """

@@ -10,7 +10,7 @@ const [, , native, count, folder, sameLibm] = process.argv;
 const cor = await load();
 // ---- bits ----
 
-// Returns the largest number of doubles between corresponding results.
+// Returns the largest distance of corresponding results, counted in doubles.
 function largestDistance(y, z) {
     const a = new BigInt64Array(y.buffer), b = new BigInt64Array(z.buffer);
     let largest = 0;

@@ -16,7 +16,7 @@ int web_law_function(int law, int end, int quantity, double y[3]);
 void web_law(int law, int end, int quantity, const double *x, double *y, size_t n);
 void web_hunt_crossley(int i, const double *x, double *y, size_t n, double elastic_exponent);
 
-/* In turn: from 0 to 1, from 0 to 3, from 2^-40 to 2^40, any double of either sign */
+/* Returns an argument; the kinds alternate: from 0 to 1, from 0 to 3, from 2^-40 to 2^40, any double of either sign. */
 static double argument(struct random_state *r, size_t i)
 {
     static const double special[] = {0, -0.0, 1, -1, INFINITY, -INFINITY, NAN, 0.5, 5e-324, 1.7976931348623157e308};
@@ -53,7 +53,7 @@ int main(int argc, char **argv)
         if (!web_law_function(law, end, quantity, y))
             continue;
         snprintf(name, sizeof name, "%s,%s,%s", web_name(0, law), web_name(1, end), web_name(2, quantity));
-        const size_t some = law == COR_LAW_HUNT_CROSSLEY ? n / 20 : n; /* its times take ten microseconds */
+        const size_t some = law == COR_LAW_HUNT_CROSSLEY ? n / 20 : n; /* computing its times takes ten microseconds */
         web_law(law, end, quantity, x, y, some);
         written(argv[2], name, y, some);
     }

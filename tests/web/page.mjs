@@ -71,7 +71,7 @@ async function follow(options) {
     }, `#${new URLSearchParams(asTyped(options))}`);
 }
 
-// tests/web/module.mjs compares the module with corgen; this file compares the page with the module.
+// tests/web/module.mjs compares the module with corgen, so this file compares the page only with the module.
 const module = await load(), differ = [];
 const moduleText = (...call) => errorOf(() => module.page.text(...call))?.message ?? module.page.text(...call);
 for (const [i, { line, options }] of scenes().entries()) {
@@ -130,7 +130,7 @@ async function saved(button, file) {
     return existsSync(`${work}/${file}`) ? readFileSync(`${work}/${file}`, "utf8") : "";
 }
 const impacts = await saved("#save-impacts", "impacts.csv");
-// the page has the errors of the time step, too
+// the page also shows the errors of the time step
 const rowsOf = (csv) => csv.trim().split("\n").map((row) => row.split(","));
 const [head, ...rows] = rowsOf(impacts), [wanted, ...exact] = rowsOf(byCorgen(shown).table);
 check("impacts.csv has the numbers of corgen contact --format csv", rows.length === exact.length &&

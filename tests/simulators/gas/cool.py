@@ -45,7 +45,7 @@ SCATTER_LATTICE, SCATTER_SEEDS = "20x10x10", range(101, 109)
 SCATTER = 0.45
 ALLOWED = 4.5  # standard errors
 ENDS_APART = 100000  # spheres that suffice to distinguish the two ends of contact
-# Change of 1 - eps^2 by the time step: with the corrected damping the squared scatter of eps is 2e-5 of the loss
+# Allowed change of 1 - eps^2 by the time step. With corrected damping the scatter of eps adds 2e-5 of the loss.
 STEP_ALLOWED, UNCORRECTED_ALLOWED = 2e-4, 4e-3
 
 State = collections.namedtuple("State", "time steps temperature kurtosis shear density")
@@ -80,12 +80,12 @@ def contact_at(time, speed, *options):
 
 
 def lammps_lines(time):
-    """Returns corgen's lines; the lines that end contacts at zero overlap are active."""
+    """Returns corgen's lines, in which the lines for contacts that end at zero overlap are active."""
     return contact("--dissipation-time", time, "--for", "lammps")
 
 
 def impact_of(temperature):
-    """Returns the impact speed of the collisions that lose most energy."""
+    """Returns the impact speed at which collisions of the gas lose most energy."""
     return "%.6g" % (2.5 * math.sqrt(temperature))
 
 
@@ -113,7 +113,7 @@ class Gas:
             command += ["-var", name, str(value)]
         if ranks > 1:
             command = ["mpirun", "-np", str(ranks), "--bind-to", "none"] + command
-        # Open MPI needs the first two if the user is root; a rank that waits lets other programs run
+        # Open MPI needs the first two settings for root; with the third a waiting rank yields to other programs
         mpi = dict.fromkeys(
             ("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "OMPI_MCA_mpi_yield_when_idle"), "1")
         return output_of(command, cwd=self.folder, env=dict(os.environ, **mpi))
@@ -131,7 +131,7 @@ class Gas:
         return float(row["damping_correction"])
 
     def gas(self, lattice, ranks, steps, **variables):
-        """Runs the gas. 1 minus the factor of the damping is nearly a power of T."""
+        """Runs the gas. Its script varies the damping with T, because 1 minus the factor is nearly a power of T."""
         first, last = SPEED**2, SPEED**2 / 25
         correction = 1 - self.factor(first, steps)
         power = math.log(correction / (1 - self.factor(last, steps))) / math.log(first / last) if correction else 0
@@ -196,8 +196,8 @@ class Predictor:
                    os.path.join(HERE, "theory.c"), library, "-lgsl", "-lgslcblas", "-lm"])
 
     def __call__(self, states, model="zero_overlap", factor=1.0, loss=1.0):
-        """Returns theory at the times of the states, from the first temperature. factor multiplies A, loss 1
-        - eps^2."""
+        """Returns theory at the times of the states, starting at the first temperature. factor multiplies A; loss
+        multiplies 1 - eps^2."""
         command = [self.program, model, "%.17g" % loss, YOUNG, POISSON, RADIUS, DENSITY,
                    "%.17g" % (float(self.time) * factor), FRACTION, "%.17g" % states[0].temperature]
         text = output_of(command, input="\n".join("%.17g" % state.time for state in states))

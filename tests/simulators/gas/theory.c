@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* How a homogeneous gas of equal viscoelastic spheres cools: kinetic theory with cor's eps(g).
+/* Computes the cooling of a homogeneous gas of equal viscoelastic spheres by kinetic theory with cor's eps(g).
  *
  *     theory MODEL LOSS YOUNG POISSON RADIUS DENSITY DISSIPATION_TIME FRACTION T_OVER_M < TIMES
  *
@@ -57,21 +57,21 @@
 #define TURNING (0.8 / 0.50445489426892577)
 #define SHADOW (4.8 * 0.88726381750307528 * 1.3195079107728942)
 #define STORED (1.4 * 4 / 27)
-#define TOLERANCE 1e-10 /* of ln T and a2 */
+#define TOLERANCE 1e-10 /* rates of ln T and a2 */
 
 struct gas {
     struct cor_sphere_contact contact;
     double (*eps)(const struct cor_sphere_contact *contact, double speed_m_s);
     double loss;
-    bool rigid; /* without the effects of overlaps */
+    bool rigid; /* true: without the effects of overlaps */
     double diameter_m;
     double density_m3; /* n */
-    double g_2;        /* of Carnahan and Starling */
+    double g_2;        /* g_2 of Carnahan and Starling */
     gsl_integration_glfixed_table *rule;
 };
 
 struct collision_moments {
-    double mu_2[2], mu_4[2]; /* of orders 0 and 1 in a2 */
+    double mu_2[2], mu_4[2]; /* coefficients of orders 0 and 1 in a2 */
     double duration_s;       /* mean duration of a contact */
 };
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Two equal spheres head-on in Bullet, or one and a plane, with the lines of corgen contact --for bullet. The file
- * bullet_cases.inc, which measure.py writes, holds the array bullet_cases. The first overlap depends on where in a time
- * step the bodies meet. The program prints for each case the smallest and the largest restitution at 64 such times. For
- * a spring it prints their mean twice, because corgen states the mean:
+/* Collides two equal spheres head-on in Bullet, or one with a plane, with the lines of corgen contact --for bullet. The
+ * file bullet_cases.inc, which measure.py writes, contains the array bullet_cases. The first overlap depends on the
+ * moment within a time step at which the bodies meet. The program prints for each case the smallest and the largest
+ * restitution at 64 such times. For a spring it prints their mean twice, because corgen states the mean:
  *     eps NAME 64 SMALLEST LARGEST */
 #include <btBulletDynamicsCommon.h>
 
@@ -23,7 +23,7 @@ struct bullet_case {
 static double restitution(const bullet_case &one, double steps)
 {
     const btScalar radius = 0.05, mass = one.wall ? 0.002 : 0.0032;
-    const double share = one.wall ? 1 : 0.5; // of the speed that each moving body has
+    const double share = one.wall ? 1 : 0.5; // share of the speed of each moving body
     btDefaultCollisionConfiguration configuration;
     btCollisionDispatcher dispatcher(&configuration);
     btDbvtBroadphase broadphase;

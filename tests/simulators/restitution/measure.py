@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The restitution that simulators realise: with the number e that a user requests, and with the unchanged lines of
-corgen contact --for HOST. Two bodies meet head-on at 1 m/s.
+"""Measures the restitution that simulators realise, with the number e that a user requests, and with the unchanged
+lines of corgen contact --for HOST. Two bodies meet head-on at 1 m/s.
 
     tests/simulators/restitution/measure.py            CORGEN, LMP, LIGGGHTS and YADE name the programs
     tests/simulators/restitution/measure.py --short    only two restitutions
@@ -30,20 +30,20 @@ RESTITUTIONS = ["0.1", "0.3", "0.5", "0.7", "0.9", "0.99"]
 # Restitutions that are also tested with --end, at a wall, and in the short run
 FEW = ["0.5", "0.9"]
 LAWS = ["linear", "tsuji", "viscoelastic", "hertz-dashpot", "hunt-crossley"]
-# The exponent b of the damping: time steps h leave errors of the orders h and h^(1+b), or h^2 if b = 0.
+# The exponent b of the damping. A time step h causes errors of the orders h and h^(1+b), or h^2 if b = 0.
 DAMPING_EXPONENT = {"linear": 1, "tsuji": 0.25, "viscoelastic": 0.5, "hertz-dashpot": 1, "hunt-crossley": 1.5}
 # Numbers of time steps within the contact; each is twice the previous one.
 COUNTS = [5000, 10000, 20000]
 # Largest |eps - e| with corgen's lines. With a user's own e: largest |eps - the map of runtime/scene/simulators.c|
 TOLERANCE = 1e-5
-# The bodies of the drivers: effective mass 1.6 g, effective radius 4 mm; at a wall only the first one
+# The bodies in the drivers' programs: effective mass 1.6 g, effective radius 4 mm; at a wall only the first body
 SPRING = ["--stiffness", "1e5", "--effective-mass"]
 BODY = "--young 1e7 --poisson 0.3 --radius 5e-3 --mass 2e-3".split()
 SECOND = "--radius-2 2e-2 --mass-2 8e-3".split()
 # Impact speeds, m/s, for Bullet's contact callback
 CALLBACK_SPEEDS = [0.01, 0.1, 1, 10]
 
-# only FEW restitutions, and only pasted text
+# a short run has only FEW restitutions and only pasted text
 SHORT = "--short" in sys.argv[1:]
 
 # ---- corgen ----
@@ -84,8 +84,8 @@ HEADING = r"(Instead, [^:]*: |For eps = [^:]*: )?[^:,]*, (.*) \(([^()]*)\): cont
 
 
 class Block:
-    """A model in the text of corgen contact --for. The lines of the active model are the whole text, in which other
-    models are comments. The lines of another model are the content of its comments."""
+    """A model in the text of corgen contact --for. The lines of the active model are the whole text, because other
+    models are comments in it. The lines of another model are the content of its comments."""
 
     def __init__(self, rows, text):
         found = re.fullmatch(HEADING, rows[0])
@@ -119,7 +119,7 @@ def own_maps_of(text):
 
 
 def with_number(lines, old, new):
-    """Returns the lines, with `new` for the number whose six digits are the digits of `old`."""
+    """Returns the lines with `new` in place of the number that has the six digits of `old`."""
     return [re.sub(r"\d+\.?\d*(e[-+]?\d+)?", lambda m: new if abs(float(m[0]) - old) <= 2e-6 * old else m[0], line)
             for line in lines]
 
@@ -160,7 +160,7 @@ def pasted_cases(host, law, wall):
                 if block.active and tuple(block.lines) in seen:
                     continue
                 seen.add(tuple(block.lines))
-                # the eps in the text: e, or the restitution of the same contact at the other end
+                # the expected eps is the one in the text: e, or the restitution of the same contact at the other end
                 expected = next((eps for eps in known if abs(eps - block.realised) < 1e-6), math.nan)
                 if math.isnan(expected):
                     verdict(False, "%s, %s: realises %g of %s" % (host, block.model, block.realised, known))
@@ -193,7 +193,7 @@ def cases_of(host, laws=LAWS, walls=(False, True)):
 def file_of(case, work, number):
     path = os.path.join(work, "paste%d" % number)
     with open(path, "w", encoding="utf-8") as file:
-        # for equal bodies LAMMPS gets the lines that are comments
+        # for equal bodies the commented lines for LAMMPS become active
         file.write("\n".join(re.sub(r"^# (?=pair_coeff (1 1|2 2) )", "", line) for line in case.lines) + "\n")
     return path
 
@@ -225,7 +225,7 @@ def stepped(commands_of):
 
 
 def read_pairs(case, text, name):
-    """Reads two values: with two accuracies, or the least and the most."""
+    """Reads two values of a case: results at two accuracies, or the least and the largest."""
     rows = [row.split() for row in text.split("\n") if row.startswith("eps %s " % name)]
     if not rows:
         case.eps = case.eps_most = math.nan
@@ -296,7 +296,7 @@ def liggghts_cases():
 
 
 def simbody_cases():
-    """Hunt and Crossley's e = 1 - c v is the map of Simbody's documentation."""
+    """Returns cases with e = 1 - c v, Hunt and Crossley's map in Simbody's documentation."""
     cases = cases_of("simbody", ["hunt-crossley", "viscoelastic"])
     blocks = {e: next(blocks_of(text_for("simbody", "hunt-crossley", e))) for e in RESTITUTIONS}
     for e, block in blocks.items():
@@ -357,7 +357,7 @@ def run_ode(program, cases, work):
 
 
 def run_esys(cases, work):
-    """A time step of ESyS-Particle costs a millisecond, so its cases have fewer steps."""
+    """Runs the cases of ESyS-Particle with fewer steps, because each takes a millisecond."""
     counts = [500, 1000, 2000]
     os.environ.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
     command = "timeout 60 mpirun -np 2 --oversubscribe esysparticle".split()
@@ -412,7 +412,7 @@ def hosts_of(work):
 
 
 def judge(host, cases):
-    """One verdict for each model and kind of number"""
+    """Gives one verdict for each model and kind of number."""
     for model, own in dict.fromkeys((case.model, case.own) for case in cases):
         group = [case for case in cases if case.model == model and case.own == own]
         broken = [case for case in group if math.isnan(case.eps) or abs(case.change) > 1e-12]

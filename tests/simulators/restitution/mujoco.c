@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A sphere against a plane in MuJoCo, with the text of corgen contact --for mujoco.
+/* Collides a sphere with a plane in MuJoCo, with the text of corgen contact --for mujoco.
  *     mujoco PASTE MASS DURATION N [N]...
  * prints for each N, with DURATION/(N + 1/2) s as the time step,
  *     eps N VALUE CHANGE

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Two equal spheres head-on in ODE, with the numbers and the time step of corgen contact --for gazebo.
+/* Collides two equal spheres head-on in ODE, with the numbers and the time step of corgen contact --for gazebo.
  *     ode SOFT_ERP SOFT_CFM STEP_S
  * prints the mean restitution at 1 m/s over 64 places in a time step where the spheres meet:
  *     eps ode 64 MEAN MEAN */

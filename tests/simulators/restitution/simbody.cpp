@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A sphere against a half-space in Simbody's HuntCrossleyForce, with the lines of corgen contact --for simbody. The
- * array simbody_cases is in simbody_cases.inc, which measure.py writes. The program prints for each case, at 1 m/s
+/* Collides a sphere with a half-space in Simbody's HuntCrossleyForce, with the lines of corgen contact --for simbody.
+ * The array simbody_cases is in simbody_cases.inc, which measure.py writes. The program prints for each case, at 1 m/s
  * and for two accuracies of the integrator,
  *     eps NAME ACCURACY VALUE 0 */
 #include <Simbody.h>
