@@ -340,7 +340,7 @@ int cor_disk_hard_wall(const struct cor_disk_modes *modes, size_t n_modes,
                        const struct cor_disk_hard_wall_options *options, double speed, struct cor_disk_hard_wall *out)
 {
     const size_t bytes = cor_disk_hard_wall_workspace(modes, n_modes, options, speed);
-    void *const workspace = malloc(bytes > 0 ? bytes : 1); /* 0: refused, below */
+    void *const workspace = malloc(bytes > 0 ? bytes : 1); /* a size of 0 is refused below */
     const int status = workspace == NULL
                            ? COR_ERROR_MEMORY
                            : cor_disk_hard_wall_in(workspace, bytes, modes, n_modes, options, speed, out, NULL);

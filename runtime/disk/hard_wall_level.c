@@ -48,7 +48,7 @@ struct level {
     double *t, *q; /* T_k and Q_n of the compliance that acts at once, k up to nyquist */
     struct cor_hard_wall_contact contact;
     double work, work_per_step, most_work; /* the budget; multiplications except the contact's */
-    double point_constant;                 /* constant of the contact law, (57), less the moving modes */
+    double point_constant;                 /* constant of the contact law, (57), less the part of the moving modes */
 };
 
 /* ---- workspace ---- */
