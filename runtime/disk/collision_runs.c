@@ -268,14 +268,19 @@ static int runs_restart_finer(struct cor_motion *m, struct runs *runs, double gr
 
 /* ---- runs ---- */
 
+/* Moves the first of the arrays of all levels to the end. */
+static void rotate_levels(double **level)
+{
+    double *const first = level[0];
+    memmove(level, level + 1, (COR_COLLISION_LEVELS - 1) * sizeof *level);
+    level[COR_COLLISION_LEVELS - 1] = first;
+}
+
 static void runs_forget_first(struct cor_motion *m, struct runs *runs)
 {
-    double *const after = m->after[0], *const average = m->average[0];
     memmove(runs->run, runs->run + 1, (COR_COLLISION_LEVELS - 1) * sizeof *runs->run);
-    memmove(m->after, m->after + 1, (COR_COLLISION_LEVELS - 1) * sizeof *m->after);
-    memmove(m->average, m->average + 1, (COR_COLLISION_LEVELS - 1) * sizeof *m->average);
-    m->after[COR_COLLISION_LEVELS - 1] = after;
-    m->average[COR_COLLISION_LEVELS - 1] = average;
+    rotate_levels(m->after);
+    rotate_levels(m->average);
     runs->levels--;
 }
 
