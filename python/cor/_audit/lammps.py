@@ -390,10 +390,10 @@ class Granular(System):
         self.fixes.pop(words[1], None)
         self.hold_line(self.fixes, words[1], words)
         groups = frozenset(("all", words[2]))
-        if style in ("pour", "deposit"):
-            self.pour(words, style == "pour", groups)
+        if style in ("pour", "pour/legacy", "deposit"):
+            self.pour(words, style != "deposit", groups)
             self.created = -1
-        elif style.startswith("insert/"):
+        elif style.startswith(("insert/", "pour/")):
             if words.after("vel", 4) == "constant":
                 self.add_speed(words, words.find("vel", 4) + 2)
             distribution = self.fixes.get(words.after("distributiontemplate", 4))
@@ -413,12 +413,18 @@ class Granular(System):
         if is_pour and at > 0:
             count = words.value(at + 2) if words[at + 1] == "poly" else NAN
             sizes = [words.value(at + 3 + 2 * i) for i in range(int(count) if 1 <= count <= MAX_TYPES else 0)]
-            sizes = sizes or [words.value(at + 2), words.value(at + 2 + (words[at + 1] == "range"))]
-        at = words.find("dens", 6) if is_pour else -1
-        density = [words.value(at + 1), words.value(at + 2)] if at > 0 else [1.0]
+            first = self.first_of(words, "diam")
+            sizes = sizes or [words.value(first), words.value(first + (words[at + 1] != "one"))]
+        at = self.first_of(words, "dens") if is_pour else 0
+        density = [words.value(at), words.value(at + 1)] if at > 0 else [1.0]
         self.cohorts.append(Cohort.of(type, [min(sizes) / 2, max(sizes) / 2], density, groups=groups))
         if is_pour and words.find("vel", 6) > 0:
-            self.add_speed(words, words.find("vel", 6) + (5 if self.dimension == 3 else 4), 1)
+            self.add_speed(words, self.first_of(words, "vel") + (4 if self.dimension == 3 else 3), 1)
+
+    def first_of(self, words: Words, key: str) -> int:
+        """Returns the index of the first number after a keyword of fix pour, or 0. LIGGGHTS has a word in between."""
+        at = words.find(key, 6)
+        return at + 1 + math.isnan(words.value(at + 1)) if at > 0 else 0
 
     def templates(self) -> List[Words]:
         return [f for f in self.fixes.values() if f[3].startswith("particletemplate/")]
