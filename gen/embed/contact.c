@@ -4,6 +4,7 @@
 #include "enclosure/collision.h"
 #include "support/console.h"
 #include "support/local.h"
+#include "support/root.h"
 
 /* ---- bodies: include/cor/contact.h ---- */
 
@@ -80,12 +81,7 @@ static void beta_of_g_star(arb_t beta, exact g_star, const struct cor_exponents 
 
 /* ---- a measured restitution ---- */
 
-enum {
-    SOLVE_BITS = 192,
-    SOLVE_HALF_WIDTH = -80, /* powers of two */
-    SOLVE_HALF_WIDTH_PRESSED = -150,
-    SOLVE_STEPS = 8
-};
+enum { SOLVE_BITS = 192, ROOT_BITS = 80, ROOT_BITS_PRESSED = 150 };
 
 int embed_contact_eps(arb_t eps, const arb_t beta, const arb_t pressing, const struct cor_exponents *law, int end,
                       slong bits)
@@ -98,8 +94,23 @@ int embed_contact_eps(arb_t eps, const arb_t beta, const arb_t pressing, const s
     return status ? STATUS_FAILED : STATUS_OK;
 }
 
-/* Encloses the beta at which eps is the given restitution. eps falls with beta. Secant steps move a narrow ball until
- * it contains that beta: eps is above the restitution at its lower end and below at its upper end. */
+/* The eps to find. given: the constant force, or the impact speed of spheres that yield */
+struct measured {
+    arb_srcptr wanted, given;
+    const struct cor_exponents *law;
+    int end, *status;
+};
+
+/* Computes eps - wanted, which falls with beta. */
+static bool eps_above(arb_t f, const arb_t beta, const void *context, slong prec)
+{
+    const struct measured *const m = context;
+    *m->status = embed_contact_eps(f, beta, m->given, m->law, m->end, prec);
+    arb_sub(f, f, m->wanted, prec);
+    return *m->status == STATUS_OK;
+}
+
+/* Encloses the beta at which eps is the given restitution. */
 static int beta_of_restitution(arb_t beta, const arb_t force, const struct embed_request *request,
                                const struct cor_scene_contact *contact, const struct cor_exponents *law)
 {
@@ -109,25 +120,16 @@ static int beta_of_restitution(arb_t beta, const arb_t force, const struct embed
         arb_set_d(beta, cor_scene_beta(contact, 1));
         return STATUS_OK;
     }
-    LOCAL(arb, pressing, low, high, above, below, wanted);
+    LOCAL(arb, pressing, wanted);
     arb_set_fmpq(wanted, eps, SOLVE_BITS);
     arb_set_d(beta, cor_scene_beta(contact, embed_number(request, COR_SCENE_AT)));
     LET(pressing, 2 * SOLVE_BITS, "force*at^power", force, at, power);
-    const slong half_width = arb_is_zero(pressing) ? SOLVE_HALF_WIDTH : SOLVE_HALF_WIDTH_PRESSED;
-    for (int step = 0; step < SOLVE_STEPS && arb_is_positive(beta); step++) {
-        arb_get_mid_arb(beta, beta); /* use an exact beta, so that eps keeps all of its bits */
-        arb_around(low, high, beta, half_width, SOLVE_BITS);
-        if (embed_contact_eps(above, low, pressing, law, request->end, SOLVE_BITS) != STATUS_OK ||
-            embed_contact_eps(below, high, pressing, law, request->end, SOLVE_BITS) != STATUS_OK)
-            return STATUS_FAILED;
-        if (arb_gt(above, wanted) && arb_lt(below, wanted)) {
-            arb_union(beta, low, high, SOLVE_BITS);
-            LET(beta, SOLVE_BITS, "beta/at^q", beta, at, q);
-            return STATUS_OK;
-        }
-        LET(beta, SOLVE_BITS, "low + (above - wanted)/((above - below)/(high - low))", low, above, wanted, below, high);
-    }
-    return fail("found no damping that gives the eps of --restitution");
+    int status = STATUS_OK;
+    const struct measured measured = {wanted, pressing, law, request->end, &status};
+    if (!root_near(beta, eps_above, &measured, arb_is_zero(pressing) ? ROOT_BITS : ROOT_BITS_PRESSED, SOLVE_BITS))
+        return status ? STATUS_FAILED : fail("found no damping that gives the eps of --restitution");
+    LET(beta, SOLVE_BITS, "beta/at^q", beta, at, q);
+    return STATUS_OK;
 }
 
 /* ---- yield, and a liquid ---- */
@@ -140,36 +142,27 @@ void embed_elastic_plastic_eps(arb_t eps, const arb_t speed, const arb_t yield_s
     LET(eps, prec, "(108*t/((t^2 + 5)^2*(t + 2)))^(1/4)", t);
 }
 
-/* Encloses by bisection the yield speed v_y that gives the restitution at the speed of --at. The bracket is first close
- * to `guess`. */
+/* Computes wanted - eps, which falls with v_y. */
+static bool eps_below(arb_t f, const arb_t yield_speed, const void *context, slong prec)
+{
+    const struct measured *const m = context;
+    embed_elastic_plastic_eps(f, m->given, yield_speed, prec);
+    arb_sub(f, m->wanted, f, prec);
+    return true;
+}
+
+/* Encloses the yield speed v_y that gives the restitution at the speed of --at. */
 static int yield_speed_of_restitution(arb_t speed, const struct embed_request *request, double guess, slong prec)
 {
-    LOCAL(arb, at, wanted, low, high, eps);
+    LOCAL(arb, at, wanted);
+    const struct measured measured = {.wanted = wanted, .given = at};
     arb_set_fmpq(at, request->number[COR_SCENE_AT].value, prec);
     arb_set_fmpq(wanted, request->number[COR_SCENE_RESTITUTION].value, prec);
-    if (fmpq_is_one(request->number[COR_SCENE_RESTITUTION].value)) {
+    arb_set_d(speed, guess);
+    if (fmpq_is_one(request->number[COR_SCENE_RESTITUTION].value))
         arb_set(speed, at);
-        return STATUS_OK;
-    }
-    arb_set_d(low, guess * (1 - 1e-12));
-    arb_set_d(high, guess * (1 + 1e-12));
-    for (int sign = -1; sign <= 1; sign += 2) {
-        embed_elastic_plastic_eps(eps, at, sign < 0 ? low : high, prec);
-        if (!(sign < 0 ? arb_lt(eps, wanted) : arb_gt(eps, wanted) && arb_lt(high, at)))
-            return fail("--restitution is too close to 1 to enclose the yield speed; use a smaller value");
-    }
-    for (slong i = 0; i < prec / 2; i++) { /* eps grows with v_y */
-        LET(speed, prec, "(low + high)/2", low, high);
-        arb_get_mid_arb(speed, speed);
-        embed_elastic_plastic_eps(eps, at, speed, prec);
-        if (arb_lt(eps, wanted))
-            arb_set(low, speed);
-        else if (arb_gt(eps, wanted))
-            arb_set(high, speed);
-        else
-            break;
-    }
-    arb_union(speed, low, high, prec);
+    else if (!root_near(speed, eps_below, &measured, prec / 2, prec) || !arb_lt(speed, at))
+        return fail("--restitution is too close to 1 to enclose the yield speed; use a smaller value");
     return STATUS_OK;
 }
 

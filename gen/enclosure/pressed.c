@@ -13,6 +13,7 @@
 #include "series/series.h"
 #include "support/console.h"
 #include "support/local.h"
+#include "support/root.h"
 
 enum {
     GUARD_BITS = 60,

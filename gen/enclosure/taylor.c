@@ -3,6 +3,7 @@
 
 #include "support/console.h"
 #include "support/local.h"
+#include "support/root.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -390,33 +391,6 @@ void taylor_advance(struct taylor *y, const arb_t s)
 }
 
 /* ---- zeros ---- */
-
-void bracket_init(struct bracket *b)
-{
-    FOR_ALL(arb, init, b->low, b->high, b->f_low, b->f_high);
-    b->side = 0;
-}
-
-void bracket_clear(struct bracket *b)
-{
-    FOR_ALL(arb, clear, b->low, b->high, b->f_low, b->f_high);
-}
-
-void bracket_guess(arb_t x, const struct bracket *b, slong prec)
-{
-    LET(x, prec, "b->low - (b->high - b->low)*b->f_low/(b->f_high - b->f_low)", b->low, b->high, b->f_low, b->f_high);
-    arb_get_mid_arb(x, x);
-}
-
-void bracket_shrink(struct bracket *b, const arb_t x, const arb_t f)
-{
-    const bool above = arf_sgn(arb_midref(f)) > 0;
-    arb_set(above ? b->low : b->high, x);
-    arb_get_mid_arb(above ? b->f_low : b->f_high, f);
-    if (b->side == (above ? 1 : -1))
-        arb_mul_2exp_si(above ? b->f_high : b->f_low, above ? b->f_high : b->f_low, -1);
-    b->side = above ? 1 : -1;
-}
 
 /* Sets the values at both ends of the bracket. True if prec bits show that the zero is between them. */
 static bool has_signs(struct bracket *b, const struct taylor *y, enum taylor_component component, slong prec)

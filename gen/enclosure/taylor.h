@@ -54,19 +54,6 @@ enum taylor_crossing taylor_crosses(arb_t root, const struct taylor *y, enum tay
  * not decide. what: the text of the progress line */
 bool taylor_follow(arb_t root, struct taylor *y, enum taylor_component component, const char *what);
 
-/* Root finder for balls, by the Illinois method. It finds where a function falls through zero, with f_low > 0 at `low`
- * and f_high < 0 at `high`. Only midpoints count, so the caller must prove the result. It converges as struct
- * cor_bracket (runtime/number/root.h) does, until the rounding errors of f hide its sign. */
-struct bracket {
-    arb_t low, high, f_low, f_high;
-    int side; /* side of the last guess */
-};
-void bracket_init(struct bracket *b);
-void bracket_clear(struct bracket *b);
-LOCAL_STRUCT(bracket)
-void bracket_guess(arb_t x, const struct bracket *b, slong prec);
-void bracket_shrink(struct bracket *b, const arb_t x, const arb_t f); /* x: the guess; f: the function there */
-
 /* Returns the degree of the Taylor polynomials for prec bits. */
 slong taylor_degree(slong prec);
 

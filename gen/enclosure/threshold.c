@@ -16,6 +16,7 @@
 #include "enclosure/taylor.h"
 #include "support/console.h"
 #include "support/local.h"
+#include "support/root.h"
 
 enum { GUARD_BITS = 60, ATTEMPTS = 8, SEARCH_STEPS = 400 };
 
@@ -71,14 +72,20 @@ static bool unstable_height(arb_t c_star, const struct cor_exponents *law, slong
     return turned;
 }
 
+struct height {
+    const struct cor_exponents *law;
+    arb_srcptr c_star;
+};
+
 /* Computes C(beta) - C*. */
-static bool height_above(arb_t f, const arb_t beta, const arb_t c_star, const struct cor_exponents *law, slong prec)
+static bool height_above(arb_t f, const arb_t beta, const void *context, slong prec)
 {
-    const struct ratio n = law_fall_power(law);
+    const struct height *const h = context;
+    const struct ratio n = law_fall_power(h->law);
     LOCAL(collision, c);
-    const bool solved = motion_solve(c, beta, law, MOTION_TURNING_POINT, prec) == MOTION_DONE;
+    const bool solved = motion_solve(c, beta, h->law, MOTION_TURNING_POINT, prec) == MOTION_DONE;
     if (solved)
-        LET(f, prec, "beta^(2/n)*c->x_max - c_star", beta, n, c->x_max, c_star);
+        LET(f, prec, "beta^(2/n)*c->x_max - h->c_star", beta, n, c->x_max, h->c_star);
     return solved;
 }
 
@@ -86,13 +93,14 @@ static bool height_above(arb_t f, const arb_t beta, const arb_t c_star, const st
  * interval of relative width 2^-bits. C(beta) falls, so the interval contains the only root. */
 static bool find_threshold(arb_t beta_c, const arb_t c_star, const struct cor_exponents *law, slong bits, slong prec)
 {
+    const struct height height = {law, c_star};
     LOCAL(bracket, b);
     LOCAL(arb, x, f);
     bool enclosed = false;
     bool sound = true, known[2] = {false, false};
     arb_one(x);
     while (sound && !(known[0] && known[1])) {
-        sound = height_above(f, x, c_star, law, prec);
+        sound = height_above(f, x, &height, prec);
         const bool below = arb_is_positive(f);
         arb_set(below ? b->low : b->high, x);
         arb_set(below ? b->f_low : b->f_high, f);
@@ -101,18 +109,12 @@ static bool find_threshold(arb_t beta_c, const arb_t c_star, const struct cor_ex
     }
     for (int i = 0; i < SEARCH_STEPS && sound && !enclosed; i++) {
         bracket_guess(x, b, prec);
-        sound = height_above(f, x, c_star, law, prec);
+        sound = height_above(f, x, &height, prec);
         enclosed = arf_cmpabs_2exp_si(arb_midref(f), -bits - GUARD_BITS / 4) < 0;
         bracket_shrink(b, x, f);
     }
-    if (sound && enclosed) {
-        arb_around(b->low, b->high, x, -bits - 2, prec);
-        sound = height_above(b->f_low, b->low, c_star, law, prec) &&
-                height_above(b->f_high, b->high, c_star, law, prec) && arb_is_positive(b->f_low) &&
-                arb_is_negative(b->f_high);
-        arb_union(beta_c, b->low, b->high, prec);
-    }
-    return sound && enclosed;
+    arb_set(beta_c, x);
+    return sound && enclosed && root_near(beta_c, height_above, &height, bits + 2, prec);
 }
 
 int collision_threshold(arb_t beta_c, arb_t c_star, const struct cor_exponents *law, slong bits)

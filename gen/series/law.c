@@ -135,16 +135,6 @@ void arb_set_upper(arb_t y, const mag_t m)
     mag_zero(arb_radref(y));
 }
 
-void arb_around(arb_t low, arb_t high, const arb_t x, slong exponent, slong prec)
-{
-    LOCAL(arb, width);
-    arb_mul_2exp_si(width, x, exponent);
-    arb_sub(low, x, width, prec);
-    arb_add(high, x, width, prec);
-    arb_get_mid_arb(low, low);
-    arb_get_mid_arb(high, high);
-}
-
 struct ratio_text ratio_text(struct ratio x)
 {
     struct ratio_text t;

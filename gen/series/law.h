@@ -78,7 +78,5 @@ struct law_text law_equation(const struct cor_exponents *law);
 
 double ratio_double(struct ratio x);
 void arb_set_upper(arb_t y, const mag_t m); /* sets the ball y to the exact number m */
-/* Sets low and high to the exact midpoints of x (1 - 2^exponent) and x (1 + 2^exponent). */
-void arb_around(arb_t low, arb_t high, const arb_t x, slong exponent, slong prec);
 
 #endif

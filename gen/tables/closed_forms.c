@@ -6,6 +6,7 @@
 #include "support/console.h"
 #include "support/formula.h"
 #include "support/local.h"
+#include "support/root.h"
 
 enum { WORKING_BITS = 320, EXPONENT_BITS = 480, HEAD_BITS = 26 };
 
@@ -93,38 +94,34 @@ static void slope_at_0(arb_t slope, const struct closed_form *law, bool of_inver
     LET(slope, WORKING_BITS, "(p/q)^sign*pi^power", p, q, sign, power);
 }
 
-/* Computes the x at which L is `wanted` > 0. Without an inverse it uses secant steps; for a concave L they start left
- * of x and stay there. Proves the result by L on both sides of it. */
+struct exponent_of {
+    const struct closed_form *law;
+    arb_srcptr wanted;
+};
+
+static bool exponent_below(arb_t f, const arb_t x, const void *context, slong prec)
+{
+    const struct exponent_of *const of = context;
+    of->law->exponent(f, x);
+    arb_sub(f, of->wanted, f, prec);
+    return true;
+}
+
+/* Computes the x at which L is `wanted` > 0. For a concave L, x stays left of the root until it is proved. */
 static int damping_of(arb_t x, const struct closed_form *law, const arb_t wanted)
 {
-    enum { STEPS = 60 };
-    LOCAL(arb, slope, off, last, last_off);
+    enum { ROOT_BITS = 200 };
+    const struct exponent_of of = {law, wanted};
+    LOCAL(arb, slope);
     if (law->inverse) {
         law->inverse(x, wanted);
         return STATUS_OK;
     }
     slope_at_0(slope, law, false);
     LET(x, WORKING_BITS, "wanted/slope", wanted, slope);
-    for (int k = 0; k < STEPS; k++) {
-        arb_get_mid_arb(x, x);
-        law->exponent(off, x);
-        LET(off, WORKING_BITS, "wanted - off", wanted, off);
-        if (HOLDS(WORKING_BITS, "abs(off) < wanted/2^220", off, wanted))
-            break;
-        if (k > 0)
-            LET(slope, WORKING_BITS, "(last_off - off)/(x - last)", last_off, off, x, last);
-        arb_set(last, x);
-        arb_set(last_off, off);
-        LET(x, WORKING_BITS, "x + off/slope", x, off, slope);
-    }
-    LET(last, WORKING_BITS, "x - x/2^200", x);
-    LET(last_off, WORKING_BITS, "x + x/2^200", x);
-    law->exponent(off, last);
-    law->exponent(slope, last_off);
-    if (!arb_lt(off, wanted) || !arb_gt(slope, wanted))
-        return fail("%s: cannot round the inverse: its enclosure is too wide", law->title);
-    arb_union(x, last, last_off, WORKING_BITS);
-    return STATUS_OK;
+    return root_near(x, exponent_below, &of, ROOT_BITS, WORKING_BITS)
+               ? STATUS_OK
+               : fail("%s: cannot round the inverse: its enclosure is too wide", law->title);
 }
 
 enum form { LOSS_QUOTIENT, EPS, DAMPING_QUOTIENT, DAMPING };
