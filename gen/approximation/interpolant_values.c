@@ -315,7 +315,8 @@ static double error_at(const struct interpolant *f, int i, enum quantity quantit
     LOCAL(arb, y);
     polynomial_at(y, f, i, quantity, s->node + k, INTERPOLANT_BITS);
     if (f->layout->interval[i].form == FORM_LOG && is_eps(quantity))
-        LET(y, INTERPOLANT_BITS, "y - known", y, known); /* a logarithm has an absolute error */
+        LET(y, INTERPOLANT_BITS, "y - known", y, known); /* the relative error of a number is the absolute error of its
+                                                          * logarithm */
     else
         LET(y, INTERPOLANT_BITS, "y/known - 1", y, known);
     return fabs(arf_get_d(arb_midref(y), ARF_RND_UP));

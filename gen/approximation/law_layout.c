@@ -237,7 +237,7 @@ static void add_table(struct law_layout *layout, enum law_part part, enum quanti
         quantity == DURATION_ZERO_OVERLAP || quantity == DURATION_ZERO_FORCE || quantity == TIME_OF_MAX_OVERLAP;
     const bool below = is_of_overlap(quantity) && layout->threshold < HUGE_VAL;
     const struct {
-        double first, end; /* no rows if end is 0 */
+        double first, end; /* end 0: the table has no rows */
     } range[] = {
         [PART_NEAR] = {0, layout->near_end},
         [PART_MIDDLE] = {layout->near_end, below ? layout->overlap_end : LAW_MIDDLE_END},

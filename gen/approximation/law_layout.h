@@ -93,7 +93,7 @@ bool law_tables_have_far(const struct law_tables *t, enum quantity quantity);
 bool law_tables_have_fall(const struct law_tables *t, enum quantity quantity);
 
 /* Computes one row and returns its length. FAR_COLUMNS: the coefficients a_0, a_0', a_1, a_1', a_2, ... of a quantity,
- * where a dash marks the remainder of a double. For eps at zero overlap: v_f as two doubles. INVERSE_COLUMNS, for
+ * where a' is the remainder of the double a. For eps at zero overlap: v_f as two doubles. INVERSE_COLUMNS, for
  * BETA_ZERO_FORCE beyond the rows: a, a', b_0, ... (interpolant_far_inverse). */
 slong law_tables_far_row(arb_ptr row, const struct law_tables *t, enum quantity quantity);
 

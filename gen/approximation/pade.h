@@ -70,7 +70,7 @@ struct pade_pair {
 };
 
 struct pade_roots {
-    acb_ptr root;          /* in z, isolated in disjoint balls; real roots have Im = 0 exactly */
+    acb_ptr root;          /* the roots in z, isolated in disjoint balls; real roots have Im = 0 exactly */
     slong count, positive; /* number of roots on z > 0 */
 };
 

@@ -26,7 +26,7 @@ struct series_arguments {
 
 struct pade_arguments {
     struct option_common common;
-    struct pade_request request; /* without kind and law; degree not given: OPTIONS_NOT_GIVEN */
+    struct pade_request request; /* kind and law are not set; a degree not given: OPTIONS_NOT_GIVEN */
     slong digits;
     bool two_point, as_published, force;
     const char *header; /* file of the C header, or NULL */
@@ -57,7 +57,7 @@ struct disk_modes_arguments {
 
 struct disk_collide_arguments {
     struct option_common common;
-    struct sweep_request request; /* without its tolerance, format and output */
+    struct sweep_request request; /* tolerance, format and output are not set */
     struct decimal tolerance;
     const char *part; /* "I/N"; NULL: not given */
     slong join;       /* 0: not given */
@@ -85,7 +85,7 @@ struct contact_arguments {
     int integrator; /* enum cor_integrator; OPTIONS_NOT_GIVEN: the integrator of the simulator */
     bool step_corrected, walton;
     const char *simulator, *plot, *model; /* NULL: not given */
-    const char *version;                  /* of the simulator; NULL: any */
+    const char *version;                  /* version of the simulator; NULL: any */
     const char *materials, *pairs;        /* files of several materials; NULL: two bodies */
 };
 

@@ -292,7 +292,7 @@ static int check_files(const void *arguments, const struct option_rule *rules, c
                 return usage_error("--%s and %s%s name the same file, %s; give two different files", rules[i].name,
                                    given[j] ? "--" : "standard ", rules[j].name, path);
         }
-    int status = STATUS_OK; /* this runs before any computation */
+    int status = STATUS_OK; /* check all outputs before any computation */
     for (size_t i = 0; rules[i].name && status == STATUS_OK; i++)
         if (rules[i].kind == OPTION_FILE && given[i])
             status = output_check(*(const char *const *)((const char *)arguments + rules[i].offset));

@@ -99,7 +99,7 @@ void sample_print(FILE *file, const struct sample *sample, const struct sample_r
                 request->own ? "" : ", contact ends at ",
                 request->own ? "" : contact_end_text(request->contact, (int)request->end), close);
     switch (format) {
-    case SAMPLE_TEXT: /* also compares it with the evenly spaced table */
+    case SAMPLE_TEXT: /* text has the evenly spaced table, too */
         column[columns++] = (struct column){"even_speed_m_s", sample->even.speed_m_s};
         column[columns++] = (struct column){"even_eps", sample->even.value[0]};
         fprintf(file, "The same number of evenly spaced points: %.4g.", sample->even.error);

@@ -22,7 +22,7 @@ struct own_law {
     slong parts;
     double own_part[6];
     slong rows;                   /* rows of the table; 0: no table */
-    double *speed, *place, *near; /* of each row: speed, ln(speed), and the doubles nearest to `cubic` */
+    double *speed, *place, *near; /* for each row: its speed, ln(speed), and the doubles nearest to `cubic` */
     arb_ptr cubic; /* five numbers for each row but the last: speed, coefficients of (v - speed)^k; 0 without a table */
     char text[OWN_TEXT];
 };

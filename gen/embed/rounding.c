@@ -273,7 +273,7 @@ bool embed_rounding_bound(struct embed_rounding *bound, const struct embed_form 
                       .bound = xmalloc((size_t)count * sizeof(double))};
     w.root = variable_bound(f, &w.program, a);
     if (f->family == FAMILY_PIECES_BETA) {
-        /* after rounding, the place x slope + shift must be above 0 and below the number of rows */
+        /* the rounded place x slope + shift must be above 0 and below the number of rows */
         const double most = (double)f->rows, end = most * (1 - a->unit);
         const double of_product = (w.root + a->unit * (1 + w.root)) * RAISE;
         const bool inside = HOLDS(ENCLOSED_BITS, "f->speed_min^(1/5)*f->slope*(1 - of_product) + f->shift > 0",

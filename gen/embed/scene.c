@@ -212,7 +212,7 @@ static void pressed_layout(struct embed_scene *s)
     const double begin = rises ? log(s->beta_min) : log(s->beta_max), end = rises ? log(s->beta_max) : log(s->beta_min);
     struct interval *const list = xmalloc(MOST_PRESSED * sizeof *list);
     int count = 0;
-    /* from a little before the first speed to a little beyond the last */
+    /* the intervals reach slightly beyond the first and the last speed */
     double distance = fabs(begin - u_s) * (1 - 1e-4);
     const double last = fabs(end - u_s) + beyond;
     while (distance < last && count < MOST_PRESSED) {
@@ -258,7 +258,7 @@ static int scene_collide_law(struct embed_scene *s)
     else
         law_layout_restrict(&s->layout, quantity_of(s), s->beta_min);
     for (int attempt = 0; attempt < ATTEMPTS && error > INTERPOLANT_LIMIT; attempt++) {
-        interpolant_free(s->interpolant); /* before the layout changes */
+        interpolant_free(s->interpolant); /* free the interpolant before the layout changes */
         if (attempt > 0)
             law_layout_refine(&s->layout);
         s->interpolant = interpolant_new(&s->layout.interpolant, s->beta_min * (1 - 1e-9), s->beta_max * (1 + 1e-9));

@@ -21,7 +21,7 @@ struct embed_scene {
     struct cor_exponents law, named; /* the law of beta and the law of the request, see by_speed */
     bool plastic;
     struct own_law own; /* own.law 0: none */
-    double *knot;       /* of the law's table: the starts of the cubics, and the end of the last one; NULL: no table */
+    double *knot;       /* the starts of the cubics of the law's table, and the end of the last one; NULL: no table */
     slong knots;
     bool by_speed;      /* dry eps is a closed form of the speed; law has q = 1, and beta is the speed in m/s */
     arb_t yield_speed;  /* yield speed of elastic-plastic spheres */

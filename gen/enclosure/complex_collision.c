@@ -127,7 +127,7 @@ static struct slopes last_of_fall(const struct path *p, struct complex_ball delt
 
 static const struct complex_ball zero = {0, 0, 0}, one = {1, 0, 0};
 
-/* Returns kappa = 1/zeta^2, where a path in zeta meets one in kappa, for an exact zeta. */
+/* Returns kappa = 1/zeta^2 for an exact zeta, the place where a path in zeta continues as a path in kappa. */
 static struct complex_ball kappa_at(double zeta)
 {
     return ball_inv(ball_sqr(ball_of(zeta, 0)));

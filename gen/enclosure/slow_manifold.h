@@ -28,7 +28,7 @@ struct slow_manifold {
     arb_t t_fall;       /* time t' of these trajectories from `last` to z = 0 */
     slong bits;
     bool closed;                /* the precision sufficed */
-    struct slow_manifold *next; /* next in the list of stored manifolds */
+    struct slow_manifold *next; /* next manifold in the list of stored ones */
 };
 
 /* Returns the manifold with eta below 2^(1-bits), computed with at least `prec` bits, or NULL if this precision does

@@ -216,7 +216,7 @@ static void residuals_at(arb_t residual_v, arb_t residual_t, const struct taylor
     LOCAL(mag, R);
     LOCAL(arb, w, v);
     mag_set_d(R, ratio);
-    mag_mul(R, R, h); /* at least ratio h */
+    mag_mul(R, R, h); /* rounded up: at least ratio h */
     component_norm(w, y->w, 0, y, R);
     component_norm(v, y->v, 0, y, R);
     LET(residual_t, NORM_BITS, "w^(d - 1)/ratio^N", w, d, ratio, N);
@@ -448,7 +448,7 @@ static bool taylor_root(arb_t root, const struct taylor *y, enum taylor_componen
         const bool all = prec == y->prec;
         bool zero = false;
         for (int i = 0; i < STEPS && !zero; i++) {
-            bracket_guess(x, b, y->prec + COEFFICIENT_GUARD); /* as fine as the round-off of f */
+            bracket_guess(x, b, y->prec + COEFFICIENT_GUARD); /* as narrow as the round-off of f permits */
             value_with(f, y, component, x, prec);
             zero = arb_contains_zero(f);
             if (!zero)

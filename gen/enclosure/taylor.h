@@ -18,7 +18,7 @@ struct taylor {
     arb_ptr one, w, v, t;                /* arrays of degree + 1 Taylor coefficients */
     arb_ptr force, whole_force;          /* c1 w^(bd-m) v + c2 w^(ad-m), m = min(ad, bd); this times w^(d-1+m) */
     arb_ptr time_slope, elastic, damped; /* w^(d-1), w^(ad-m), w^(bd-m) v */
-    struct taylor_product *product;      /* in the order in which they are computed */
+    struct taylor_product *product;      /* the products in the order of their computation */
     int products;
     mag_t error_w, error_v, error_t; /* remainders on [0, step] */
     arb_t step;                      /* longest step for which the remainders are proved */

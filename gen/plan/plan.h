@@ -28,12 +28,12 @@ enum plan_verdict {
     PLAN_CHOSEN,
     PLAN_MEETS,   /* meets the tolerance at a higher cost */
     PLAN_MISSES,  /* misses the tolerance */
-    PLAN_OUTSIDE, /* has no value or no reliable value somewhere in the range */
+    PLAN_OUTSIDE, /* no reliable value somewhere in the range */
     PLAN_SHOWN    /* shown only as a warning, never chosen */
 };
 
 struct plan_model {
-    char name[PLAN_NAME]; /* without commas and quotation marks */
+    char name[PLAN_NAME]; /* name; contains no comma and no quotation mark */
     double *value;        /* value at each point; NaN: none */
     double *error;        /* error at each point */
     double worst;         /* largest error, `elsewhere` included; INFINITY if an error is missing */

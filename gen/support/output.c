@@ -388,7 +388,7 @@ int table_read(struct table *t, const char *option, const char *path, const char
     free(all);
     if (!bytes)
         return usage_error("--%s: cannot read %s: %s", option, path, strerror(errno));
-    char *const start = strncmp(bytes, "\xef\xbb\xbf", 3) == 0 ? bytes + 3 : bytes; /* after a byte order mark */
+    char *const start = strncmp(bytes, "\xef\xbb\xbf", 3) == 0 ? bytes + 3 : bytes; /* start after a byte order mark */
     for (char *line = start, *next; line && !wrong; line = next) {
         char *field[COLUMNS];
         next = strchr(line, '\n');

@@ -17,7 +17,7 @@ enum output_format { FORMAT_TEXT, FORMAT_CSV, FORMAT_JSON, FORMAT_LATEX };
 struct output {
     FILE *file;
     FILE *screen;     /* a terminal that also shows progress: `bytes` are written at once; or NULL */
-    const char *path; /* as given, for messages; NULL = standard output */
+    const char *path; /* path as given, for messages; NULL: standard output */
     char *target;     /* the file to be replaced, behind all links; NULL = written directly */
     char *temporary;  /* the temporary file with the new text, during a commit */
     char *bytes;      /* text for the target or the screen */

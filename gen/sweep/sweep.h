@@ -63,7 +63,7 @@ struct sweep_printer {
     enum output_format format;
     const struct sweep *sweep;
     struct table table;                                          /* names and kinds of the columns */
-    int width[SWEEP_COLUMNS], digits[SWEEP_COLUMNS];             /* of the columns of the text format; 0 digits: all */
+    int width[SWEEP_COLUMNS], digits[SWEEP_COLUMNS];             /* columns of the text format; 0 digits: all */
     uint64_t rows, tolerance_not_reached, beyond_theory, failed; /* failed: rows without eps */
 };
 void sweep_print_start(struct sweep_printer *printer, const struct sweep *sweep, enum output_format format, FILE *file);
@@ -73,7 +73,7 @@ void sweep_print_end(struct sweep_printer *printer);
 /* ---- run.c: runs a sweep on threads and writes its file (docs/disks.md) ---- */
 
 struct sweep_request {
-    struct sweep sweep; /* its lists, tolerance and angles; sweep_run computes the other fields */
+    struct sweep sweep; /* contains lists, tolerance and angles; sweep_run computes the rest */
     slong threads;      /* 0: one for each processor */
     enum output_format format;
     const char *output; /* file; NULL: standard output */
@@ -92,7 +92,7 @@ struct journal {
     FILE *stream; /* locked against other processes; writes go to its end */
     char *path;
     uint64_t lines;    /* rows, without the title */
-    uint32_t check;    /* of the title and these rows */
+    uint32_t check;    /* check of the title and these rows */
     char *last;        /* the last row that journal_open found; NULL if it found none */
     char *interrupted; /* the text that SIGINT, SIGTERM and SIGHUP print while the journal is open */
 };

@@ -19,7 +19,7 @@ struct values_rule {
 };
 
 struct values {
-    const char *text; /* as the user wrote the list; not copied */
+    const char *text; /* text of the list as the user wrote it; not copied */
     size_t count;
     fmpq *exact;     /* inside a log range: the nearest double */
     double *nearest; /* the double nearest to each */

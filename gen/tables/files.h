@@ -53,7 +53,7 @@ int wave_tables_write(FILE *file);
 enum { DISK_TABLE_MODES = 1800, DISK_TABLE_POISSON = 60 /* characters */, DISK_TABLE_NAME = 160 };
 
 struct disk_table {
-    struct decimal poisson; /* not owned; file names and comments contain its text unchanged */
+    struct decimal poisson; /* text of nu, not owned; file names and comments contain it unchanged */
     slong count;
     bool embed; /* C++ also compiles the header; doubles are decimal */
     struct disk_modes modes;

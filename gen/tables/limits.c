@@ -175,7 +175,7 @@ static int collide_all(struct scene *scene, long count, const char *name)
 /* ---- scenes with known results ---- */
 
 struct scenes {
-    struct scene *scene; /* in order of place */
+    struct scene *scene; /* scenes in order of place */
     long count;
 };
 

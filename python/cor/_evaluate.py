@@ -17,7 +17,7 @@ from ._cor import ffi, lib
 Array = NDArray[Any]
 S = TypeVar("S", bound="Struct")
 
-ma: Any = np.ma  # without types in some versions of NumPy
+ma: Any = np.ma  # has no types in some versions of NumPy
 _POINTER = {
     np.dtype(np.float64): "double[]",
     np.dtype(np.float32): "float[]",

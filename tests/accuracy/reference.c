@@ -13,7 +13,7 @@ enum {
     FEWER_BITS = 128, /* bits of motions outside the cell in sqrt(beta) */
     /* beta below 2^FIRST_BINADE: one cell in sqrt(beta) */
     FIRST_BINADE = -3,
-    /* above 2^LAST_BINADE: powers and logarithms, scaled from the three binades that follow */
+    /* above 2^LAST_BINADE the reference scales powers and logarithms of the next three binades */
     LAST_BINADE = 45,
     BINADES = LAST_BINADE + 3 - FIRST_BINADE,
     /* cells per binade: quarters in the first ones, close to singularities in the complex plane, then one */

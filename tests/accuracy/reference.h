@@ -21,7 +21,7 @@ enum quantity {
     MAX_OVERLAP,
     TIME_OF_MAX_OVERLAP,
     QUANTITIES,
-    /* computed from the largest overlap and its time; a loss is two places after its eps */
+    /* computed from the largest overlap and its time; the enumerator of a loss is two after its eps */
     EPS_APPROACH_ONLY = QUANTITIES,
     DURATION_APPROACH_ONLY,
     LOSS_APPROACH_ONLY,

@@ -18,7 +18,7 @@ enum { FREQUENCIES = 10, MANY = 6000 };
 static const enum cor_disk_datum datums[3] = {COR_DISK_DATUM_CENTRE_OF_MASS, COR_DISK_DATUM_DIAMETER,
                                               COR_DISK_DATUM_PRINTED};
 
-static double worst; /* error relative to the allowed one */
+static double worst; /* largest error, relative to the allowed error */
 
 /* Compares modes of strength 2, as in a disk: the lowest frequency contributes most of the sum. */
 static void compare(double nu, enum cor_disk_datum datum, double v, const double *omega)

@@ -26,7 +26,7 @@ enum {
 
 struct count {
     uint64_t taken, unrounded;
-    double worst; /* in ulp of a float */
+    double worst; /* largest error in ulp of a float */
     float worst_at;
 };
 
@@ -36,7 +36,7 @@ static void judge(float x, float result, double y, struct count *count)
     const int exponent = (int)(bits_of(y) >> 52) - 1023;
     const int last = exponent < FLT_MIN_EXP - 1 ? FLT_MIN_EXP - FLT_MANT_DIG : exponent - (FLT_MANT_DIG - 1);
     double error = fabs((double)result - y) * double_of((uint64_t)(1023 - last) << 52);
-    if (!(y < (double)FLT_MAX && y > 0)) /* the reference is 0, infinity or rounds to it */
+    if (!(y < (double)FLT_MAX && y > 0)) /* the rounded reference is 0 or infinity */
         error = result == (float)y ? 0 : HUGE_VAL;
     count->taken++;
     count->unrounded += result != (float)y;

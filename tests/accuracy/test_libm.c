@@ -22,7 +22,7 @@
 #define POW_ULP 450
 
 struct row {
-    struct search_function f; /* its name is a prefix of the name in the other program */
+    struct search_function f; /* a prefix of the function's name in the other program */
     int (*exact)(mpfr_t, const mpfr_t, mpfr_rnd_t);
     double first, last; /* range of the log-uniform arguments */
     double known[2];    /* 0: none. Source: Zimmermann and others, Accuracy of mathematical functions */

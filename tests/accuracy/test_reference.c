@@ -31,7 +31,7 @@ static bool compare(struct random_state *state, double low, double high, uint64_
     for (uint64_t i = 0; i < count; i++) {
         const double b = random_log(state, low, high);
         arb_set_d(beta, b);
-        /* 1 - eps loses digits for small beta; more bits integrate the collision to its end, up to beta = 16 */
+        /* more bits: 1 - eps loses digits for small beta; up to beta = 16 the integration must reach the end */
         const slong bits = b < 1 ? BITS - (slong)logb(b) : b > 8 && b < 16 ? 2 * BITS : BITS;
         if (collision_solve(c, beta, &law_sphere, bits) != 0)
             return false;

@@ -101,7 +101,7 @@ static bool few(const struct values *values, size_t most, double least, double l
                               : values->count <= most && values->least >= least && values->largest <= largest;
 }
 
-/* True if the damping of a scene needs no collision. */
+/* True if no collision is necessary to find the damping of a scene. */
 static bool solves_nothing(const struct embed_request *scene)
 {
     return !scene->number[COR_SCENE_RESTITUTION].text && !scene->number[COR_SCENE_ZETA].text;

@@ -58,7 +58,7 @@ static int file = -1;
 
 static void run(const uint8_t *input, size_t size)
 {
-    /* exactly that size, like the inputs of libFuzzer */
+    /* the copy has exactly this size, like inputs of libFuzzer */
     uint8_t *const copy = exactly(size);
     memcpy(copy, input, size);
     if (pwrite(file, input, size, 0) != (ssize_t)size || ftruncate(file, (off_t)size) != 0)

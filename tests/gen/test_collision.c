@@ -382,7 +382,7 @@ TEST(test_below_threshold)
         assert_true(fabs(middle(y) - 3.06410) < 6e-6 + 10 * pow(2, -(double)bits / 2));
         LET(y, PREC, "eps/d - pi*sqrt(d/beta_c^5) - 1", eps, d, beta_c);
         assert_true(fabs(middle(y)) < 3 * (double)bits * pow(2, -(double)bits) + 1e-17);
-        /* above the threshold, at the same distance */
+        /* now above the threshold, at the same distance */
         LET(x, PREC, "beta_c + 1/2^bits", beta_c, bits);
         assert_int_equal(collision_solve(c, x, &law, 60), 0);
         assert_true(arb_is_zero(c->eps_zero_overlap));
@@ -653,7 +653,7 @@ TEST(test_edges)
     arb_mul_2exp_si(t0, t0, 1);
     assert_overlap(c->t_zero_overlap, t0, "duration", 0);
     assert_overlap(c->t_zero_force, t0, "duration", 1);
-    /* next to beta = 1, where the scales change */
+    /* just below and above beta = 1, where the scales change */
     for (int side = -1; side <= 1; side++) {
         LET(x, PREC, "1 + side/2^60", side);
         assert_int_equal(collision_solve(c, x, &law_sphere, 100), 0);

@@ -504,7 +504,7 @@ static size_t host_realises(const char *host, int law, const struct given *bodie
             continue;
         const double number = cor_simulator_number(m, &target, same_law, &status);
         const char *const lines = strstr(heading, m->advice) + strlen(m->advice);
-        bool is_printed = false; /* as {n}, {n/2} or {root} */
+        bool is_printed = false; /* the lines contain the number as {n}, {n/2} or {root} */
         for (int k = 0; k < 3; k++) {
             snprintf(form, sizeof form, "%.12g", k == 0 ? number : k == 1 ? number / 2 : sqrt(number));
             const char *const at = strstr(lines, form);
@@ -554,7 +554,7 @@ TEST(hosts_realise_what_is_wished)
     assert_int_equal(COUNT_OF(row), hosts);
     assert_int_equal(host_realises("drake", COR_LAW_HUNT_CROSSLEY, GLASS, measured), 1);
     assert_int_equal(host_realises("lammps", COR_LAW_HERTZ_DASHPOT, GLASS, measured), 2);
-    assert_null(cor_simulator_named("kratos")); /* in the table, but without lines */
+    assert_null(cor_simulator_named("kratos")); /* simulators in the table that have no lines */
 }
 
 static double number_after(const char *text, const char *name, double otherwise)

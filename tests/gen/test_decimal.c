@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Tests numbers as text: valid and invalid texts, exact values, nearest doubles, limits, and the shortest text. */
-#include "support/console.h" /* before cmocka, which defines a macro fail */
+#include "support/console.h" /* must precede cmocka.h, which defines a macro fail */
 
 #include <float.h>
 

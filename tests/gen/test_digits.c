@@ -47,7 +47,7 @@ TEST(test_undecided)
         const char *value;
         slong digits;
     } undecided[] = {{"1.05 +/- 0.001", 2}, {"0.15 +/- 1e-50", 1}, {"1 +/- 2", 1},
-                     {"0.55 +/- 0.45", 1}, /* from 0.1 to 1 */
+                     {"0.55 +/- 0.45", 1}, /* could be any number from 0.1 to 1 */
                      {"0 +/- 1e-100", 16},  {"1 +/- 1.2e-16", 16}, {"0 +/- 1e-400", 16}};
     LOCAL(arb, x);
     double y = 7;
@@ -90,7 +90,7 @@ TEST(test_doubles)
                  {1 + ulp, -54, -1},
                  {0x1p-1074, -1080, 1},
                  {0x1.8p-1073, -1100, 1},
-                 {0x1p-1022, -1076, -1}, /* from below, a quarter of the subnormal ulp */
+                 {0x1p-1022, -1076, -1}, /* a quarter of the subnormal ulp below */
                  {DBL_MAX, 960, 1}};
     LOCAL(arb, x);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {

@@ -350,7 +350,7 @@ TEST(test_printed_equation)
 
 /* ---- the tables of the library: each double is nearest to the exact number, and no mode is missing ---- */
 
-enum { PREC = 320, ROOT_BITS = 180, ROOT_DIGITS = 56, ORDERS = 320 /* above every n of the tables */ };
+enum { PREC = 320, ROOT_BITS = 180, ROOT_DIGITS = 56, ORDERS = 320 /* larger than every n of the tables */ };
 
 static const struct {
     struct cor_disk_modes modes;

@@ -4,7 +4,7 @@
 #define _XOPEN_SOURCE 700 /* mkstemp */
 #include <unistd.h>
 
-#include "support/console.h" /* before cmocka.h, which defines a macro fail */
+#include "support/console.h" /* must precede cmocka.h, which defines a macro fail */
 
 #include "ball.h"
 #include "contact/contact.h"

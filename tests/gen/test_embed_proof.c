@@ -205,7 +205,7 @@ TEST(test_counts)
         {SPEED, 2, 0, 1 + 2 * x * x / (1 + x * x), {1, 0, 1}, "1 + x^2 by Horner's rule: two products and the sum"},
         /* (1 + x^4) + x (0): x^2, x^2 1, x^2 x^2, the even sum, the whole sum: 4 x^4 + 2 (1 + x^4) */
         {SPEED, 4, 0, 2 + 4 * x4 / (1 + x4), {1, 0, 0, 0, 1}, "1 + x^4, split"},
-        /* at x = 16: each sum, each product by 1, and the quotient round once */
+        /* largest at x = 16: each sum, each product by 1, and the quotient round once */
         {SPEED, 1, 1, (1 + x / (1 + x)) + (1 + x / (5 + x)) + 1, {1, 1, 5, 1}, "(1 + x)/(5 + x)"},
         /* sqrt(x) rounds once; its root contributes one half, and the product rounds once */
         {SQRT_OF_SPEED, 1, 0, 2, {0, 1}, "sqrt(x)"},

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Tests the output of emit_c: a compiler reads every double back to the bit, and gives no warnings. */
 #define _XOPEN_SOURCE 700
-#include "support/console.h" /* before cmocka, which defines a macro fail */
+#include "support/console.h" /* must precede cmocka.h, which defines a macro fail */
 
 #include <unistd.h>
 
@@ -268,7 +268,7 @@ static void check_pade_header(const struct pade_request *r, slong beta_max, stru
     fprintf(file, "#include <stdio.h>\n#include \"header.h\"\nint main(void)\n{\n    static const double beta[] = {-1");
     for (int i = 0; i < PLACES; i++) {
         beta[i] = i % 4 == 0 ? random_log(random, 1e-12, 0.1) : random_log(random, 0.1, (double)beta_max);
-        beta[i] = i == 1 ? fmin(2.5, (double)beta_max) : beta[i]; /* where a two-point approximant is worst */
+        beta[i] = i == 1 ? fmin(2.5, (double)beta_max) : beta[i]; /* beta at which a two-point approximant is worst */
         fprintf(file, ", %a", beta[i]);
     }
     fprintf(file, "};\n    printf(\"%%g %%.17g %%.17g %%.17g %%.17g\\n\", COR_TEST_BETA_MAX, COR_TEST_EPS_MAX_REL,\n"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Tests every numeric option of every subcommand at both ends of its range and just outside. The expected range comes
  * from the texts for users: for whole numbers from the help, for other numbers from the refusal. */
-#include "support/console.h" /* before cmocka, which defines a macro fail */
+#include "support/console.h" /* must precede cmocka.h, which defines a macro fail */
 
 #include "check.h"
 

@@ -89,7 +89,7 @@ TEST(test_reexpansion)
 TEST(test_two_point)
 {
     leave_to_turn(1, 3);
-    enum { TWO_POINT_PREC = 128 }; /* twice this number would take seconds */
+    enum { TWO_POINT_PREC = 128 }; /* a larger m would take seconds */
     const slong m = 8, n = m + 5;
     const struct pade_request r = {
         .kind = PADE_TWO_POINT, .numerator = m, .denominator = n, .end = COR_END_ZERO_OVERLAP, .law = law_sphere};
@@ -162,7 +162,7 @@ TEST(test_true_one_four)
     assert_int_equal(pade_compute(f, a, &r, PREC), 0);
     const double c1 = coefficient(f->p, 1) - coefficient(f->q, 1);
     assert_near(c1, -1.15344885810, 1e-10);
-    assert_near(coefficient(f->p, 1) / -c1, -0.30244058, 1e-8); /* in x = |C_1| beta */
+    assert_near(coefficient(f->p, 1) / -c1, -0.30244058, 1e-8); /* the variable is x = |C_1| beta */
     assert_int_equal(a->poles.count, 4);
     assert_int_equal(a->poles.positive, 0);
     assert_int_equal(a->zeros.count, 1);
@@ -206,7 +206,7 @@ TEST(test_spurious_pair)
     assert_int_equal(a->spurious, 0);
     assert_null(pade_defects(a));
 
-    for (int k = 0; k < 20; k++) { /* a pole-zero pair on either side of the slope */
+    for (int k = 0; k < 20; k++) { /* pole-zero pairs just inside and outside the slope PADE_PAIR_SLOPE */
         LOCAL(pade, g);
         LOCAL(pade_analysis, b);
         const double re = random_uniform(&draw, 0.5, 4), im = re / PADE_PAIR_SLOPE * (k % 2 ? 1.02 : 0.98);
@@ -459,7 +459,7 @@ TEST(test_refusals)
     }
 }
 
-/* The doubles of a Padé in beta^(1/root), and the largest error of their quotient, found here with doubles. */
+/* Rounded coefficients of a Padé approximant in beta^(1/root), and the largest error of their quotient in doubles. */
 TEST(test_rounded)
 {
     static const struct {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Tests tasks on several threads: each runs once. Also tests tasks within tasks and ordered results. */
-#include "support/console.h" /* before cmocka, which defines a macro fail */
+#include "support/console.h" /* must precede cmocka.h, which defines a macro fail */
 
 #include <stdatomic.h>
 #include <sys/resource.h>

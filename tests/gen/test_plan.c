@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Tests corgen plan: its values against independent formulas and collisions, and its choice, which must be the cheapest
  * model that meets the tolerance. */
-#include "support/console.h" /* before cmocka.h, which defines a macro fail */
+#include "support/console.h" /* must precede cmocka.h, which defines a macro fail */
 
 #include "approximation/pade.h"
 #include "ball.h"

@@ -70,7 +70,7 @@ static void motion_step(double complex y[3], double complex beta, double complex
 }
 
 /* Starts from the event at the real part of beta and follows it with Newton's method to the event at beta. Events: 0 is
- * v = 0, 1 is zero force, 2 is w = 0. `s` is its complex place. */
+ * v = 0, 1 is zero force, 2 is w = 0. `s` is the complex place of the event. */
 static void motion_event(double complex y[3], double complex beta, int event)
 {
     enum { STEPS = 3000, FEWER_STEPS = STEPS / 10, PARTS = 40, NEWTON = 8 };
@@ -353,7 +353,7 @@ TEST(test_enclosed_functions)
         bool (*enclosed)(arb_poly_t y, const arb_poly_t p);
         void (*exact)(arb_t y, const arb_t x, slong prec);
         double w[3];
-        int bits[2]; /* after the point, at the first w and at later w */
+        int bits[2]; /* one w before the limit, the limit itself and later w */
         bool refuses;
     } functions[] = {{enclosed_exp, arb_exp, {0.35, 0.5, 0.9}, {150, 110}, false},
                      {enclosed_logarithm, arb_log, {0.2, 0.45, 0.49}, {104, 48}, true},

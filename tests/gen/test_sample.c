@@ -71,7 +71,7 @@ static void check_sample(const struct sample_request *r)
     }
     check(most <= r->tolerance, "error %g beyond %g with %zu points", most, r->tolerance, s.best.count);
     check(fabs(most / s.best.error - 1) < 1e-3, "error %g, said to be %g", most, s.best.error);
-    /* on a grid fine enough to show that the reported error is not too small */
+    /* the grid is fine enough to show that the reported error is not too small */
     double fine = 0;
     for (size_t i = 0; i + 1 < s.best.count; i++)
         if (errors[i] > most * (1 - 1e-3))

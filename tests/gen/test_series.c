@@ -53,7 +53,7 @@ static void compare_with_collision(const struct cor_exponents *law, slong order,
     assert_poly_overlap(s->c, few->c, order, "C_k");
     for (slong k = 1; k <= order; k++) {
         arb_poly_get_coeff_arb(x, few->c, k);
-        if (!arb_is_zero(x)) /* exactly zero: see test_exact_zeros */
+        if (!arb_is_zero(x)) /* exact zeros are tested in test_exact_zeros */
             assert_bits(x, bits);
     }
 }

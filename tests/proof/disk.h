@@ -342,8 +342,8 @@ struct law_formula {
     const struct cor_logarithm *constant; /* the function of a leading logarithm */
 };
 
-/* Checks that the function, without rounding, is its formula in t. Its q is slope nu + ln(limit at nu = 0) - ln(x), far
- * from the limit: at x = 0.75 2^exponent, with arbitrary numbers for the results of log and sqrt. */
+/* Checks that the function, without rounding, is its formula in t. x = 0.75 2^exponent is far from the limit, so q =
+ * slope nu + ln(limit at nu = 0) - ln(x). The results of log and sqrt are arbitrary numbers. */
 static void check_law_at(const law_formula &f, enum cor_disk_datum datum, int exponent)
 {
     start();

@@ -537,7 +537,7 @@ static void write_goals(const std::string &name, gappa &g, term result, ranges &
 enum shape { IN_BETA, IN_ROOT, BY_OCTAVES, NEAR, NEAR_ROOT };
 
 struct evaluator {
-    const char *name; /* also of the table */
+    const char *name; /* value of the function, or of the table */
     function value;
     number first, end;
     shape kind;
@@ -859,7 +859,7 @@ static std::string sharp_product(gappa &g, term hi, term lo)
     const std::string high = std::to_string((1L << 27) - 1) + "b-52", id = std::to_string(lo);
     g.assume("$h.a - $xh in [0, " + high + "]");
     g.assume("$h.b - $yh in [0, " + high + "]");
-    /* in terms of the rounding error of hi */
+    /* the errors in terms of the rounding error of hi */
     const std::string a = "$xh * $yh - $h", b = "(" + a + ") + $xh * ($h.b - $yh)";
     g.say("pa" + id + " = " + a + ";");
     g.say("pb" + id + " = " + b + ";");

@@ -323,7 +323,7 @@ def test_given_errors_of_heights_by_dense_matrices():
         (pairs, ints(0, 1, 2), ints(3, 4, 5)),
     ):
         p, eps = problem("constant", Data("heights", record)), 0.88
-        errors = np.zeros((middle.size, 6))  # of sqrt(2 g h_1) - eps sqrt(2 g h_0)
+        errors = np.zeros((middle.size, 6))  # errors of sqrt(2 g h_1) - eps sqrt(2 g h_0)
         errors[range(middle.size), last] = np.sqrt(G / 2 / heights[last])
         errors[range(middle.size), middle] = -eps * np.sqrt(G / 2 / heights[middle])
         residual = np.sqrt(2 * G * heights[last]) - eps * np.sqrt(2 * G * heights[middle])

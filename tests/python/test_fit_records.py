@@ -235,7 +235,7 @@ def test_hostile_bytes():
                 assert np.all(np.isfinite(values)), name
         if isinstance(record, Times):
             steps = np.diff(record.time_s)
-            steps[record.start[1:-1] - 1] = 1  # to the next drop
+            steps[record.start[1:-1] - 1] = 1  # the step to the next drop
             assert np.all(steps > 0)
 
 

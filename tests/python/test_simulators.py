@@ -228,7 +228,7 @@ def test_a_contact_of_the_list(row):
     assert again == contact and again.quantities == contact.quantities and repr(again) == repr(contact)
 
 
-def test_an_equivalent_spring():  # by hand, (16/15 E* sqrt(R))^(4/5) (m V^2)^(1/5)
+def test_an_equivalent_spring():  # K by hand: (16/15 E* sqrt(R))^(4/5) (m V^2)^(1/5)
     contact = cor.Contact(
         cor.Body(2.6e8, 0.25, 0.0, 9e-3, 7.63e-3), law="linear", equivalent="energy", zeta=0.1, at=3.0
     )

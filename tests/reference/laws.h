@@ -13,7 +13,7 @@ long double reference_ratio_exponent(enum cor_end end, long double zeta);
 /* Returns L of Hunt and Crossley's law from f(-h) = f(beta), with f by its series or log1pl; beta > -1, not 0. */
 long double reference_hunt_crossley_loss(long double beta);
 long double reference_hunt_crossley_eps(long double beta);
-/* The next function: with damping during the approach only */
+/* As above, with damping during the approach only */
 long double reference_hunt_crossley_approach_loss(long double beta);
 long double reference_hunt_crossley_approach_eps(long double beta);
 

@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Oblique impacts of elastic spheres by the theory of Mindlin and Deresiewicz, next to the models of simulators.
+"""Compares oblique impacts of elastic spheres by the theory of Mindlin and Deresiewicz with the models of simulators.
 
     tests/reference/mindlin.py [--quick | --write]    CORGEN names corgen
     --write renews docs/oblique.csv and docs/oblique.svg; --quick uses fewer springs and checks both and the page
 
-Prints the difference of u'/u of each model from the theory. Maw, Barber and Fawcett, Wear 38, 101 (1976), integrate it
-by annuli. Here springs on a line replace the half-space (Popov and Hess, Method of Dimensionality Reduction, 2015). A
-spring at z has the normal force (x - z^2) dz, and a tangential force of at most mu times the normal force. Needs numpy.
+Prints the difference of u'/u of each model from the theory. Maw, Barber and Fawcett, Wear 38, 101 (1976), integrate
+the theory on annuli of the contact. Here springs on a line replace the half-space (Popov and Hess, Method of
+Dimensionality Reduction, 2015). A spring at z has the normal force (x - z^2) dz, and a tangential force of at most
+mu times the normal force. Needs numpy.
 """
 import csv
 import io

@@ -135,7 +135,7 @@ struct motion {
     long double (*force)(long double w, long double v, const void *of);
     const void *of;
     int at_zero_force; /* the motion ends at zero force; otherwise it may have no end */
-    long double error; /* per step, 0 for 1e-18; larger if the force is a double */
+    long double error; /* error per step; 0 means 1e-18; larger if the force is a double */
 };
 
 static inline long double motion_power(long double x, int n)

@@ -399,7 +399,7 @@ def luding(host, work):
 
 # ---- two unlike bodies: the whole text of corgen contact --for, pasted after a user's own lines ----
 
-UNLIKE_STEPS = 300  # in the shortest contact, as requested by --steps
+UNLIKE_STEPS = 300  # time steps in the shortest contact, for --steps
 # Body, other body, 1 if the other is a wall, and 1 if the body falls on it
 PAIR, LIKE, WALLS, FALL = (0, 1, 0, 0), [(0, 0, 0, 0), (1, 1, 0, 0)], [(0, 1, 1, 0), (1, 0, 1, 0)], (0, 1, 1, 1)
 

@@ -75,7 +75,7 @@ static double any_number(struct bit_source *source)
         return of_bits(bits(source) & UINT64_C(0x7fffffffffffffff));
     case 5:
         return uniform(source, -1, 0);
-    case 6: /* from below 1 up to 1 */
+    case 6: /* steps from just below 1 up to 1 */
         x = uniform(source, 0, 1);
         return 1 - ldexp(x, -(int)draw_below(source, 60));
     case 7:
@@ -174,7 +174,7 @@ static struct cor_sphere_contact contact(struct bit_source *source, int by_hand)
         drawn.effective_radius_m = any_number(source);
         drawn.elastic_constant_n_m15 = any_number(source);
         drawn.dissipation_time_s = any_number(source);
-        /* so small that half of it may be subnormal */
+        /* so small that its half may be subnormal */
         drawn.beta_per_root = draw_below(source, 4) ? draw_size(source, 1e-307, 1e-303) : any_number(source);
         drawn.scale = any_number(source);
         drawn.beta5_per_speed = any_number(source);

@@ -9,7 +9,7 @@
 #include "cor/disk.h"
 
 struct reference_collision {
-    double eps, one_minus_eps2, contact_time, max_compression; /* as in struct cor_disk_collision */
+    double eps, one_minus_eps2, contact_time, max_compression; /* members as in struct cor_disk_collision */
     double energy_drift;
     double error; /* four times the difference in eps of the last two runs, mainly the error of the earlier run */
 };

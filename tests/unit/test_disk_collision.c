@@ -77,7 +77,7 @@ TEST(known_answers)
         const int status = disk_collide(&cor_disk_modes_nu033, known[i].n, 500, 0.1, 1e-13, &out);
         assert_true(status == (out.error_estimate <= 1e-13 ? COR_OK : COR_TOLERANCE_NOT_REACHED));
         assert_true(out.error_estimate < 4e-13);
-        /* half a unit of the last digit, plus the tolerance */
+        /* allows half a unit of the last digit, plus the tolerance */
         check(fabs(out.eps - known[i].eps) <= 0.5 * known[i].unit + 1e-13, "N = %zu: %.15f", known[i].n, out.eps);
         /* an extrapolation of lower order would need more steps */
         check(i > 0 || out.steps < 10000, "%zu steps", out.steps);
@@ -387,7 +387,7 @@ TEST(moments)
         assert_true(diary.first.time < 0 && fabs(diary.first.velocity / diary.speed - 1) < 1e-6);
         assert_true(fabs((diary.first.position + 1) / (diary.speed * diary.first.time) - 1) < 1e-6);
         assert_true(diary.first.wall_energy < scene[k].tolerance * energy);
-        /* after the contact; only the last run, which is not extrapolated */
+        /* the last moment, after the contact; the last run itself is not extrapolated */
         assert_true(diary.last.wall_energy < scene[k].tolerance * energy);
         double off = fabs(diary.last.velocity / -diary.speed - out.eps);
         for (size_t i = 0; i < diary.n; i++)

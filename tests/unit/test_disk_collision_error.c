@@ -109,7 +109,7 @@ static void scene_judge_by_tighter(const struct scene *s, struct tally *tally)
 {
     struct scene other = *s, tighter = *s;
     struct cor_disk_collision out, of_other, truth;
-    other.tolerance = 1e-8 / s->tolerance; /* in the same range, 1e-6 to 1e-2 */
+    other.tolerance = 1e-8 / s->tolerance; /* also from 1e-6 to 1e-2 */
     tighter.tolerance = 0.01 * s->tolerance;
     const int status = scene_collide(s, 0, &out);
     if (status != COR_OK)
@@ -235,7 +235,7 @@ TEST(known)
 TEST(known_in_turn)
 {
     leave_to_turn(2, 3);
-    scenes_known(KNOWN - LONG_ONLY - IN_TURN, KNOWN - LONG_ONLY - (points(2) < 2)); /* with few points, skip it */
+    scenes_known(KNOWN - LONG_ONLY - IN_TURN, KNOWN - LONG_ONLY - (points(2) < 2)); /* not for few points */
 }
 
 /* ---- the amplification of errors ---- */

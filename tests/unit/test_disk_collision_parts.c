@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Tests the parts of a collision one by one: a drift, a kick against the gradient of its potential, the window of
- * angles. Tests the extrapolation of artificial series, and the error from artificial changes between runs
- * (movements). */
+ * angles. Tests the extrapolation of artificial series, and the error estimate for artificial changes from run to
+ * run. */
 #include "check.h"
 
 #include <cor/disk.h>
@@ -275,7 +275,7 @@ TEST(energies)
     struct cor_disk_collision out = {0};
     /* a change of the energies counts even if eps does not change: 4/3 of the differences */
     assert_true(fabs(cor_collision_movement(&m, run, 2) - 0.5 * 4 / 3 * 0.01 * sqrt(2)) < 1e-15);
-    /* a negative extrapolated energy, by the weights 4/3 and -1/3, counts as 0; the result reports its size */
+    /* the weights 4/3 and -1/3 give a negative energy, which counts as 0; the result states how negative it is */
     after[1][0] = 0.25;
     after[1][1] = 0.0025;
     const double less = cor_collision_results(&m, run, 2, &out, found);

@@ -363,7 +363,7 @@ TEST(details)
         }
         const double watched = w.contact_energy / w.contact_time / energy;
         check(fabs(mean / watched - 1) < 1e-2, "mean energy %g, watched %g", mean, watched);
-        /* from the highest level, not extrapolated: within the estimate */
+        /* `left` is from the highest level, not extrapolated, but within the estimate */
         check(fabs(left - out.one_minus_eps2) < 3e-3 * out.one_minus_eps2 + 3e-4, "%g left, 1 - eps^2 = %g", left,
               out.one_minus_eps2);
         check(fabs(w.last.velocity / (speed * sqrt(1 - left)) + 1) < 1e-4, "velocity %g", w.last.velocity);

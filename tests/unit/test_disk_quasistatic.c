@@ -45,7 +45,7 @@ TEST(contact_time)
     for (int i = 0; i < 4; i++)
         check(relative_error(cor_disk_contact_time(speed[i], 0.33, COR_DISK_DATUM_PRINTED), tau[i]) < 1e-15L, "%g",
               speed[i]);
-    /* pi sqrt(T/2) with T about q + ln(q), for the smallest speed */
+    /* for the smallest speed tau is pi sqrt(T/2), where T is about q + ln(q) */
     const double tiny = cor_disk_contact_time(smallest, 0, COR_DISK_DATUM_DIAMETER);
     assert_true(tiny > 85.5 && tiny < 86);
 }

@@ -47,7 +47,7 @@ static const struct public_function *any_function(size_t k)
 /* If subnormal arguments count as 0, the results may be the ones for 0. Every second set has no subnormal arguments. */
 enum { WITHOUT_SUBNORMALS = 1 };
 static size_t set_count;
-static struct results *expected;  /* of function k for set i at k set_count + i */
+static struct results *expected;  /* results of function k for set i, at k set_count + i */
 static unsigned char *takes_long; /* 1: function k is too slow for every mode */
 
 static int setup(void **state)

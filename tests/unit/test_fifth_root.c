@@ -91,7 +91,7 @@ TEST(special_values)
     }
 }
 
-/* Products and quotients of pairs; long double has 11 more bits to check them. */
+/* Products and quotients of pairs agree with long double, which has 11 more bits. */
 TEST(pairs)
 {
     for (size_t i = 0; i < points(50000); i++) {

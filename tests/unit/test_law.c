@@ -71,7 +71,7 @@ TEST(damped_approach)
         check_ulp(loss(0x1p-1000), 0x1p-1000L * approaches[k].first, COR_SPHERE_APPROACH_MAX_ULP);
         check_ulp(loss(0x1p-1050), 0x1p-1050L * approaches[k].first, COR_SPHERE_APPROACH_MAX_ULP);
         for (double beta = 0x1p-10; beta < 1e6; beta *= beta < 12.5 ? 1.002 : 1.37)
-            for (int side = -1; side <= 1; side++) { /* also around the ends of rows, at sixteenths */
+            for (int side = -1; side <= 1; side++) { /* beta, or a neighbour of a row's end, a multiple of 1/16 */
                 const double at = side == 0 ? beta : nextafter(floor(16 * beta) / 16 + 0.0625, side * DBL_MAX);
                 const long double e = sqrtl(0.8L) * powl(f[COR_MAX_OVERLAP](at), 1.25L);
                 check_near(eps(at), e, part);
@@ -321,7 +321,7 @@ static double random_crossley_beta(void)
     case 4:
         return -1 + random_log(&draw, 1.2e-16, 0.9);
     default:
-        return random_uniform(&draw, 0, 4); /* at 2 the method for the end of the rebound changes */
+        return random_uniform(&draw, 0, 4); /* the method for the end of the rebound changes at 2 */
     }
 }
 
@@ -555,7 +555,7 @@ static double slipping_ratio(double kappa, double u, double *first)
     return (double)y[3];
 }
 
-/* The table of docs/theory.md, 20, and the angle of sticking: no slip during the approach. */
+/* u'/u agrees with the table of docs/theory.md, 20. At the angle of sticking there is no slip during the approach. */
 TEST(slip_in_oblique_impacts)
 {
     static const double nus[] = {0, 0.2, 0.25, 0.3, 0.4, 0.5}, parts[] = {1, 0.5, 0.25, 0.1};

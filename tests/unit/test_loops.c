@@ -200,7 +200,7 @@ static void fill_contacts(struct cor_sphere_contact contact[CONTACTS])
     contact[1] = contact[0]; /* beta near speed^(1/5) */
     assert_int_equal(cor_sphere_contact_init_g_star(&contact[1], 0.49), COR_OK);
     contact[1].scale = 0.3;
-    assert_int_equal(cor_sphere_contact_init_g_star(&contact[2], INFINITY), COR_OK); /* no dissipation, no scale */
+    assert_int_equal(cor_sphere_contact_init_g_star(&contact[2], INFINITY), COR_OK); /* no dissipation, so no scale */
     assert_int_equal(cor_sphere_contact_init_g_star(&contact[3], 1e-249), COR_OK);
     contact[3].beta5_per_speed = NAN;
     contact[3].scale = 1e-150;

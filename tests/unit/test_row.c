@@ -16,7 +16,7 @@
 struct table {
     const char *name;
     const double *(*rows)(int);
-    int count, roots; /* roots: rows from this number on are used at the square of a root */
+    int count, roots; /* roots: number of the first row that is used at the square of a root */
     double first, step;
 };
 

@@ -49,7 +49,7 @@ static long double capped(const long double *y, const struct reference *r)
     return spring_per_z(y, r) * y[3] + (r->in_cap ? damper(y, r) : 0);
 }
 
-/* Returns the spring force of the slip, in its direction. */
+/* Returns the spring force during slip, in the direction of the slip. */
 static long double held(const long double *y, const struct reference *r)
 {
     return r->cap * r->sign * normal_force(y, r) - (r->in_cap ? r->side * damper(y, r) : 0);
@@ -130,7 +130,7 @@ static long double over_threshold(const long double *y, const struct reference *
     const long double f = normal_force(y, r), step = 1e-6L;
     const long double w[] = {y[0], y[1], threshold(y, r), 0};
     long double side[2];
-    for (int k = 0; k < 2; k++) { /* by a difference, along the motion */
+    for (int k = 0; k < 2; k++) { /* derivative by a difference along the motion */
         long double slope[4], at[4] = {y[0], y[1], w[2], 0};
         reference_slopes(slope, y, r);
         for (int j = 0; j < 2; j++)
@@ -177,7 +177,7 @@ static long double reference_restitution(struct reference *r, long double tangen
                                              force_left,     speed_left, creep_below, creep_above};
     struct ode o = {.slopes = reference_slopes, .of = r, .n = 4, .h = 1e-4L};
     const int d = r->law.denominator, a = r->law.elastic, b = r->law.damping;
-    const long double u = 1e-8L, early[] = {u, 1, tangent, 0}; /* just after the touch; decides the first mode */
+    const long double u = 1e-8L, early[] = {u, 1, tangent, 0}; /* just after the touch: for the first mode */
     const long double first = r->kappa * power(u, r->p + d) * tangent / (remembers_force(r) ? 1 + r->p / (double)d : 1);
     long double y[4] = {0, 1, tangent, 0};
     r->side = r->sign = 1;
@@ -197,7 +197,8 @@ static long double reference_restitution(struct reference *r, long double tangen
         o.longest = y[1] < 0 ? fminl(longest, 0.1L * y[0] + 1e-4L) : longest; /* the last slip may be short */
         int found = ode_until(&o, y, value, VALUES);
         const long double rounding = 1e-15L * r->cap * fabsl(normal_force(y, r));
-        for (int i = ABOVE; i <= SLIP && found < 0; i++) /* a value that was 0 at the start of the step */
+        for (int i = ABOVE; i <= SLIP && found < 0; i++) /* also finds an event whose value was 0 at the start of the
+                                                          * step */
             found = value[i](y, r) < -rounding ? i : found;
         o.h = found < 0 ? o.h : restart;
         if (r->mode == CREEPS && y[0] > 0)
@@ -312,7 +313,7 @@ TEST(against_another_method)
         i.constant_stiffness = !rescaled && random_below(&draw, 4) == 0;
         i.law = rescaled && i.law == COR_LAW_LINEAR ? COR_LAW_VISCOELASTIC : i.law; /* no contact radius */
         i.damping = random_below(&draw, 2) || i.memory == COR_REMEMBERS_NOTHING ? random_log(&draw, 1e-3, 10) : 0;
-        if (random_below(&draw, 4) == 0) /* near 4.5 elastic spheres slip just before the end */
+        if (random_below(&draw, 4) == 0) /* kappa near 4.5: elastic spheres slip just before the end */
             i.kappa = 4.5 + random_uniform(&draw, -1, 1) * random_log(&draw, 1e-6, 0.3);
         i.tangent = 3.5 * i.mu / i.kappa; /* the tangent at which stick begins if the displacement is remembered */
         if (random_below(&draw, 4) == 0)

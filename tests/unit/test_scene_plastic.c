@@ -16,7 +16,7 @@ static long double printed_eps(long double x)
 TEST(eps_of_the_speed)
 {
     for (int i = 0; i < 60000; i += (int)few_or_all(6, 1)) {
-        /* from one ulp above v_y to the largest speeds */
+        /* x from one ulp above 1 to the largest speeds */
         const double exponent = -52 + 400.0 * (i + 1) / 60000;
         const double x = exponent < 0 ? 1 + exp2(exponent) * (1 + (i % 17) / 17.0) : exp2(exponent);
         const double eps = cor_elastic_plastic_eps(x);
@@ -289,7 +289,7 @@ TEST(wet_contact)
     assert_true(isinf(cor_scene_sticking_speed(&crossley, 0)));
     crossley.damping = 0.9 / wet.liquid_speed_m_s;
     assert_true(isfinite(cor_scene_sticking_speed(&crossley, 0)));
-    /* nearly equal gaps; special values */
+    /* nearly equal gaps, and special values */
     for (int i = 0; i < 200; i++) {
         const double inner = random_log(&draw, 1e-9, 1e-3), outer = inner * (1 + random_log(&draw, 1e-9, 1e3));
         check_near(cor_scene_liquid_speed(&wet, 0.1, outer, inner), drag * log1pl((outer - (long double)inner) / inner),

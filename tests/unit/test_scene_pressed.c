@@ -57,7 +57,7 @@ TEST(sticking)
 {
     const struct cor_scene_contact strong = scaled_contact(&cor_law_exponents[COR_LAW_LINEAR], 1.975, 1);
     check(cor_scene_sticking_speed(&strong, 0) > 1e8 && cor_scene_sticking_speed(&strong, 0) < 1e9, "%g",
-          cor_scene_sticking_speed(&strong, 0)); /* below the upper end of the search, scene.h */
+          cor_scene_sticking_speed(&strong, 0)); /* sticking speeds below the upper end of the search, scene.h */
     for (size_t l = 0; l < SCENE_LAWS; l++)
         for (double beta = 0.01; beta < 1; beta *= 3)
             for (int end = 0; end < COR_SCENE_ENDS; end++) {

@@ -23,7 +23,7 @@ static struct cor_step_error error_of(const struct cor_scene_contact *contact, d
 
 struct mean {
     double eps, scatter;
-    double jump, missed; /* between adjacent phases: the largest difference, and also times its weight */
+    double jump, missed; /* largest difference between adjacent phases, and the largest product of it and its weight */
 };
 
 static double push(const struct cor_scene_contact *c, double damping, int end, double x, double v)
@@ -284,7 +284,7 @@ TEST(special)
     contact.plate = 0;
     assert_int_equal(cor_scene_step_for(&steps, &contact, 1, COR_END_ZERO_OVERLAP, 0, COR_LEAPFROG), COR_FAULT_STEP);
     check(isnan(steps), "steps %g", steps);
-    /* so strong a damping that few of the steps are in contact */
+    /* damping so strong that the contact has only a few steps */
     contact.law = cor_law_exponents[COR_LAW_LINEAR];
     contact.damping = 30;
     assert_int_equal(cor_scene_step_for(&steps, &contact, 1, COR_END_ZERO_FORCE, 1e-9, COR_LEAPFROG), COR_FAULT_STEP);

@@ -13,7 +13,7 @@ TEST(realised)
 {
     static const struct {
         enum cor_simulator_model_id id;
-        int value[ASKED]; /* in units of 1e-5 */
+        int value[ASKED]; /* realised e in units of 1e-5 */
     } row[] = {{COR_CHRONO_MATERIAL, {25273, 32486, 39714, 55028, 71820, 80810, 90203, 95051, 99002}},
                {COR_LIGGGHTS_RESTITUTION_LIMIT, {25273, 32486, 39714, 55028, 71820, 80810, 90203, 95051, 99002}},
                {COR_YADE_EN, {10008, 20025, 30018, 50001, 69977, 79993, 89992, 94808, 97895}},

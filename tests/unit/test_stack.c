@@ -12,7 +12,7 @@
 enum { SIZE = 1 << 20, PAINT = 0xa5, SETS = 12, MOST_RESULTS = 100000 };
 
 static unsigned char stack[SIZE] __attribute__((aligned(4096)));
-static struct results results; /* before the calls: neither on the painted stack nor counted */
+static struct results results; /* memory from before the calls is not on the painted stack and not counted */
 
 static int setup(void **state)
 {

@@ -174,7 +174,7 @@ for module in [builtins, *sys.modules.values()]:
         for name, value in ("O", stand), ("Omega", lambda: stand):
             if name in vars(module):
                 setattr(module, name, value)
-sys.modules["yade.qt"] = MagicMock()  # its windows do not open
+sys.modules["yade.qt"] = MagicMock()  # so that no window of YADE opens
 setattr(builtins, "open", open_to_read)
 setattr(os, "system", no_program)
 for name in "Popen", "run", "call", "check_call", "check_output":

@@ -44,7 +44,7 @@ _KNOWN = _BY_MASS + _BY_ROOT + ("HOOKE_VELOCITY", "HERTZ_VELOCITY")
 _MIXES_SINCE = 20221103  # earlier, LAMMPS uses damping velocity for every mixed pair
 _MODELS = ("hertz", "hooke", "hertz/stiffness", "hooke/stiffness")  # of LIGGGHTS
 _OLD_MODEL = re.compile(r"gran/(hertz|hooke)(/history|/incremental)?(/energy)?(/stiffness)?")  # before version 3
-_TANGENTIAL = ("mindlin", "mindlin/force", "mindlin_rescale", "mindlin_rescale/force")  # with the contact radius
+_TANGENTIAL = ("mindlin", "mindlin/force", "mindlin_rescale", "mindlin_rescale/force")  # follow the contact radius
 _OLD = {"hooke": "linear_nohistory", "hooke/history": "linear_history", "hertz/history": "mindlin"}  # by their force
 _MIXED = "LAMMPS mixes the tangential forces of two types"
 _STILL = "a fix without /sphere moves the particles, or they are discs"
@@ -315,7 +315,7 @@ class Granular(System):
     def on_group(self, words: Words) -> None:
         name, how, what = words[1], words[2], words[3:]
         if how == "dynamic":
-            self.group_names.pop(name, None)  # its atoms are unknown
+            self.group_names.pop(name, None)  # the atoms of the group are unknown
         else:
             self.hold_line(self.group_names, name, True)
         if how in ("delete", "clear"):

@@ -13,7 +13,7 @@ from typing import Any, Callable, Dict, List, NamedTuple, NoReturn, Optional, Se
 
 from .deck import Options, Remark
 
-MAX_COMMANDS = 400000  # in all worlds together
+MAX_COMMANDS = 400000  # limit for all worlds together
 MAX_SECONDS = 5.0
 MAX_NESTED = 16  # depth of files, as in LAMMPS
 MAX_WORLDS = 64
@@ -34,7 +34,7 @@ class OutOfBounds(Exception):
 
 class Variable(NamedTuple):
     style: str
-    values: Tuple[str, ...] = ()  # or the formula; for format: the variable and the format
+    values: Tuple[str, ...] = ()  # values, or the formula; for format: the variable and the format
     at: int = 0
 
 

@@ -210,7 +210,7 @@ def compare(
 
 class Outlier(NamedTuple):
     line: int
-    distance: float  # in sigma of the errors without outliers; above 0: eps is too large, or a time is late
+    distance: float  # unit: sigma of the errors without outliers; above 0: eps is too large, or a time is late
 
 
 def distances(e: Estimate) -> Tuple[Ints, Floats]:
@@ -246,7 +246,7 @@ def distances(e: Estimate) -> Tuple[Ints, Floats]:
 def _distance_of(e: Estimate, line: int) -> float:
     lines, found = distances(e)
     mine = found[lines == line]
-    return float(mine[np.argmax(np.abs(mine))]) if mine.size else 0.0  # its bounces need another line
+    return float(mine[np.argmax(np.abs(mine))]) if mine.size else 0.0  # its bounces depend on another line
 
 
 def _squares(e: Estimate) -> float:

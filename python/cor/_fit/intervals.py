@@ -173,7 +173,7 @@ def minimise_with_noise(p: Problem, near: Optional[Floats] = None) -> Floats:
     first, theta = theta, settle(p, theta)
     best = (p.scale, p.log_ratio, theta)
     if p.scatters and not p.robust:
-        starts = [(first, -80.0), (first, math.log(1e8))]  # only errors of times, only scatter, no loss
+        starts = [(first, -80.0), (first, math.log(1e8))]  # starts with only errors of times and with only scatter
         if p.curve.dry:
             dry = p.like(p.curve.dry)
             without = minimise_with_noise(dry)

@@ -50,7 +50,7 @@ def launch_of_duration(time: Floats, gravity: float, kappa: float) -> Floats:
     tau = math.sqrt(kappa) * gravity * time
     if kappa == 0 or not np.any(tau > 1e-150):
         return gravity * time / 2
-    s = np.maximum(tau / 2, np.sinh(np.maximum(tau - math.pi / 2, 0)))  # below the root of a concave function
+    s = np.maximum(tau / 2, np.sinh(np.maximum(tau - math.pi / 2, 0)))  # starts below the root of a concave function
     for _ in range(60):
         step = (tau - np.arctan(s) - np.arcsinh(s)) / (1 / (1 + s * s) + 1 / np.sqrt(1 + s * s))
         s = s + step

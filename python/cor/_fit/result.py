@@ -325,7 +325,7 @@ class Result:
         line += [f"--end {chosen.end}"] if chosen.end != "both" else []
         speed = p.at(finite_theta(e)).speed
         low, high = speed.min(), max(speed.max(), 1.001 * speed.min())
-        if chosen.name == "power-law" and second > 0:  # up to the speed at which the rising eps is 1
+        if chosen.name == "power-law" and second > 0:  # the range ends where the rising eps is 1
             high = min(high, 0.999 * math.exp(min(-e.theta[0] / second, 700.0)))
         return " ".join([*line, f"--speed-min {low:.6g} --speed-max {high:.6g} --tolerance 1e-6"])
 

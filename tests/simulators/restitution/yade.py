@@ -45,7 +45,7 @@ def collide(text, step, steps, wall=0, speed=1, g=0, side=0, radius=None, materi
     values = []
     for length in (int(1.3 * steps), int(0.1 * steps)):
         O.run(length, True)
-        up = O.bodies[0].state.vel[2] - O.bodies[1].state.vel[2] - g * step / 2  # half a step earlier
+        up = O.bodies[0].state.vel[2] - O.bodies[1].state.vel[2] - g * step / 2  # velocity half a step earlier
         height = O.bodies[0].state.pos[2] - radius[0]
         values.append(((up**2 + 2 * g * height)**0.5 if g else up) / speed)
     if side:  # u'/u of the contact point
