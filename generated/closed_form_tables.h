@@ -6,7 +6,7 @@
  * Written by:  corgen tables
  * Checked by:  corgen tables --check
  *
- * The rows interpolate enclosures to 200 bits. Errors of the rows stand above each table (sampled); errors of
+ * The rows interpolate enclosures to 200 bits. Errors of the rows are above each table (sampled); errors of
  * evaluation: include/cor/law.h (sampled). */
 #ifndef COR_GENERATED_CLOSED_FORM_TABLES_H
 #define COR_GENERATED_CLOSED_FORM_TABLES_H

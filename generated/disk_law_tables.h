@@ -8,7 +8,7 @@
  *
  * The rows interpolate polynomials through samples: of the time by two Gauss rules of 56 points, of the load by
  * Lambert's W. The polynomials agree with enclosures to 1e-20 at two places of each block of rows. Errors of the
- * rows stand above each table (sampled); errors of evaluation: include/cor/disk.h. */
+ * rows are above each table (sampled); errors of evaluation: include/cor/disk.h. */
 #ifndef COR_GENERATED_DISK_LAW_TABLES_H
 #define COR_GENERATED_DISK_LAW_TABLES_H
 #include "runtime/table/rows.h"

@@ -2,18 +2,18 @@
 /* 1 - eps^2 of an elastic disk of all its modes at a rigid wall (cor_disk_hard_wall), E = rho = R = 1, for
  * speeds from 1e-05 to 0.3 and Poisson's ratios from -0.2 to 0.4875 in plane stress. Evaluated by runtime/disk/limits.c.
  *
- * 13381 collisions, asked for an error of 1.5e-05 up to v = 0.16439 and 5e-05 beyond (estimated by cor_disk_hard_wall).
+ * 13381 collisions with the tolerance 1.5e-05 up to v = 0.16439 and 5e-05 beyond (errors estimated by cor_disk_hard_wall).
  * The plane of x = v^(1/8) and nu is cut into 703 cells, of depths 0 to 4: 32, 208, 218, 121, 124. A polynomial
  * of degree 3 interpolates the 4 x 4 collisions of a cell and is joined on its sides: 1221 pieces,
  * runtime/core/disk_limit.h.
  *
- * Uncertainty of a cell: the root of the squares of two parts, 1.5 times what its polynomial misses at most
- * at 9 collisions between the 16 (measured) and the largest estimate of the errors of these 25 collisions.
- * It is an estimate, no bound, and at most 3.1e-05 in cells below v = 0.16439, 7.58e-05 in the others,
+ * Uncertainty of a cell: the root of the sum of two squares, of 1.5 times the largest error of its polynomial
+ * at 9 collisions between the 16 (measured), and of the largest estimated error of these 25 collisions.
+ * It is an estimate, not a bound: at most 3.1e-05 in cells below v = 0.16439, 7.58e-05 in the others,
  * 1.6e-05 in half of all.
  *
  * Written by:  corgen tables --all, in 759 seconds of processor time
- * Checked by:  corgen tables --check, which collides at places of one cell again, and corgen tables
+ * Checked by:  corgen tables --check, which computes one row of one cell again, and corgen tables
  *              --check --all */
 #ifndef COR_DISK_LIMITS_H
 #define COR_DISK_LIMITS_H

@@ -10,7 +10,7 @@
  * each. In the functions
  * eps, loss and largest overlap are within 1 unit of the last place, times and inverse within 2: sampled against
  * enclosed collisions (tests/law/run, tests/table). The interpolants behind the rows go through collisions enclosed
- * to 80 bits (proved); between them they are off by 8.0e-20 at most (sampled). Errors of the rows stand above each
+ * to 80 bits (proved); between them their error is at most 8.0e-20 (sampled). Errors of the rows are above each
  * table (sampled). */
 #ifndef COR_GENERATED_HERTZ_DASHPOT_TABLES_H
 #define COR_GENERATED_HERTZ_DASHPOT_TABLES_H

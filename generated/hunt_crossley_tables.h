@@ -8,7 +8,7 @@
  * Checked by:  corgen tables --check
  *
  * The rows interpolate polynomials through samples by two Gauss rules of 56 points, which agree with enclosures by
- * adaptive quadrature to 1e-20 at two places of each block of rows. Errors of the rows stand above each table
+ * adaptive quadrature to 1e-20 at two places of each block of rows. Errors of the rows are above each table
  * (sampled); errors of evaluation: include/cor/law.h (sampled). */
 #ifndef COR_GENERATED_HUNT_CROSSLEY_TABLES_H
 #define COR_GENERATED_HUNT_CROSSLEY_TABLES_H

@@ -6,7 +6,7 @@
  * Written by:  corgen tables
  * Checked by:  corgen tables --check
  *
- * Errors of the rows, evaluated exactly, stand above each table: sampled. Errors of evaluation in float
+ * Errors of the rows, evaluated exactly, are above each table: sampled. Errors of evaluation in float
  * arithmetic: include/cor/sphere.h, measured at every float. */
 #ifndef COR_GENERATED_SPHERE_FLOAT_TABLES_H
 #define COR_GENERATED_SPHERE_FLOAT_TABLES_H

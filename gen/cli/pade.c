@@ -76,7 +76,7 @@ static int write_header(const struct problem *problem)
                 "Written by:  corgen pade --numerator %ld --denominator %ld --end %s%s%s%s%s --header FILE\n"
                 "Checked by:  the same command, whose output is the same to the byte\n"
                 "\n"
-                "Each double is the one nearest to the exact coefficient, which stands beside it: "
+                "Each double is the one nearest to the exact coefficient in its comment: "
                 "proved.\n",
                 B, b_den, A, a_den, f->variable, f->variable, z, printed ? " = (g/g*)^(1/5)" : "", (long)r->numerator,
                 (long)r->denominator, contact_end_options[r->end], options, two_point ? " --two-point" : "",

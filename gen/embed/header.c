@@ -196,7 +196,7 @@ static void emit_clamped(struct emit *e, const struct embed_form *f, const char 
         return;
     }
     emit_lines(e,
-               "    /* as whole numbers, which loops over it are made vectors with */\n"
+               "    /* as whole numbers, so that loops over it become vector code */\n"
                "    const int$B_t low = INT$B_C($b), high = INT$B_C($b);\n",
                f->speed_min, f->speed_max);
     emit_copy(e, "int$B_t", "whole_speed", x);
@@ -221,7 +221,7 @@ static void emit_start(struct emit *e, const char *name)
         emit_lines(e, "    shifted <<= 32;\n");
         emit_copy(e, "double", name, "shifted");
     }
-    emit_lines(e, "    /* and off = 1 - g guess^5, so that g^(-1/5) = guess (1 - off)^(-1/5) */\n");
+    emit_lines(e, "    /* with off = 1 - g guess^5: g^(-1/5) = guess (1 - off)^(-1/5) */\n");
 }
 
 static void emit_step(struct emit *e, const struct embed_form *f, const struct embed_program *p,

@@ -205,7 +205,7 @@ static const char what[] =
     "eps and beta or zeta of eps for the linear dashpot, Tsuji's damping and Hunt and Crossley's law: rows of short\n"
     "polynomials around the nodes of uniform grids and by octaves. Evaluated by runtime/law/closed_form.h. Source:\n"
     "docs/laws.md; form: docs/internals.md.\n",
-                  how[] = "The rows interpolate enclosures to 200 bits. Errors of the rows stand above each table "
+                  how[] = "The rows interpolate enclosures to 200 bits. Errors of the rows are above each table "
                           "(sampled); errors of\n"
                           "evaluation: include/cor/law.h (sampled).\n";
 

@@ -92,7 +92,7 @@ static int manifest_make(struct content *manifest, const struct content *c, int 
     FILE *const file = content_open(manifest, MANIFEST);
     fprintf(file, "Written by `corgen tables`; `corgen tables --check` compares the files below byte for "
                   "byte.\nLines that start with " MANIFEST_VERSION_WORD
-                  " tell which libraries made them, and are not compared.\n\n");
+                  " name the libraries of corgen and are not compared.\n\n");
     for (int i = 0; i < files_made; i++) {
         long lines = 0;
         for (size_t k = 0; k < c[i].size; k++)

@@ -167,7 +167,7 @@ static const char accuracy_text[] =
     "eps, loss and largest overlap are within 1 unit of the last place, times and inverse within 2: sampled against\n"
     "enclosed collisions (tests/law/run, tests/table). The interpolants behind the rows go through collisions "
     "enclosed\n"
-    "to 80 bits (proved); between them they are off by %.1e at most (sampled). Errors of the rows stand above each\n"
+    "to 80 bits (proved); between them their error is at most %.1e (sampled). Errors of the rows are above each\n"
     "table (sampled).\n";
 
 /* Without this attribute gcc 12 at -O2 copies the law's constants in each function: five times slower. */

@@ -627,7 +627,7 @@ static int file_write(FILE *file, const char *name, const char *what, const char
 /* The last lines of two banners: how the times and their errors are computed */
 static const char how_times[] =
     "The rows interpolate polynomials through samples by two Gauss rules of 56 points, which agree with enclosures by\n"
-    "adaptive quadrature to 1e-20 at two places of each block of rows. Errors of the rows stand above each table\n"
+    "adaptive quadrature to 1e-20 at two places of each block of rows. Errors of the rows are above each table\n"
     "(sampled); errors of evaluation: include/cor/law.h (sampled).\n";
 
 int tsuji_tables_write(FILE *file)
@@ -658,6 +658,6 @@ int disk_law_tables_write(FILE *file)
     static const char how[] =
         "The rows interpolate polynomials through samples: of the time by two Gauss rules of 56 points, of the load "
         "by\nLambert's W. The polynomials agree with enclosures to 1e-20 at two places of each block of rows. Errors "
-        "of the\nrows stand above each table (sampled); errors of evaluation: include/cor/disk.h.\n";
+        "of the\nrows are above each table (sampled); errors of evaluation: include/cor/disk.h.\n";
     return file_write(file, "disk_law", what, how, disk_rows, COUNT(disk_rows), 26, NULL);
 }

@@ -515,29 +515,29 @@ static void write_banner(FILE *file)
         " * speeds from %g to %g and Poisson's ratios from %g to %g in plane stress. Evaluated by "
         "runtime/disk/limits.c.\n"
         " *\n"
-        " * %ld collisions, asked for an error of %g up to v = %g and %g beyond (estimated by "
+        " * %ld collisions with the tolerance %g up to v = %g and %g beyond (errors estimated by "
         "cor_disk_hard_wall).\n"
         " * The plane of x = v^(1/8) and nu is cut into %d cells, of depths 0 to %d: ",
         FIRST_SPEED, LAST_SPEED, FIRST_NU, LAST_NU, table->scenes, CALM_TOLERANCE, calm_end(), FAST_TOLERANCE,
         table->cells, deepest);
     for (int k = 0; k <= deepest; k++)
         fprintf(file, "%s%d", k ? ", " : "", of_depth[k]);
-    fprintf(
-        file,
-        ". A polynomial\n"
-        " * of degree 3 interpolates the 4 x 4 collisions of a cell and is joined on its sides: %d pieces,\n"
-        " * runtime/core/disk_limit.h.\n"
-        " *\n"
-        " * Uncertainty of a cell: the root of the squares of two parts, %g times what its polynomial misses at most\n"
-        " * at 9 collisions between the 16 (measured) and the largest estimate of the errors of these 25 collisions.\n"
-        " * It is an estimate, no bound, and at most %.1e in cells below v = %g, %.2e in the others,\n"
-        " * %.1e in half of all.\n"
-        " *\n"
-        " * Written by:  corgen tables --all, in %ld seconds of processor time\n"
-        " * Checked by:  corgen tables --check, which collides at places of one cell again, and corgen tables\n"
-        " *              --check --all */\n",
-        table->pieces, SAFETY, calm * COR_DISK_LIMIT_UNIT, calm_end(), fast * COR_DISK_LIMIT_UNIT,
-        median * COR_DISK_LIMIT_UNIT, table->seconds);
+    fprintf(file,
+            ". A polynomial\n"
+            " * of degree 3 interpolates the 4 x 4 collisions of a cell and is joined on its sides: %d pieces,\n"
+            " * runtime/core/disk_limit.h.\n"
+            " *\n"
+            " * Uncertainty of a cell: the root of the sum of two squares, of %g times the largest error of its "
+            "polynomial\n"
+            " * at 9 collisions between the 16 (measured), and of the largest estimated error of these 25 collisions.\n"
+            " * It is an estimate, not a bound: at most %.1e in cells below v = %g, %.2e in the others,\n"
+            " * %.1e in half of all.\n"
+            " *\n"
+            " * Written by:  corgen tables --all, in %ld seconds of processor time\n"
+            " * Checked by:  corgen tables --check, which computes one row of one cell again, and corgen tables\n"
+            " *              --check --all */\n",
+            table->pieces, SAFETY, calm * COR_DISK_LIMIT_UNIT, calm_end(), fast * COR_DISK_LIMIT_UNIT,
+            median * COR_DISK_LIMIT_UNIT, table->seconds);
 }
 
 static void write_numbers(FILE *file, const char *name, const uint16_t *number, int count)

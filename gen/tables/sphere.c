@@ -282,7 +282,7 @@ static const char
         "arithmetic: rows of cubics by octaves of beta. Evaluated by runtime/table/float_lanes.h. Source:\n"
         "docs/theory.md, 4 to 6 and 8; form: docs/internals.md.\n",
     how_floats[] =
-        "Errors of the rows, evaluated exactly, stand above each table: sampled. Errors of evaluation in float\n"
+        "Errors of the rows, evaluated exactly, are above each table: sampled. Errors of evaluation in float\n"
         "arithmetic: include/cor/sphere.h, measured at every float.\n";
 
 int sphere_float_tables_write(FILE *file)
