@@ -631,6 +631,7 @@ static double word_number(const char *word, const struct block *block, const str
     const int hertz = cor_law_is_hertz(&r->contacts->law);
     const double kt =
         r->friction > 0 ? cor_quiet_product(cor_quiet_quotient(r->tangential_stiffness, r->contacts->stiffness), k) : 0;
+    const double ct = r->tangential_damping * sqrt(k / r->contacts->stiffness * m / r->contacts->mass_kg);
     const double nu = one.poisson_ratio,
                  density = !r->materials         ? cor_scene_body_density(target->scene, 1)
                            : isinf(one.radius_m) ? (double)NAN
@@ -673,6 +674,8 @@ static double word_number(const char *word, const struct block *block, const str
                  {"kt", hertz ? cor_quiet_quotient(kt, sqrt(radius)) : kt},
                  {"kt0", r->friction > 0 ? kt : (double)NAN},
                  {"2kt", 2 * kt},
+                 {"ct", ct},
+                 {"2ct", 2 * ct},
                  {"et", r->friction > 0 ? exp(-sqrt(3.5 * kt / k * (COR_PI * COR_PI + l * l) - COR_PI * COR_PI)) : 1},
                  {"dt", block->time_step_s},
                  {"erp", block->time_step_s * k / (block->time_step_s * k + number)},
@@ -976,14 +979,17 @@ static void put_oblique(struct text *t, const struct block *block, const struct 
 {
     const struct cor_simulator_request *const r = task->request;
     const struct cor_scene_contact c = contact_made(block, task, PAIR);
+    const int by_et = block->model == cor_simulator_model(COR_YADE_TC_EN); /* et sets spring and damper */
+    const double et = word_number("et", block, task, PAIR), tc = word_number("tc", block, task, PAIR),
+                 damping = by_et ? -4.0 / 7 * log(et) * c.mass_kg / tc : r->tangential_damping;
     for (size_t i = 0; i < r->speeds * r->obliques; i++) {
         const double speed = r->speed_m_s[i / r->obliques], given = r->oblique[i % r->obliques],
                      tangent = r->in_degrees ? tan(given * COR_PI / 180) : given / speed;
         struct cor_tangential tangential;
         struct cor_oblique_impact impact;
         const int end = block->model->end == COR_END_ZERO_FORCE;
-        if (cor_scene_tangential_scaled(&tangential, &c, r->tangential, r->tangential_stiffness, r->tangential_damping,
-                                        speed) == COR_OK &&
+        if (cor_scene_tangential_scaled(&tangential, &c, r->tangential, r->tangential_stiffness, damping, speed) ==
+                COR_OK &&
             cor_scene_oblique(&impact, &c, &tangential, r->friction, speed, tangent, end) == COR_OK)
             put_comment(t, "tangential restitution = %s at %s degrees and %s m/s%s%s%s", TEXT(-impact.restitution),
                         TEXT(atan(tangent) * 180 / COR_PI), TEXT(speed),
@@ -1298,8 +1304,10 @@ static int check_friction(struct task *task)
     if (task->types == 2 && !r->scene->wall)
         return refuse_task(task, "lines with --friction need two bodies of the same material and size, or a wall; "
                                  "for others give --materials FILE");
-    return lammps || !(r->tangential_damping > 0) ||
-           refuse_task(task, "only LAMMPS has lines with a tangential damping; leave out --tangential-damping");
+    return lammps || r->tangential == COR_YADE_VISCEL || r->tangential == COR_MERCURYDPM_SLIDING_FRICTION ||
+           !(r->tangential_damping > 0) ||
+           refuse_task(task, "only LAMMPS, and YADE and MercuryDPM with --law linear, have lines with a tangential "
+                             "damping; leave out --tangential-damping");
 }
 
 static int check_task(struct task *task)

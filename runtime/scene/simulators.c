@@ -294,7 +294,7 @@ static double damping_of_yade_en(const struct cor_simulator_model *model, double
     "ccor_{contact}->setEffectiveElasticModulus({E});\nccor_{contact}->setDissipation({n});\n"
 #define MERCURYDPM_FRICTION                                                                                            \
     "?species->setSlidingFrictionCoefficient({mu});\n?species->setSlidingFrictionCoefficientStatic({mu});\n"           \
-    "?species->setSlidingStiffness({kt0});\n"
+    "?species->setSlidingStiffness({kt0});\n?species->setSlidingDissipation({ct});\n"
 /* The density of a material. The mixed species of two materials has no density. */
 #define MERCURYDPM_DENSITY "?species->setDensity({rho});\n"
 
@@ -420,7 +420,8 @@ static const struct cor_simulator_model yade[] = {
     ROW(YADE_KN_CN, OF_YADE("ViscoelasticPM.cpp"), "ViscElMat, kn and cn", "cn of each of two equal bodies, kg/s",
         LINEAR, ZERO_FORCE, SCALED(PAIR_DASHPOT),
         "K is kn/2 of two equal bodies: the numbers of two bodies are in series.",
-        YADE(EVERYWHERE, "cor_material = ViscElMat({density}kn={2K}, cn={n}, ks={2kt}, cs=0, frictionAngle={phi})\n",
+        YADE(EVERYWHERE,
+             "cor_material = ViscElMat({density}kn={2K}, cn={n}, ks={2kt}, cs={2ct}, frictionAngle={phi})\n",
              "Ip2_ViscElMat_ViscElMat_ViscElPhys()", "Law2_ScGeom_ViscElPhys_Basic()")),
     ROW(YADE_TC_EN, OF_YADE("ViscoelasticPM.cpp"), "ViscElMat, tc and en", "e", LINEAR, ZERO_FORCE,
         ASKED(exact_at_zero_overlap, OPEN, 1),
