@@ -361,6 +361,15 @@ def test_hostile(tmp_path):
     assert time.process_time() - start < 10
 
 
+def test_long_loop(tmp_path, monkeypatch):
+    """After half of the time cor leaves a loop, states it, and reads the lines below."""
+    monkeypatch.setattr("cor._audit.script.MAX_SECONDS", 0.1)
+    loop = "variable i loop 4000000\nlabel again\nvariable x equal 1\nnext i\njump SELF again\n"
+    path = write(tmp_path, "in.loop", loop + "units lj\npair_style gran/hooke 2000 NULL 50 NULL 0 0\nrun 0\n")
+    status, out, _ = run("audit", path, "--radius", "0.5", "--density", "1", "--format", "json")
+    assert status == 4 and [row["line"] for row in json.loads(out)] == [5, 7]
+
+
 @pytest.mark.parametrize(
     "kind", ["yade", "lammps", "mfix", "mujoco"] if os.environ.get("COR_TEST_LONG") else ["lammps"]
 )

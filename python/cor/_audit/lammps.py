@@ -12,6 +12,7 @@ from itertools import chain
 from typing import Any, Dict, FrozenSet, Iterator, List, Optional, Sequence, Tuple
 
 from .._cor import lib
+
 from .deck import (
     MAX_CONTACTS, NAN, NO_FRICTION, ROLLS, Body, Contact, Deck, Options, Remark, Repair, Spring, Tangential, Units,
     share,

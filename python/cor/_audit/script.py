@@ -458,7 +458,7 @@ class World:
         if source is None:
             self.stack.clear()
             return
-        self.stack[-1] = (source, 0, 1)
+        here, self.stack[-1] = self.stack[-1], (source, 0, 1)
         if len(words) > 2:
             key = source.name, words[2]
             if key not in self.script.labels:
@@ -470,8 +470,12 @@ class World:
                 self.script.remark(words.line, f"jump: {source.name} has no label {words[2]}.")
                 self.stack.clear()
                 return
-            self.label = words[2]
             self.stack[-1] = (source, at, line)
+            if source.name == here[0].name and at < here[1] and self.script.is_late():
+                self.script.remark(words.line, "The loop takes too long to read; cor reads on after its first rounds.")
+                self.stack[-1] = here
+                return
+            self.label = words[2]
 
     def branch(self, words: Words) -> None:
         """Executes the first true branch of `if`. Each earlier branch with an unknown condition gets its own world."""
@@ -632,6 +636,11 @@ class Script:
 
     def set_end(self, seconds: float) -> None:
         self.end, self.processor_end = time.monotonic() + 1.4 * seconds, time.process_time() + seconds
+
+    def is_late(self) -> bool:
+        """True if half of the time is over."""
+        half = MAX_SECONDS / 2
+        return time.monotonic() > self.end - 1.4 * half or time.process_time() > self.processor_end - half
 
     def remark(self, line: Line, text: str, matters: bool = True) -> None:
         if len(self.remarks) < 200:

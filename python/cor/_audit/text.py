@@ -444,9 +444,7 @@ def read_mercurydpm(text: str, name: str, options: Options) -> Deck:
     return deck
 
 
-def _mercury_tangential(
-    c: Contact, of: str, plain: str, constants: Dict[str, str], logs: List[float]
-) -> Tangential:
+def _mercury_tangential(c: Contact, of: str, plain: str, constants: Dict[str, str], logs: List[float]) -> Tangential:
     """Returns the tangential force of a species. Numbers may be parts of its normal ones. logs: of e and e_t."""
     found = dict(re.findall(rf"\b{of}\s*(?:->|\.)\s*setSliding(\w+)\(([^;]*)\)\s*;", plain))
     if re.search(rf"\b{of}\s*(?:->|\.)\s*set(Rolling|Torsion)\w+\(", plain):
@@ -463,7 +461,10 @@ def _mercury_tangential(
         whole = 1.0 if count else whole if is_number else NAN
         ratios.append(share(arithmetic(part), whole))
     if logs:
-        ratios = [2 / 7 * (math.pi**2 + logs[1] ** 2) / (math.pi**2 + logs[0] ** 2), 2 / 7 * share(logs[1], logs[0])]
+        ratios = [
+            2 / 7 * (math.pi**2 + logs[1] ** 2) / (math.pi**2 + logs[0] ** 2),
+            2 / 7 * share(logs[1], logs[0]),
+        ]
     return Tangential("sliding-friction", ratios[0], ratios[1], arithmetic(found["FrictionCoefficient"]))
 
 
