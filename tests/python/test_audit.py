@@ -338,6 +338,9 @@ def test_hostile(tmp_path):
         "bomb.xml": bomb,
         "cycle.xml": '<mujoco><include file="cycle.xml"/></mujoco>',
         "solref.xml": geoms.format("1e200 1"),
+        "pull.lig": (ROOT / "tests/audit/decks/liggghts-pull.lig")
+        .read_text()
+        .replace("1e5 2e5 2e5 3e5", "1e47 -1 -1 1e300"),
         "huge.py": VISCOUS.format("x=9**9**9**9\ny='a'*10**10\nfor i in range(10**12): pass\nwhile True: pass\n" * 2),
         "deep.py": "O.engines=" + "(" * 5000 + ")" * 5000,
         "deep.json": '{"material_relations":' + "[" * 100000 + "]" * 100000 + "}",

@@ -854,9 +854,10 @@ class Granular(System):
         if old and words[at + 2][-1:] in tuple("13579"):
             is_on, cohesion = is_on | {"cohesion"}, "sjkr"
         density = self.property("cohesionEnergyDensity")
-        if cohesion in ("sjkr", "sjkr2") and density and density.value(6) == types and not is_stiff:
-            contact.cohesion = cohesion, density.value(places[0])
-            contact.tangential, contact.slots = ("", NAN, NAN, NAN), ()
+        pull = density.value(places[0]) if density and density.value(6) == types else NAN
+        if cohesion in ("sjkr", "sjkr2") and not math.isnan(pull) and not is_stiff:
+            contact.cohesion = cohesion, pull
+            contact.tangential, contact.slots = Tangential("cor has no model of the tangential force with cohesion"), ()
             is_on -= {"cohesion"} if "limitForce" not in is_on else set()
         contact.unknown = next((reasons[r] for r in reasons if r in is_on), contact.unknown)
         return contact

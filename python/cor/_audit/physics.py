@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Computes the audit's rows from the contacts of a deck. libcor_scene computes laws, ends, maps and step errors."""
 
+import contextlib
 import math
 from importlib import import_module
 from typing import Any, Dict, List, Optional, Set, Tuple
@@ -32,6 +33,7 @@ _OTHER = {
     "LAMMPS_HOOKE_TSUJI": "LAMMPS_HOOKE_TSUJI_2026",
     "YADE_EN": "YADE_EN_UNTIL_2023",
 }
+_COHESIVE = 600  # integrations of one deck
 _PHASES, _PHASES_LEAST, _STEPS_OF_PHASES = 128, 16, 2**20  # of cor_scene_step_error
 _STEPS_IN_ALL = 2e8  # takes some seconds
 _STEPS_OF_SEARCH, _LEAST_SEARCHED = 2e7, 1e-4  # of cor_scene_step_for
@@ -103,7 +105,7 @@ class _Audit:
         self.deck, self.options = deck, options
         self.version = lib.cor_simulator_version(options.version.encode()) if options.version else 0
         self.integrator = integrator_of(deck.simulator)
-        self.steps_left = _STEPS_IN_ALL
+        self.steps_left, self.cohesive_left = _STEPS_IN_ALL, _COHESIVE
         self.errors: Dict[Tuple[Any, ...], Tuple[float, float]] = {}
         self.needed: Dict[Tuple[Any, ...], float] = {}
 
@@ -152,7 +154,9 @@ class _Audit:
         if contact.global_damping != 0:
             self.damp(row, contact, law, end, damping)
         if contact.cohesion[0]:
-            row.realised, row.duration_s = self.cohesive(contact, scene, speed, size), NAN
+            row.realised = row.duration_s = NAN
+            with contextlib.suppress(ArithmeticError):
+                row.realised = self.cohesive(contact, scene, speed, size)
             row.advice += " eps includes the cohesion, but no error of the time step."
         return int(end)
 
@@ -180,6 +184,9 @@ class _Audit:
             pull = math.pi * contact.cohesion[1] * area(x)
             return float((pull - scene.stiffness * x**power - damper * x**damped * v) / scene.mass_kg)
 
+        self.cohesive_left -= key not in self.needed
+        if self.cohesive_left < 0 and key not in self.needed:
+            return NAN
         if key not in self.needed:
             h = lib.cor_scene_elastic_duration_s(scene, speed) / 1000
             x, v, eps = 0.0, speed, 0.0
@@ -314,8 +321,10 @@ class _Audit:
             row.advice += " The stiffness could not be read."
         elif math.isnan(speed):
             row.advice += " eps depends on the impact speed: give --speed."
+        elif row.contact and row.contact.cohesion[0]:
+            most = f" cor integrates at most {_COHESIVE} contacts of a deck."
+            row.advice += most if self.cohesive_left < 0 else " The pull exceeds the spring."
         else:
-            row.advice += " The pull exceeds the spring." if row.contact and row.contact.cohesion[0] else ""
             row.advice += " This law has no function in libcor."
 
     def row(self, contact: Contact, size: int, label: str, speed_m_s: float) -> Row:
@@ -347,7 +356,9 @@ class _Audit:
         if not self.has_version(model):
             row.advice += f" {self.deck.simulator} {self.options.version} does not have this model."
             row.end = string(lib.cor_end_names[model.end])
-        elif not _is_moderate(scene.mass_kg, scene.stiffness, scene.radius_m, speed, contact.number):
+        elif not _is_moderate(
+            scene.mass_kg, scene.stiffness, scene.radius_m, speed, contact.number, contact.cohesion[1]
+        ):
             row.advice += " A number of this contact is negative, or out of the range from 1e-48 to 1e48."
         elif not contact.unknown:
             self.judge(row, contact, model, scene, speed)
