@@ -101,7 +101,7 @@ struct measured {
     int end, *status;
 };
 
-/* Computes eps - wanted, which falls with beta. */
+/* Computes the difference from the measured eps, which falls with beta. */
 static bool eps_above(arb_t f, const arb_t beta, const void *context, slong prec)
 {
     const struct measured *const m = context;
@@ -142,7 +142,7 @@ void embed_elastic_plastic_eps(arb_t eps, const arb_t speed, const arb_t yield_s
     LET(eps, prec, "(108*t/((t^2 + 5)^2*(t + 2)))^(1/4)", t);
 }
 
-/* Computes wanted - eps, which falls with v_y. */
+/* Computes the same difference with the other sign, which falls with v_y. */
 static bool eps_below(arb_t f, const arb_t yield_speed, const void *context, slong prec)
 {
     const struct measured *const m = context;

@@ -22,12 +22,12 @@ static void kernel_turn(const struct cor_rim *rim, double *q, double *p, const d
             for (size_t i = first + lane; i < end; i += COR_LANES) {
                 const vector c = load_vector(rim->c + i), s = load_vector(rim->s + i), cos_i = load_vector(cosine + i),
                              sin_i = load_vector(sine + i), q_i = load_vector(q + i);
-                const vector p_i = PLUS(load_vector(p + i), PLUS(TIMES(c, fc), TIMES(s, fs)));
-                const vector q_new = PLUS(TIMES(cos_i, q_i), TIMES(sin_i, p_i));
-                store_vector(p + i, MINUS(TIMES(cos_i, p_i), TIMES(sin_i, q_i)));
+                const vector p_i = load_vector(p + i) + (c * fc + s * fs);
+                const vector q_new = cos_i * q_i + sin_i * p_i;
+                store_vector(p + i, cos_i * p_i - sin_i * q_i);
                 store_vector(q + i, q_new);
-                sc = PLUS(sc, TIMES(c, q_new));
-                ss = PLUS(ss, TIMES(s, q_new));
+                sc += c * q_new;
+                ss += s * q_new;
             }
             store_vector(sum_c + n, sc);
             store_vector(sum_s + n, ss);
@@ -42,12 +42,12 @@ COR_KERNEL void kernel_sum(size_t count, double offset, const double *shape, con
     for (size_t part = 0; part < COR_PANEL; part += ACCUMULATORS * VECTOR) {
         vector sum[ACCUMULATORS];
         for (size_t i = 0; i < ACCUMULATORS; i++)
-            sum[i] = PLUS(fill_vector(offset), load_vector(shape + part + i * VECTOR));
+            sum[i] = fill_vector(offset) + load_vector(shape + part + i * VECTOR);
         const double *row = table + part;
         for (size_t k = 0; k < count; k++, row += COR_PANEL) {
             const vector f = fill_vector(factor[k]);
             for (size_t i = 0; i < ACCUMULATORS; i++)
-                sum[i] = PLUS(sum[i], TIMES(f, load_vector(row + i * VECTOR)));
+                sum[i] += f * load_vector(row + i * VECTOR);
         }
         for (size_t i = 0; i < ACCUMULATORS; i++)
             store_vector(result + part + i * VECTOR, sum[i]);

@@ -25,22 +25,22 @@ COR_KERNEL void kernel_advance(const struct cor_hard_wall_modes *modes, size_t s
                              s = load_vector(modes->s + i);
                 vector q = load_vector(modes->q + i), before = load_vector(modes->before + i);
                 for (size_t k = 0; k < steps; k++) {
-                    const vector force = PLUS(TIMES(c, load_vector(force_c + k * lanes + n)),
-                                              TIMES(s, load_vector(force_s + k * lanes + n)));
-                    const vector next = PLUS(MINUS(TIMES(turn, q), before), force);
+                    const vector force =
+                        c * load_vector(force_c + k * lanes + n) + s * load_vector(force_s + k * lanes + n);
+                    const vector next = turn * q - before + force;
                     before = q;
                     q = next;
                 }
                 store_vector(modes->q + i, q);
                 store_vector(modes->before + i, before);
-                of_c[0] = PLUS(of_c[0], TIMES(c, q));
-                of_s[0] = PLUS(of_s[0], TIMES(s, q));
+                of_c[0] += c * q;
+                of_s[0] += s * q;
                 for (size_t k = 1; k < steps; k++) {
-                    const vector next = MINUS(TIMES(turn, q), before);
+                    const vector next = turn * q - before;
                     before = q;
                     q = next;
-                    of_c[k] = PLUS(of_c[k], TIMES(c, q));
-                    of_s[k] = PLUS(of_s[k], TIMES(s, q));
+                    of_c[k] += c * q;
+                    of_s[k] += s * q;
                 }
             }
             for (size_t k = 0; k < steps; k++) {
@@ -64,20 +64,20 @@ static void sum_clenshaw(size_t count, const double *factor, size_t points, cons
         for (; k > 2; k -= 2) {
             const vector f = fill_vector(factor[k - 1]), g = fill_vector(factor[k - 2]);
             for (size_t i = 0; i < COLUMNS; i++)
-                two[i] = PLUS(MINUS(f, two[i]), TIMES(x[i], one[i]));
+                two[i] = f - two[i] + x[i] * one[i];
             for (size_t i = 0; i < COLUMNS; i++)
-                one[i] = PLUS(MINUS(g, one[i]), TIMES(x[i], two[i]));
+                one[i] = g - one[i] + x[i] * two[i];
         }
         if (k == 2)
             for (size_t i = 0; i < COLUMNS; i++) {
-                const vector b = PLUS(MINUS(fill_vector(factor[1]), two[i]), TIMES(x[i], one[i]));
+                const vector b = fill_vector(factor[1]) - two[i] + x[i] * one[i];
                 two[i] = one[i];
                 one[i] = b;
             }
         for (size_t i = 0; i < COLUMNS; i++)
-            store_vector(result + part + i * VECTOR, count == 0 ? fill_vector(0)
-                                                                : PLUS(MINUS(fill_vector(factor[0]), two[i]),
-                                                                       TIMES(TIMES(fill_vector(0.5), x[i]), one[i])));
+            store_vector(result + part + i * VECTOR,
+                         count == 0 ? fill_vector(0)
+                                    : fill_vector(factor[0]) - two[i] + fill_vector(0.5) * x[i] * one[i]);
     }
 }
 
@@ -102,14 +102,14 @@ static void kernel_cosines(const struct cor_hard_wall_angles *angles, size_t cou
             for (size_t k = a; k < count; k += bins, part += 2 * Q) {
                 const vector f = fill_vector(factor[k]);
                 for (size_t i = 0; i < COLUMNS; i++) {
-                    re[i] = PLUS(re[i], TIMES(f, load_vector(part + i * VECTOR)));
-                    im[i] = PLUS(im[i], TIMES(f, load_vector(part + Q + i * VECTOR)));
+                    re[i] += f * load_vector(part + i * VECTOR);
+                    im[i] += f * load_vector(part + Q + i * VECTOR);
                 }
             }
             for (size_t i = 0; i < COLUMNS; i++) {
                 const vector c = load_vector(turn + i * VECTOR), s = load_vector(turn + Q + i * VECTOR);
-                store_vector(sum + i * VECTOR, MINUS(TIMES(c, re[i]), TIMES(s, im[i])));
-                store_vector(sum + WIDTH + i * VECTOR, PLUS(TIMES(s, re[i]), TIMES(c, im[i])));
+                store_vector(sum + i * VECTOR, c * re[i] - s * im[i]);
+                store_vector(sum + WIDTH + i * VECTOR, s * re[i] + c * im[i]);
             }
         }
         for (size_t s = 0; s < points / Q; s++) {
@@ -120,8 +120,7 @@ static void kernel_cosines(const struct cor_hard_wall_angles *angles, size_t cou
             for (size_t a = 0, x = 0; a < bins; a++, sum += 2 * WIDTH) {
                 const vector c = fill_vector(angles->whole[2 * x]), d = fill_vector(angles->whole[2 * x + 1]);
                 for (size_t i = 0; i < COLUMNS; i++)
-                    total[i] = PLUS(total[i], MINUS(TIMES(c, load_vector(sum + i * VECTOR)),
-                                                    TIMES(d, load_vector(sum + WIDTH + i * VECTOR))));
+                    total[i] += c * load_vector(sum + i * VECTOR) - d * load_vector(sum + WIDTH + i * VECTOR);
                 x = x + s < bins ? x + s : (x + s) % bins;
             }
             for (size_t i = 0; i < COLUMNS; i++)
@@ -141,9 +140,9 @@ static double kernel_dot(size_t n, const double *x, const double *y)
     size_t at = 0;
     for (; at + 4 * COR_LANES <= n; at += 4 * COR_LANES)
         for (size_t i = 0; i < DOT_PARTS; i++)
-            sum[i] = PLUS(sum[i], TIMES(load_vector(x + at + i * VECTOR), load_vector(y + at + i * VECTOR)));
+            sum[i] += load_vector(x + at + i * VECTOR) * load_vector(y + at + i * VECTOR);
     for (size_t i = 0; at < n; at += VECTOR, i++)
-        sum[i] = PLUS(sum[i], TIMES(load_vector(x + at), load_vector(y + at)));
+        sum[i] += load_vector(x + at) * load_vector(y + at);
     for (size_t i = 0; i < DOT_PARTS; i++)
         store_vector(part + i * VECTOR, sum[i]);
     for (size_t i = 0; i < COR_LANES; i++)
@@ -155,7 +154,7 @@ static void kernel_subtract(size_t n, double factor, const double *x, double *y)
 {
     const vector f = fill_vector(factor);
     for (size_t i = 0; i < n; i += VECTOR)
-        store_vector(y + i, MINUS(load_vector(y + i), TIMES(f, load_vector(x + i))));
+        store_vector(y + i, load_vector(y + i) - f * load_vector(x + i));
 }
 
 static void advance_modes(const struct cor_hard_wall_modes *modes, size_t steps, const double *force_c,

@@ -24,6 +24,7 @@
 #include "cor/status.h"
 #include "runtime/disk/rim.h"
 #include "runtime/number/environment.h"
+#include "runtime/number/kernel.h"
 
 /* Accuracy of a_n in bits, more than a double holds */
 enum { DOUBLE_BITS = 56, START_BITS = 8 };
@@ -138,7 +139,7 @@ long cor_mode_orders(double omega)
     return (long)(omega * sqrt(10.0)) + 2;
 }
 
-static double count_total(const struct cor_mode_material *material, double omega)
+SHARED double count_total(const struct cor_mode_material *material, double omega)
 {
     if (omega < 1) /* below every mode, where products in the equation would underflow */
         return 0;
@@ -171,8 +172,13 @@ static double count_total(const struct cor_mode_material *material, double omega
     return total;
 }
 
-COR_IN_ENVIRONMENT(double, cor_mode_total, count_total, (const struct cor_mode_material *material, double omega),
-                   (material, omega))
+double cor_mode_total(const struct cor_mode_material *material, double omega)
+{
+    const struct cor_environment caller = cor_environment_enter();
+    const volatile double total = count_total(material, omega);
+    cor_environment_leave(&caller);
+    return total;
+}
 
 double cor_mode_upper_end(const struct cor_mode_material *material, size_t count)
 {
@@ -480,7 +486,7 @@ static int by_frequency(const void *a, const void *b)
     return x->n != y->n ? (x->n < y->n ? -1 : 1) : (x->l > y->l) - (x->l < y->l);
 }
 
-static int find_modes(const struct cor_mode_material *material, const struct cor_mode_loops *loops, double omega,
+SHARED int find_modes(const struct cor_mode_material *material, const struct cor_mode_loops *loops, double omega,
                       struct cor_disk_mode **mode, size_t *found)
 {
     const long orders = cor_mode_orders(omega);
@@ -513,10 +519,14 @@ static int find_modes(const struct cor_mode_material *material, const struct cor
 }
 
 /* The loops compute both sides of a condition. The unused side may raise exceptions, which the environment hides. */
-COR_IN_ENVIRONMENT(int, cor_mode_find, find_modes,
-                   (const struct cor_mode_material *material, const struct cor_mode_loops *loops, double omega,
-                    struct cor_disk_mode **mode, size_t *found),
-                   (material, loops, omega, mode, found))
+int cor_mode_find(const struct cor_mode_material *material, const struct cor_mode_loops *loops, double omega,
+                  struct cor_disk_mode **mode, size_t *found)
+{
+    const struct cor_environment caller = cor_environment_enter();
+    const volatile int status = find_modes(material, loops, omega, mode, found);
+    cor_environment_leave(&caller);
+    return status;
+}
 
 int cor_disk_modes_compute(double nu, size_t count, struct cor_disk_mode *mode, struct cor_disk_modes *modes)
 {

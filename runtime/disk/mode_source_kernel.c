@@ -9,18 +9,8 @@
 
 #ifdef __GNUC__
 typedef __typeof__(fill_vector(0) < fill_vector(1)) changes; /* -1 for true */
-#define NO_CHANGES(count) memset(&(count), 0, sizeof(count))
-#define COUNT_CHANGE(count, x, y) ((count) = (count) - ((x) * (y) < fill_vector(0)))
 #else
-typedef struct {
-    int64_t of[VECTOR];
-} changes;
-#define NO_CHANGES(count) memset(&(count), 0, sizeof(count))
-#define COUNT_CHANGE(count, x, y)                                                                                      \
-    do {                                                                                                               \
-        for (int lane = 0; lane < VECTOR; lane++)                                                                      \
-            (count).of[lane] += (x).of[lane] * (y).of[lane] < 0;                                                       \
-    } while (0)
+typedef int64_t changes; /* 1 for true */
 #endif
 
 /* Computes J_m(kappa) up to a factor by J_(m-1) = (2m/kappa) J_m - J_(m+1), from `start` down to `end`, and counts the
@@ -31,17 +21,17 @@ static void kernel_recurrence(const double *two_over_kappa, const double *first_
     enum { VECTORS = COR_MODE_LANES / VECTOR };
     vector step[VECTORS], above[VECTORS], here[VECTORS];
     changes count[VECTORS];
+    memset(count, 0, sizeof count);
     for (size_t i = 0; i < VECTORS; i++) {
         step[i] = load_vector(two_over_kappa + i * VECTOR);
         above[i] = load_vector(first_quotient + i * VECTOR);
         here[i] = fill_vector(1);
-        NO_CHANGES(count[i]);
     }
     for (long m = start; m > end; m--) {
         const vector order = fill_vector((double)m);
         for (size_t i = 0; i < VECTORS; i++) {
-            const vector below = MINUS(TIMES(TIMES(order, step[i]), here[i]), above[i]);
-            COUNT_CHANGE(count[i], below, here[i]);
+            const vector below = order * step[i] * here[i] - above[i];
+            count[i] -= below * here[i] < fill_vector(0);
             above[i] = here[i];
             here[i] = below;
         }
@@ -54,7 +44,7 @@ static void kernel_recurrence(const double *two_over_kappa, const double *first_
         memcpy(signs, &count[i], sizeof signs);
         for (size_t k = 0; k < VECTOR; k++) {
             quotient[i * VECTOR + k] = over[k] / under[k];
-            zeros[i * VECTOR + k] = (double)signs[k];
+            zeros[i * VECTOR + k] = fabs((double)signs[k]);
         }
     }
 }
@@ -105,8 +95,8 @@ static void kernel_move(struct cor_mode_wave *restrict wave, const struct cor_mo
     }
     for (size_t k = COR_MODE_TERMS - 1; k-- > 0;)
         for (size_t i = 0; i < VECTORS; i++) {
-            here[i] = PLUS(TIMES(here[i], at[i]), load_vector(series->term[k][0] + i * VECTOR));
-            above[i] = PLUS(TIMES(above[i], at[i]), load_vector(series->term[k][1] + i * VECTOR));
+            here[i] = here[i] * at[i] + load_vector(series->term[k][0] + i * VECTOR);
+            above[i] = above[i] * at[i] + load_vector(series->term[k][1] + i * VECTOR);
         }
     for (size_t i = 0; i < VECTORS; i++) {
         store_vector(h + i * VECTOR, here[i]);

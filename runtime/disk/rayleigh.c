@@ -97,7 +97,7 @@ static void rayleigh_finish(struct cor_disk_rayleigh *out, struct cor_rayleigh_t
     cor_rayleigh_finish(out, table, spectrum, sums, beyond.faded);
 }
 
-static int rayleigh_of_speed(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum,
+SHARED int rayleigh_of_speed(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum,
                              double speed, struct cor_disk_rayleigh *out, double *mode_fraction)
 {
     struct cor_spectrum spectrum;
@@ -153,7 +153,7 @@ static struct cor_disk_rayleigh trial_of(const struct cor_disk_modes *modes, siz
     return trial;
 }
 
-static int rayleigh_to_tolerance(const struct cor_disk_modes *modes, enum cor_disk_datum datum, double speed,
+SHARED int rayleigh_to_tolerance(const struct cor_disk_modes *modes, enum cor_disk_datum datum, double speed,
                                  double tolerance, struct cor_disk_rayleigh *out, size_t *n_modes)
 {
     struct cor_spectrum spectrum;
@@ -342,7 +342,7 @@ static void list_of_speeds(struct list *list, double limit, const double *speed,
         list_of_piece(list, number, speed, n, out, mode_fraction);
 }
 
-static int rayleigh_of_speeds(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum,
+SHARED int rayleigh_of_speeds(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum,
                               const double *speed, size_t n, struct cor_disk_rayleigh *out, double *mode_fraction,
                               int *status)
 {
@@ -374,17 +374,30 @@ static int rayleigh_of_speeds(const struct cor_disk_modes *modes, size_t n_modes
  *
  * The loops compute both sides of a condition. The unused side may raise exceptions, which the environment hides. */
 
-COR_IN_ENVIRONMENT(int, cor_disk_rayleigh, rayleigh_of_speed,
-                   (const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum, double speed,
-                    struct cor_disk_rayleigh *out, double *mode_fraction),
-                   (modes, n_modes, datum, speed, out, mode_fraction))
+int cor_disk_rayleigh(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum, double speed,
+                      struct cor_disk_rayleigh *out, double *mode_fraction)
+{
+    const struct cor_environment caller = cor_environment_enter();
+    const volatile int status = rayleigh_of_speed(modes, n_modes, datum, speed, out, mode_fraction);
+    cor_environment_leave(&caller);
+    return status;
+}
 
-COR_IN_ENVIRONMENT(int, cor_disk_rayleigh_tolerance, rayleigh_to_tolerance,
-                   (const struct cor_disk_modes *modes, enum cor_disk_datum datum, double speed, double tolerance,
-                    struct cor_disk_rayleigh *out, size_t *n_modes),
-                   (modes, datum, speed, tolerance, out, n_modes))
+int cor_disk_rayleigh_tolerance(const struct cor_disk_modes *modes, enum cor_disk_datum datum, double speed,
+                                double tolerance, struct cor_disk_rayleigh *out, size_t *n_modes)
+{
+    const struct cor_environment caller = cor_environment_enter();
+    const volatile int status = rayleigh_to_tolerance(modes, datum, speed, tolerance, out, n_modes);
+    cor_environment_leave(&caller);
+    return status;
+}
 
-COR_IN_ENVIRONMENT(int, cor_disk_rayleigh_array, rayleigh_of_speeds,
-                   (const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum, const double *speed,
-                    size_t n, struct cor_disk_rayleigh *out, double *mode_fraction, int *status),
-                   (modes, n_modes, datum, speed, n, out, mode_fraction, status))
+int cor_disk_rayleigh_array(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum,
+                            const double *speed, size_t n, struct cor_disk_rayleigh *out, double *mode_fraction,
+                            int *status)
+{
+    const struct cor_environment caller = cor_environment_enter();
+    const volatile int result = rayleigh_of_speeds(modes, n_modes, datum, speed, n, out, mode_fraction, status);
+    cor_environment_leave(&caller);
+    return result;
+}

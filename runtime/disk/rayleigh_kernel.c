@@ -100,8 +100,8 @@ SHARED void leg_add_p(struct cor_leg *restrict leg, const double (*row)[LANES], 
         vector re = fill_vector(leg->end_re), im = fill_vector(leg->end_im);
         for (int i = 0; i < COR_LEG_GAUSS; i++) {
             const vector factor = load_vector(row[i] + k);
-            re = PLUS(re, TIMES(factor, fill_vector(node->step_re[i])));
-            im = PLUS(im, TIMES(factor, fill_vector(node->step_im[i])));
+            re += factor * fill_vector(node->step_re[i]);
+            im += factor * fill_vector(node->step_im[i]);
         }
         store_vector(leg->p_re + leg->n + k, re);
         store_vector(leg->p_im + leg->n + k, im);
@@ -379,7 +379,7 @@ static void kernel_blend(int nodes, const double *weight, const double *const *i
         for (int l = 0; l < COR_LEG_PART; l += VECTOR) {
             vector sum = fill_vector(0);
             for (int k = 0; k < nodes; k++)
-                sum = PLUS(sum, TIMES(fill_vector(weight[k]), load_vector(in[k] + i + l)));
+                sum += fill_vector(weight[k]) * load_vector(in[k] + i + l);
             store_vector(out + i + l, sum);
         }
 }

@@ -95,16 +95,4 @@ static inline void cor_array_in_environment(double (*formula)(double), const dou
     cor_environment_leave(&caller);
 }
 
-/* Defines the function `name`, which returns formula(arguments) in the default environment. The pointer is volatile, so
- * that no compiler inlines the formula. */
-#define COR_IN_ENVIRONMENT(type, name, formula, parameters, arguments)                                                 \
-    type name parameters                                                                                               \
-    {                                                                                                                  \
-        type(*const volatile in_environment) parameters = formula;                                                     \
-        const struct cor_environment caller = cor_environment_enter();                                                 \
-        const volatile type value = in_environment arguments;                                                          \
-        cor_environment_leave(&caller);                                                                                \
-        return value;                                                                                                  \
-    }
-
 #endif

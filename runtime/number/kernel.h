@@ -5,7 +5,8 @@
 
 #include "runtime/number/pair.h"
 
-/* Attribute of functions that are called once for each block of numbers: a kernel contains one copy of each */
+/* Attribute of functions that are never inlined: those called once for each block of numbers, of which a kernel
+ * contains one copy, and those called in another floating-point environment */
 #if defined(__GNUC__) && !defined(__clang__)
 #define SHARED static __attribute__((noinline, noclone))
 #elif defined(__clang__)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Vectors of VECTOR doubles for loops that are compiled once for every instruction set. No set may fuse a
- * multiplication with an addition, and sums must be split into the same parts for all widths. All sets then give the
- * same bits. */
+/* Vectors of VECTOR doubles for loops that are compiled once for every instruction set, or doubles without GNU's
+ * vectors. No set may fuse a multiplication with an addition, and sums must be split into the same parts for all
+ * widths. All sets then give the same bits. */
 #ifndef COR_RUNTIME_KERNEL_VECTOR_H
 #define COR_RUNTIME_KERNEL_VECTOR_H
 
@@ -14,29 +14,16 @@
 #define VECTOR 8
 #elif defined(__AVX2__)
 #define VECTOR 4
-#else
+#elif defined(__GNUC__)
 #define VECTOR 2
+#else
+#define VECTOR 1
 #endif
 
 #ifdef __GNUC__
 typedef double vector __attribute__((vector_size(VECTOR * sizeof(double))));
-#define MINUS(x, y) ((x) - (y))
-#define PLUS(x, y) ((x) + (y))
-#define TIMES(x, y) ((x) * (y))
 #else
-typedef struct {
-    double of[VECTOR];
-} vector;
-#define VECTOR_OPERATION(name, op)                                                                                     \
-    COR_KERNEL vector name(vector x, vector y)                                                                         \
-    {                                                                                                                  \
-        for (int i = 0; i < VECTOR; i++)                                                                               \
-            x.of[i] = x.of[i] op y.of[i];                                                                              \
-        return x;                                                                                                      \
-    }
-VECTOR_OPERATION(MINUS, -)
-VECTOR_OPERATION(PLUS, +)
-VECTOR_OPERATION(TIMES, *)
+typedef double vector;
 #endif
 
 COR_KERNEL vector load_vector(const double *from)
@@ -53,16 +40,14 @@ COR_KERNEL void store_vector(double *to, vector x)
 
 COR_KERNEL vector fill_vector(double x)
 {
-#if defined(__GNUC__) && VECTOR == 8 /* gcc 12 compiles this to one instruction */
+#if VECTOR == 8 /* gcc 12 compiles this to one instruction */
     const vector result = {x, x, x, x, x, x, x, x};
-#elif defined(__GNUC__) && VECTOR == 4
+#elif VECTOR == 4
     const vector result = {x, x, x, x};
-#elif defined(__GNUC__) && VECTOR == 2
+#elif VECTOR == 2
     const vector result = {x, x};
 #else
-    vector result;
-    for (int i = 0; i < VECTOR; i++)
-        result.of[i] = x;
+    const vector result = x;
 #endif
     return result;
 }
