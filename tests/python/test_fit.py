@@ -61,14 +61,14 @@ def quick(request, monkeypatch):
 
 def points(speed, eps, sigma=None):
     n = len(speed)
-    return Data("points", Points(np.array(speed), np.array(eps), sigma, np.arange(n) + 2, np.zeros(n, np.int64), ()))
+    return Data("points", Points(np.array(speed), np.array(eps), sigma, np.arange(n) + 2, np.zeros(n, np.int64)))
 
 
 def times(drops, heights=None):
     counts = [len(drop) for drop in drops]
     height = np.full(len(drops), math.nan) if heights is None else np.array(heights)
     record = Times(np.concatenate(drops), np.arange(sum(counts)) + 2, np.cumsum([0, *counts]), height,
-                   np.zeros(len(drops), np.int64), ())  # fmt: skip
+                   np.zeros(len(drops), np.int64))  # fmt: skip
     return Data("times", record)
 
 
@@ -178,11 +178,11 @@ def test_heights_in_air(table_tennis):
     heights = [apexes + 2e-4 * random.standard_normal(apexes.size) for _, apexes in table_tennis]
     counts, none = [h.size for h in heights], np.zeros(2, np.int64)
     line = np.arange(sum(counts)) + 2
-    chain = Apexes(np.concatenate(heights), None, line, np.cumsum([0, *counts]), none, ())
-    known = Apexes(chain.height_m, np.full(line.size, 2e-4), line, chain.start, none, ())
+    chain = Apexes(np.concatenate(heights), None, line, np.cumsum([0, *counts]), none)
+    known = Apexes(chain.height_m, np.full(line.size, 2e-4), line, chain.start, none)
     drop, rebound = (np.concatenate([h[part] for h in heights]) for part in (slice(None, -1, 2), slice(1, None, 2)))
     each = np.arange(drop.size)
-    pairs = Heights(drop, rebound, None, np.full(drop.size, 3e-4), each + 2, 0 * each, ())
+    pairs = Heights(drop, rebound, None, np.full(drop.size, 3e-4), each + 2, 0 * each)
     for record in (chain, known, pairs) if LONG else (chain, pairs):
         result = cor.fit(Data("heights", record), law="constant,power-law", **BALL)
         row = by_name(result, "constant")["eps"]
@@ -291,7 +291,7 @@ def test_an_error_of_a_number_moves_its_bounces(kind):
         apexes.append(float(np.log1p(kappa * launch**2)[0]) / (2 * G * kappa))
     if kind == "apexes":
         none = np.zeros(1, np.int64)
-        data = Data("heights", Apexes(np.array(apexes), None, np.arange(6), np.array([0, 6]), none, ()))
+        data = Data("heights", Apexes(np.array(apexes), None, np.arange(6), np.array([0, 6]), none))
     else:
         data = times([np.array(at)], [1.0] if kind == "drop height" else None)
     numbers = data.record.height_m if kind == "apexes" else data.record.time_s
@@ -316,8 +316,8 @@ def test_given_errors_of_heights_by_dense_matrices():
     random, none = np.random.default_rng(18), np.zeros(1, np.int64)
     heights = 0.81 ** np.arange(6) + 1e-3 * random.standard_normal(6)
     sigma = random.uniform(1e-3, 2e-3, 6)
-    chain = Apexes(heights, sigma, np.arange(6), np.array([0, 6]), none, ())
-    pairs = Heights(heights[:3], heights[3:], sigma[:3], sigma[3:], np.arange(3), np.zeros(3, np.int64), ())
+    chain = Apexes(heights, sigma, np.arange(6), np.array([0, 6]), none)
+    pairs = Heights(heights[:3], heights[3:], sigma[:3], sigma[3:], np.arange(3), np.zeros(3, np.int64))
     for record, middle, last in (
         (chain, ints(0, 1, 2, 3, 4), ints(1, 2, 3, 4, 5)),
         (pairs, ints(0, 1, 2), ints(3, 4, 5)),
@@ -570,7 +570,7 @@ def test_a_function_of_the_user():
 def test_balls_are_fitted_together_and_alone():
     random = np.random.default_rng(13)
     eps = np.concatenate([0.7 + 0.01 * random.standard_normal(10), 0.8 + 0.01 * random.standard_normal(10)])
-    record = Points(np.linspace(1, 2, 20), eps, None, np.arange(20) + 2, np.repeat([0, 1], 10), ())
+    record = Points(np.linspace(1, 2, 20), eps, None, np.arange(20) + 2, np.repeat([0, 1], 10))
     rows = cor.fit(Data("two balls", record, ("a", "b")), law="constant").parameters
     assert list(rows.group) == ["", "a", "b"]
     assert rows.value == pytest.approx([eps.mean(), eps[:10].mean(), eps[10:].mean()])

@@ -28,7 +28,6 @@ class Points:
     sigma: Optional[Floats]  # standard deviation of eps
     line: Ints
     ball: Ints  # index in Data.balls
-    run: Tuple[str, ...]  # run of each point; empty without such a column
 
 
 @dataclass(frozen=True)
@@ -41,7 +40,6 @@ class Heights:
     rebound_sigma_m: Optional[Floats]
     line: Ints
     ball: Ints
-    run: Tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -53,7 +51,6 @@ class Times:
     start: Ints
     height_m: Floats  # for each drop, the height above the ground from which the ball fell; nan: unknown
     ball: Ints  # of each drop
-    run: Tuple[str, ...]  # run of each drop; empty without such a column
 
 
 @dataclass(frozen=True)
@@ -65,7 +62,6 @@ class Apexes:
     line: Ints
     start: Ints
     ball: Ints  # of each drop
-    run: Tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -81,19 +77,16 @@ class Data:
 
     def of_ball(self, ball: int) -> "Data":
         """Return the data of one ball, balls[ball]."""
-        record = self.record
-        mine = record.ball == ball
-        arrays: Dict[str, Any] = {"ball": record.ball[mine], "run": tuple(r for r, m in zip(record.run, mine) if m)}
-        rows = mine
+        record, mine = self.record, self.record.ball == ball
+        of_drops = ("ball", "height_m") if isinstance(record, Times) else ("ball",)
+        rows, changed = mine, {}
         if isinstance(record, (Times, Apexes)):
             counts = np.diff(record.start)
-            rows = np.repeat(mine, counts)
-            arrays["start"] = np.concatenate(([0], np.cumsum(counts[mine])))
-        of_drops = ("height_m",) if isinstance(record, Times) else ()
+            rows, changed = np.repeat(mine, counts), {"start": np.append(0, np.cumsum(counts[mine]))}
         for name, value in vars(record).items():
-            if name not in arrays and value is not None:
-                arrays[name] = value[mine if name in of_drops else rows]
-        return replace(self, record=replace(record, **arrays))
+            if name != "start" and value is not None:
+                changed[name] = value[mine if name in of_drops else rows]
+        return replace(self, record=replace(record, **changed))
 
 
 @dataclass(frozen=True)

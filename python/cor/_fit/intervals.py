@@ -8,7 +8,7 @@ the end of the 68 % interval, so that the first interval contains the second.
 """
 
 import math
-from typing import Any, Callable, List, Optional, Sequence, Tuple
+from typing import Any, Callable, Iterable, List, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -52,16 +52,15 @@ def least_squares(p: Problem, theta: Floats, free: Sequence[int]) -> Tuple[Float
     return theta, p.objective(theta)
 
 
-class _Best:
-    def __init__(self, p: Problem) -> None:
-        self.p, self.q = p, math.inf
-        self.theta = np.clip(np.zeros(p.parameters), p.low, p.high)
-
-    def start(self, start: Any) -> None:
+def _best(p: Problem, starts: Iterable[Any]) -> Tuple[Floats, float]:
+    """Return the best of the starts and of the minima that follow from them."""
+    best, least = np.clip(np.zeros(p.parameters), p.low, p.high), math.inf
+    for start in starts:
         at = np.asarray(start, np.float64)
-        for theta, q in ((at, self.p.objective(at)), least_squares(self.p, at, range(self.p.parameters))):
-            if q < self.q:
-                self.q, self.theta = q, theta
+        for theta, q in ((at, p.objective(at)), least_squares(p, at, range(p.parameters))):
+            if q < least:
+                best, least = theta, q
+    return best, least
 
 
 def _coarse(p: Problem, most: int, extra: Sequence[float]) -> Tuple[Floats, Callable[..., Any]]:
@@ -115,25 +114,22 @@ def _lines(p: Problem, extra: Sequence[float]) -> List[List[float]]:
     flights = p.at(np.array([*([0.0] * len(p.curve.kinds)), *extra]))
     eps, weight = flights.eps, (p.spread(flights) * np.ones(p.size)) ** -2
     if p.curve is CONSTANT:
-        return [[float(np.clip((weight @ eps) / weight.sum(), 0, 1))]]
+        return [[float(np.clip(np.average(eps, weights=weight), 0, 1))]]
     use = eps > 0
     if not use.any():
         return [[-1.0, 0.0]]
     x, y, w = flights.log_speed[use], np.log(eps[use]), weight[use] * eps[use] ** 2
-    total, sx, sy = w.sum(), w @ x, w @ y
-    spread = total * (w @ (x * x)) - sx * sx
-    slope = (total * (w @ (x * y)) - sx * sy) / spread if spread > 1e-12 * total * (w @ (x * x)) else 0.0
-    return [[(sy - slope * sx) / total, slope], [sy / total, 0.0]]
+    mean_x, mean = np.average([x, y], axis=1, weights=w)
+    far = w * (x - mean_x)
+    slope = (far @ y) / (far @ x) if far @ x > 1e-12 * (w @ x**2) else 0.0
+    return [[mean - slope * mean_x, slope], [mean, 0.0]]
 
 
 def minimise(p: Problem) -> Tuple[Floats, float]:
     """Return the minimum at the present scale and lambda."""
-    best = _Best(p)
-    for drag in DRAG_STARTS if "drag" in p.free else (0.0,):
-        extra = [drag if name == "drag" else 0.0 for name in p.free]
-        for start in _starts(p, extra):
-            best.start([*start, *extra])
-    return best.theta, best.q
+    drags = DRAG_STARTS if "drag" in p.free else (0.0,)
+    extras = [[drag if name == "drag" else 0.0 for name in p.free] for drag in drags]
+    return _best(p, ([*start, *extra] for extra in extras for start in _starts(p, extra)))
 
 
 def settle(p: Problem, theta: Floats) -> Floats:
@@ -142,17 +138,11 @@ def settle(p: Problem, theta: Floats) -> Floats:
         before = p.scale
         if not p.robust:
             p.scale = 1.0
-        theta, _q = _nearest(p, theta)
+        theta, _ = _best(p, [theta])
         p.set_noise(theta)
         if abs(p.scale - before) <= (1e-9 if p.robust else 1e-13) * p.scale:
             break
     return theta
-
-
-def _nearest(p: Problem, theta: Floats) -> Tuple[Floats, float]:
-    best = _Best(p)
-    best.start(theta)
-    return best.theta, best.q
 
 
 def minimise_with_noise(p: Problem, near: Optional[Floats] = None) -> Floats:

@@ -16,7 +16,7 @@ sqrt(det W/det B)^(1/n), so that the least Q belongs to the restricted likelihoo
 
 import math
 from copy import copy
-from functools import lru_cache
+from functools import lru_cache, partial
 from importlib import import_module
 from typing import Any, Callable, Dict, NamedTuple, Optional, Sequence, Tuple
 
@@ -69,21 +69,15 @@ def impact_of_launch(launch: Floats, kappa: float) -> Floats:
     return np.asarray(launch / np.sqrt(1 + kappa * launch * launch))
 
 
-def _speed_of_height(height: Floats, gravity: float, kappa: float, sign: int) -> Any:
+def _speed_of_height(sign: int, height: Floats, gravity: float, kappa: float) -> Any:
     power = 2 * gravity * kappa * height
     if kappa == 0 or not np.any(power > 1e-290):
         return np.sqrt(2 * gravity * height)
     return np.asarray(np.sqrt(sign * np.expm1(sign * power) / kappa))
 
 
-def impact_of_drop(height: Floats, gravity: float, kappa: float) -> Any:
-    """Return the speed after a fall from a height."""
-    return _speed_of_height(height, gravity, kappa, -1)
-
-
-def launch_of_height(height: Floats, gravity: float, kappa: float) -> Any:
-    """Return the launch speed of a ball that rises to a height."""
-    return _speed_of_height(height, gravity, kappa, 1)
+impact_of_drop = partial(_speed_of_height, -1)  # the speed after a fall from a height
+launch_of_height = partial(_speed_of_height, 1)  # the launch speed of a ball that rises to a height
 
 
 class Field(NamedTuple):
@@ -133,7 +127,7 @@ class Sample:
 
     def __init__(self, data: Data, without: Sequence[int] = ()) -> None:
         record = data.record
-        self.record, self.row_word = record, data.row_word
+        self.record = record
         self.is_points, self.is_times = isinstance(record, Points), isinstance(record, Times)
         first, middle, last, begins = self._bounces(record)
         lines = record.line

@@ -419,7 +419,7 @@ def _refuse_gain(table: Table, key: str, eps: Floats, rows: Optional[Ints] = Non
         table.refuse_row(int(at if rows is None else rows[at]), key, why)
 
 
-def _points(table: Table, ball: Ints, run: List[str]) -> Points:
+def _points(table: Table, ball: Ints, _start: Ints) -> Points:
     speed, eps, sigma = table.numbers("speed"), table.numbers("eps"), table.optional("eps_sigma")
     beyond = np.maximum(eps - 1, -eps)
     for row in np.flatnonzero(beyond > (0 if sigma is None else MAX_BEYOND * sigma)):
@@ -428,16 +428,16 @@ def _points(table: Table, ball: Ints, run: List[str]) -> Points:
         why = f"'{table.cell(row, 'eps')}' is {beyond[row] / sigma[row]:.3g} eps_sigma beyond {int(eps[row] > 1)}"
         allowed = f"a number from 0 to 1, or beyond by {MAX_BEYOND} eps_sigma of noise"
         table.refuse_row(int(row), "eps", f"{why}; allowed: {allowed}")
-    return Points(speed, eps, sigma, table.line, ball, tuple(run))
+    return Points(speed, eps, sigma, table.line, ball)
 
 
-def _speeds(table: Table, ball: Ints, run: List[str]) -> Points:
+def _speeds(table: Table, ball: Ints, _start: Ints) -> Points:
     before, after = table.numbers("speed"), table.numbers("speed_out")
     eps, errors = after / before, [table.optional("speed_sigma"), table.optional("speed_out_sigma")]
     _refuse_gain(table, "speed_out", eps)
     known = [0 * eps if e is None else e for e in errors]
     sigma = np.hypot(eps * known[0], known[1]) / before if any(e is not None for e in errors) else None
-    return Points(before, eps, sigma, table.line, ball, tuple(run))
+    return Points(before, eps, sigma, table.line, ball)
 
 
 def _drop_heights(table: Table, rows: int) -> Floats:
@@ -451,18 +451,18 @@ def _drop_heights(table: Table, rows: int) -> Floats:
     return table.numbers("h0")
 
 
-def _heights(table: Table, ball: Ints, run: List[str]) -> Heights:
+def _heights(table: Table, ball: Ints, _start: Ints) -> Heights:
     rebound = table.numbers("h1")
     drop = _drop_heights(table, len(rebound))
     _refuse_gain(table, "h1", np.sqrt(rebound / drop))
-    drop_sigma, rebound_sigma = table.optional("h0_sigma"), table.optional("h1_sigma")
-    return Heights(drop, rebound, drop_sigma, rebound_sigma, table.line, ball, tuple(run))
+    return Heights(drop, rebound, table.optional("h0_sigma"), table.optional("h1_sigma"), table.line, ball)
 
 
-def _times(table: Table, ball: Ints, run: List[str], key: str) -> Times:
+def _times(table: Table, ball: Ints, start: Ints) -> Times:
     """Return the drops of measured times. Intervals are summed from 0 to times."""
-    time, start = table.numbers(key), _starts(ball, run)
-    first, row = start[:-1], np.arange(len(time))
+    key = "t" if table.has("t") else "interval"
+    time, first = table.numbers(key), start[:-1]
+    row = np.arange(len(time))
     height = _drop_heights(table, len(time))[first]
     if key == "interval":
         total = np.cumsum(time)
@@ -491,8 +491,7 @@ def _times(table: Table, ball: Ints, run: List[str], key: str) -> Times:
         )
         allowed = f"eps up to 1, and by noise up to {MAX_FLIGHT_RATIO}"
         table.refuse_row(row[at + 1], key, f"{why}; allowed: {allowed}")
-    drops = row[start[:-1]]
-    return Times(time, table.line[row], start, height, ball[drops], tuple(run[i] for i in drops) if run else ())
+    return Times(time, table.line[row], start, height, ball[first])
 
 
 def _refuse_waveform(table: Table, key: str, flight: Floats) -> None:
@@ -520,8 +519,8 @@ def _leave_out_gaps(table: Table) -> None:
         table.line = table.line[rows]
 
 
-def _track(table: Table, ball: Ints, run: List[str]) -> Times:
-    time, height, start = table.numbers("t"), table.numbers("h", -1e30), _starts(ball, run)
+def _track(table: Table, ball: Ints, start: Ints) -> Times:
+    time, height, run = table.numbers("t"), table.numbers("h", -1e30), table.labels("run")
     parts, lines = [], []
     for a, b in zip(start[:-1], start[1:]):
         for at in a + 1 + np.flatnonzero(np.diff(time[a:b]) <= 0):
@@ -539,15 +538,13 @@ def _track(table: Table, ball: Ints, run: List[str]) -> Times:
     given, first = table.form.drop_height_m, start[:-1]
     height = np.array([p.drop_height_m if given is None else given for p in parts])
     start = np.append(0, np.cumsum([len(p.time_s) for p in parts]))
-    runs = tuple(run[a] for a in first) if run else ()
-    return Times(np.concatenate([p.time_s for p in parts]), np.concatenate(lines), start, height, ball[first], runs)
+    return Times(np.concatenate([p.time_s for p in parts]), np.concatenate(lines), start, height, ball[first])
 
 
-def _apexes(table: Table, ball: Ints, run: List[str]) -> Apexes:
-    height, start, sigma, line = table.numbers("h"), _starts(ball, run), table.optional("h_sigma"), table.line
-    first, row = start[:-1], np.arange(len(height))
+def _apexes(table: Table, ball: Ints, start: Ints) -> Apexes:
+    height, sigma, first = table.numbers("h"), table.optional("h_sigma"), start[:-1]
+    row = np.arange(len(height))
     drop = _drop_heights(table, len(height))[first]
-    runs = tuple(run[i] for i in first) if run else ()
     if not np.isnan(drop).any():
         height, row = np.insert(height, first, drop), np.insert(row, first, first)
         sigma = None if sigma is None else np.insert(sigma, first, sigma[first])
@@ -558,7 +555,7 @@ def _apexes(table: Table, ball: Ints, run: List[str]) -> Apexes:
     for k in np.flatnonzero(np.diff(start) < 2):
         why = "the drop has 1 apex; allowed: 2 or more, or the height of the drop, --drop-height or h0_cm"
         table.refuse_row(row[start[k]], "h", why)
-    return Apexes(height, sigma, line[row], start, ball[first], runs)
+    return Apexes(height, sigma, table.line[row], start, ball[first])
 
 
 # ---- sources ----
@@ -616,9 +613,8 @@ def read(source: Any, form: Form = Form(), progress: Callable[[str], None] = lam
     ball = np.array([number[n] for n in names] if names else [0] * len(table.line), dtype=np.int64)
     if len(table.line) == 0:
         table.refuse(table.last_line, None, "the file has no rows of numbers; allowed: 1 or more, such as 0.1,0.93")
-    readers = {"points": _points, "speeds": _speeds, "heights": _heights, "track": _track, "apexes": _apexes}
-    if kind in readers:
-        record: Any = readers[kind](table, ball, run)
-    else:
-        record = _times(table, ball, run, "t" if kind == "times" else "interval")
+    readers: Dict[str, Callable[[Table, Ints, Ints], Any]] = {
+        "points": _points, "speeds": _speeds, "heights": _heights, "track": _track, "apexes": _apexes
+    }  # fmt: skip
+    record = readers.get(kind, _times)(table, ball, _starts(ball, run))
     return Data(table.name, record, tuple(number), tuple(unused), tuple(table.remarks), table.word)

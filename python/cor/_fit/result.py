@@ -344,10 +344,6 @@ class Result:
 # ---- the call ----
 
 
-def _silent(_what: str, _done: int, _total: int) -> None:
-    pass
-
-
 def fit(
     source: Any,
     *,
@@ -390,7 +386,7 @@ def fit(
         raise ValueError(f"gravity: {gravity} is not above 0 and finite")
     ball = given if diameter is None else {**given, "diameter": diameter}
     drag = {"drag_coefficient": drag_coefficient, "terminal_speed": terminal_speed, "fit_drag": fit_drag}
-    field, tell = Field.of(gravity, ball, air_density, **drag), progress or _silent
+    field, tell = Field.of(gravity, ball, air_density, **drag), progress or (lambda *_: None)
     form = Form(unit=unit, separator=separator, decimal_comma=decimal_comma, drop_height_m=drop_height)
     data = source if isinstance(source, Data) else read(source, form, lambda step: tell(step, 0, 0))
     free = tuple(name for name, chosen in (("drag", fit_drag), ("gravity", fit_gravity)) if chosen)
