@@ -516,6 +516,9 @@ def test_commands_give_the_fit(bodies):
         assert made == pytest.approx(result.predict([0.5, 2.0], model.title).eps, rel=1e-6), command
         seen += 1
     assert seen >= 12
+    speed = np.linspace(1, 3, 12)  # eps grows so slowly that it is 1 beyond all speeds
+    rising = cor.fit(points(speed, 0.8 * speed**1e-4 + 1e-6 * np.sin(9 * speed)), law="power-law").command()
+    assert rising.endswith("--speed-min 1 --speed-max 3 --tolerance 1e-6")
     assert subprocess.run([CORGEN, *result.command("viscoelastic").split()[1:]], stdout=subprocess.PIPE).returncode == 0
 
 
@@ -676,10 +679,17 @@ def test_outliers_need_scatter():
     assert not cor.fit(data, law="constant").groups[""].outliers
 
 
+POSITIVE = "gravity drag_coefficient terminal_speed diameter air_density drop_height viscosity_liquid".split()
+
+
 @pytest.mark.parametrize(
     "error, words, options",
     [
         (ValueError, "law: 'viscous' is not a model; allowed: all, viscoelastic", dict(law="viscous")),
+        (ValueError, "law: 3 is not a model", dict(law=3)),
+        (ValueError, r"law: \[\] has no models", dict(law=[])),
+        (ValueError, "separator: 'space' is not a separator; allowed: comma", dict(separator="space")),
+        *[(ValueError, f"{name}: -1 is not above 0", {name: -1}) for name in POSITIVE],
         (ValueError, "fit_drag: points has speeds", dict(fit_drag=True)),
         (ValueError, "diameter: missing", dict(drag_coefficient=0.4, mass=1.0)),
         (ValueError, "terminal_speed: not with drag_coefficient", dict(drag_coefficient=0.4, terminal_speed=9.0)),

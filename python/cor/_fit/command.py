@@ -45,27 +45,10 @@ BODY_HELP = {
     "density": "density of the ball, kg/m^3",
     "mass": "mass of the ball, kg",
 }
-SEPARATORS = {"comma": ",", "semicolon": ";", "tab": "\t", ",": ",", ";": ";", "\t": "\t"}
 
 
 def _positive_or_infinite(text: str) -> float:
     return math.inf if text == "inf" else positive(text)
-
-
-def _separator(text: str) -> str:
-    if text not in SEPARATORS:
-        raise argparse.ArgumentTypeError(f"'{text}' is not a separator; allowed: comma, semicolon, tab")
-    return SEPARATORS[text]
-
-
-def _poisson(text: str) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = math.nan
-    if not -1 < value <= 0.5:
-        raise argparse.ArgumentTypeError(f"'{text}' is not a number above -1 and up to 0.5")
-    return value
 
 
 def add_arguments(parser: Parser) -> None:
@@ -83,8 +66,8 @@ def add_arguments(parser: Parser) -> None:
         group,
         "--separator",
         "S",
-        "separator of columns, comma, semicolon or tab (default: the most frequent in the first row)",
-        _separator,
+        "separator of columns, comma, semicolon or tab (default: the most frequent in the row of names)",
+        str,
     )
     group.add_argument("--decimal-comma", action="store_true", help="read numbers with a decimal comma")
     group = parser.add_argument_group("models")
@@ -109,7 +92,7 @@ def add_arguments(parser: Parser) -> None:
     group.add_argument("--fit-drag", action="store_true", help="fit the drag")
     group = parser.add_argument_group("bodies, SI units; they give parameters of materials instead of g*")
     for name in BODIES:
-        kind = _poisson if "poisson" in name else _positive_or_infinite if name.endswith("_2") else positive
+        kind = float if "poisson" in name else _positive_or_infinite if name == "young_2" else positive
         text = "the same of the second body (default: as the first)" + ("; inf: rigid" if name == "young_2" else "")
         add(group, f"--{name.replace('_', '-')}", "X", text if name.endswith("_2") else BODY_HELP[name], kind)
     group.add_argument("--wall", action="store_true", help="use a flat and fixed second body")

@@ -314,7 +314,7 @@ def function_model(function: Callable[..., Any]) -> Model:
 def choose(names: Any, end: Optional[str]) -> List[Model]:
     """Return the models with this end. names: "viscoelastic,power-law", a list, or "all"; a function is a model, too"""
     allowed = list(dict.fromkeys(model.name for model in MODELS))
-    chosen = names.split(",") if isinstance(names, str) else [names] if callable(names) else list(names)
+    chosen = names.split(",") if isinstance(names, str) else names if isinstance(names, (list, tuple)) else [names]
     for name in chosen:
         if not callable(name) and name not in ("all", *allowed):
             raise ValueError(
@@ -326,5 +326,9 @@ def choose(names: Any, end: Optional[str]) -> List[Model]:
     made = [m for m in MODELS if ("all" in chosen or m.name in chosen) and (end is None or m.end in (end, "both"))]
     made += [function_model(name) for name in chosen if callable(name)]
     if not made:
-        raise ValueError(f"end: no model of law {names} ends at {end}; allowed: another end or model")
+        raise ValueError(
+            f"law: {names!r} has no models; allowed: all, or names"
+            if not chosen
+            else f"end: no model of law {names} ends at {end}; allowed: another end or model"
+        )
     return made

@@ -7,6 +7,7 @@ from typing import Any, Callable, Dict, List, Optional, Tuple
 
 import numpy as np
 
+from .._evaluate import number
 from .compare import (
     NO_SCATTER,
     SIGNIFICANCE,
@@ -23,6 +24,7 @@ from .intervals import LEVELS, covariance_of, profile, quantile, unit_of
 from .likelihood import HUBER, MANY, Field, Sample, scipy
 from .models import BODIES, Bodies, Model, Parameter, choose
 
+SEPARATORS = {None: None, "comma": ",", "semicolon": ";", "tab": "\t", ",": ",", ";": ";", "\t": "\t"}
 COLUMNS = ("value", "low_68", "high_68", "low_95", "high_95", "rms", "chi2", "aic")
 Progress = Callable[[str, int, int], None]
 
@@ -382,12 +384,19 @@ def fit(
     given = {name: float(value) for name, value in bodies.items()}
     made = Bodies(given, wall, viscosity_liquid)
     models = choose(law, end)
-    if not 0 < gravity < math.inf:
-        raise ValueError(f"gravity: {gravity} is not above 0 and finite")
+    if separator not in SEPARATORS:
+        raise ValueError(f"separator: {separator!r} is not a separator; allowed: comma, semicolon, tab")
+    for name, value in {
+        "gravity": gravity, "drag_coefficient": drag_coefficient, "terminal_speed": terminal_speed, "diameter": diameter,
+        "air_density": air_density, "drop_height": drop_height, "viscosity_liquid": viscosity_liquid,
+        "mass": given.get("mass"),
+    }.items():  # fmt: skip
+        if value is not None and not 0 < number(name, value) < math.inf:
+            raise ValueError(f"{name}: {value} is not above 0 and finite")
     ball = given if diameter is None else {**given, "diameter": diameter}
     drag = {"drag_coefficient": drag_coefficient, "terminal_speed": terminal_speed, "fit_drag": fit_drag}
     field, tell = Field.of(gravity, ball, air_density, **drag), progress or (lambda *_: None)
-    form = Form(unit=unit, separator=separator, decimal_comma=decimal_comma, drop_height_m=drop_height)
+    form = Form(unit=unit, separator=SEPARATORS[separator], decimal_comma=decimal_comma, drop_height_m=drop_height)
     data = source if isinstance(source, Data) else read(source, form, lambda step: tell(step, 0, 0))
     free = tuple(name for name, chosen in (("drag", fit_drag), ("gravity", fit_gravity)) if chosen)
     if free and isinstance(data.record, Points):
