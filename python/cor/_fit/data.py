@@ -2,7 +2,7 @@
 """Defines measured bounces, which the reader (records) passes to the fit: in SI units and in the order of the file."""
 
 from dataclasses import dataclass, replace
-from typing import Any, Dict, Optional, Tuple, Union
+from typing import Optional, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt

@@ -242,7 +242,7 @@ class Problem:
         self.fastest2 = math.exp(2 * flights.log_speed.max())
         least, most = float(flights.log_speed.min()), float(flights.log_speed.max())
         extra = {"drag": ("positive", (0.0, 100.0)), "gravity": ("log", (math.log(1e-3), math.log(1e3)))}
-        ranges = [*curve.ranges(least, most), *(extra[name][1] for name in self.free)]
+        ranges = [*(of(least, most) for of in curve.ranges), *(extra[name][1] for name in self.free)]
         self.low, self.high = (np.array(side, np.float64) for side in zip(*ranges))
         self.kinds = (*curve.kinds, *(extra[name][0] for name in self.free))
         self.size, self.parameters = sample.size, len(self.kinds)

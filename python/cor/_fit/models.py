@@ -19,7 +19,7 @@ from .._cor import ffi, lib
 from .._evaluate import address
 from .data import Floats
 
-Ranges = List[Tuple[float, float]]
+Range = Callable[[float, float], Tuple[float, float]]  # of theta, for speeds from exp(least) to exp(most)
 BODY = ("young", "poisson", "radius", "density", "mass")
 BODIES = (*BODY, *(f"{name}_2" for name in BODY))
 
@@ -34,7 +34,7 @@ class Curve:
     name: str
     eps: Callable[[Any, Floats], Any]
     kinds: Tuple[str, ...]
-    ranges: Callable[[float, float], Ranges]  # ranges of theta, for speeds from exp(least) to exp(most)
+    ranges: Tuple[Range, ...]
     start: str  # "lines", "scan", "grid" or "given"
     dry: Optional["Curve"] = None  # the curve without adhesion or liquid
     given: Tuple[float, ...] = ()  # the start of a user's function
@@ -53,10 +53,10 @@ def _law(name: str, end: str, q: float) -> Curve:
         lib.cor_law_array(number, at_end, lib.COR_EPS, address(beta), address(result, True), beta.size)
         return result
 
-    def ranges(least: float, most: float) -> Ranges:
-        return [(math.log(1e-9) - max(q * least, q * most), math.log(1e9) - min(q * least, q * most))]
+    def range_of(least: float, most: float) -> Tuple[float, float]:
+        return math.log(1e-9) - max(q * least, q * most), math.log(1e9) - min(q * least, q * most)
 
-    return Curve(f"{name} {end}", eps, ("log",), ranges, "scan")
+    return Curve(f"{name} {end}", eps, ("log",), (range_of,), "scan")
 
 
 _unit_yield = ffi.new("struct cor_scene_contact *")
@@ -78,18 +78,16 @@ def _walton_braun_eps(theta: Any, x: Floats) -> Any:
     return 1 / np.sqrt(1 + np.exp(x - theta[0]))
 
 
-def _speed(down: float, up: float) -> Callable[[float, float], Tuple[float, float]]:
+def _speed(down: float, up: float) -> Range:
     """Return the range of the logarithm of a speed."""
     return lambda least, most: (least + math.log(down), most + math.log(up))
 
 
-def _ranges(*of: Callable[[float, float], Tuple[float, float]]) -> Callable[[float, float], Ranges]:
-    return lambda least, most: [one(least, most) for one in of]
+def _within(low: float, high: float) -> Range:
+    return lambda least, most: (low, high)
 
 
-def _unit(_least: float, _most: float) -> Tuple[float, float]:
-    return 0.0, 1.0
-
+_unit = _within(0.0, 1.0)
 
 # ---- curves of two coordinates ----
 
@@ -101,8 +99,7 @@ def _adhesive(dry: Curve) -> Curve:
         inside, ratio = dry.eps(theta, x), np.exp(theta[1] - x)
         return np.sqrt(np.maximum((inside - ratio) * (inside + ratio), 0))
 
-    ranges = lambda least, most: [*dry.ranges(least, most), _speed(1e-6, 1)(least, most)]  # noqa: E731
-    return Curve(f"adhesive {dry.name}", eps, (*dry.kinds, "log"), ranges, "grid", dry)
+    return Curve(f"adhesive {dry.name}", eps, (*dry.kinds, "log"), (*dry.ranges, _speed(1e-6, 1)), "grid", dry)
 
 
 def _wet(dry: Curve) -> Curve:
@@ -114,27 +111,26 @@ def _wet(dry: Curve) -> Curve:
         inside = dry.eps(theta, x + np.log(left))
         return np.where(ratio < 1, np.maximum(inside * left - ratio, 0), 0)
 
-    ranges = lambda least, most: [*dry.ranges(least, most), _speed(1e-12, 1)(least, most)]  # noqa: E731
-    return Curve(f"wet {dry.name}", eps, (*dry.kinds, "log"), ranges, "grid", dry)
+    return Curve(f"wet {dry.name}", eps, (*dry.kinds, "log"), (*dry.ranges, _speed(1e-12, 1)), "grid", dry)
 
 
-CONSTANT = Curve("constant", lambda theta, x: theta[0] + 0 * x, ("unit",), _ranges(_unit), "lines")
+CONSTANT = Curve("constant", lambda theta, x: theta[0] + 0 * x, ("unit",), (_unit,), "lines")
 POWER_LAW = Curve(
     "power-law",
     lambda theta, x: np.exp(np.minimum(theta[0] + theta[1] * x, 0)),
     ("free", "free"),
-    lambda least, most: [(-1e4, 1e4), (-100, 100)],
+    (_within(-1e4, 1e4), _within(-100, 100)),
     "lines",
 )
 SPHERE_ZERO_OVERLAP = _law("viscoelastic", "zero-overlap", 0.2)
 SPHERE_ZERO_FORCE = _law("viscoelastic", "zero-force", 0.2)
-PLASTIC = Curve("elastic-plastic", _plastic_eps, ("log",), _ranges(_speed(1e-36, 1)), "scan")
-WALTON_BRAUN = Curve("walton-braun", _walton_braun_eps, ("log",), _ranges(_speed(1e-18, 1e9)), "scan")
+PLASTIC = Curve("elastic-plastic", _plastic_eps, ("log",), (_speed(1e-36, 1),), "scan")
+WALTON_BRAUN = Curve("walton-braun", _walton_braun_eps, ("log",), (_speed(1e-18, 1e9),), "scan")
 EXPONENTIAL = Curve(
     "exponential",
     lambda theta, x: theta[0] + (1 - theta[0]) * np.exp(-np.exp(x - theta[1])),
     ("unit", "log"),
-    _ranges(_unit, _speed(0.02, 1e9)),
+    (_unit, _speed(0.02, 1e9)),
     "grid",
     CONSTANT,
 )
@@ -142,7 +138,7 @@ STOKES = Curve(
     "stokes",
     lambda theta, x: theta[0] * np.maximum(1 - np.exp(theta[1] - x), 0),
     ("unit", "log"),
-    _ranges(_unit, _speed(1e-12, 1)),
+    (_unit, _speed(1e-12, 1)),
     "grid",
     CONSTANT,
 )
@@ -161,10 +157,8 @@ def function_curve(function: Callable[..., Any]) -> Curve:
         result = np.broadcast_to(np.asarray(function(np.exp(x), *theta), np.float64), x.shape)
         return np.where(np.isfinite(result), result, math.nan)
 
-    everywhere = [(-1e30, 1e30)] * len(start)
-    return Curve(
-        f"function {function.__name__}", eps, ("free",) * len(start), lambda _l, _m: everywhere, "given", given=start
-    )
+    n, everywhere = len(start), (_within(-1e30, 1e30),)
+    return Curve(f"function {function.__name__}", eps, ("free",) * n, everywhere * n, "given", given=start)
 
 
 # ---- bodies ----
@@ -185,8 +179,8 @@ class Bodies:
     def contact(self, **options: Any) -> Contact:
         """Return the contact of the bodies with the options, or with a dissipation time of 1 s."""
         left_out = "wall" if "plate_thickness" in options else "density_2" if self.wall else ""
-        numbers = {name: min(value, 1e100) for name, value in self.given.items()}  # inf: rigid
-        given = {name: value for name, value in {**numbers, "wall": self.wall}.items() if name != left_out}
+        given: Dict[str, Any] = {name: min(value, 1e100) for name, value in self.given.items()}  # inf: rigid
+        given = {name: value for name, value in {**given, "wall": self.wall}.items() if name != left_out}
         return Contact(**given, **(options or {"dissipation_time": 1.0}), end="zero_overlap")
 
     def quantity(self, name: str, **options: Any) -> float:

@@ -386,11 +386,9 @@ def fit(
     models = choose(law, end)
     if separator not in SEPARATORS:
         raise ValueError(f"separator: {separator!r} is not a separator; allowed: comma, semicolon, tab")
-    for name, value in {
-        "gravity": gravity, "drag_coefficient": drag_coefficient, "terminal_speed": terminal_speed, "diameter": diameter,
-        "air_density": air_density, "drop_height": drop_height, "viscosity_liquid": viscosity_liquid,
-        "mass": given.get("mass"),
-    }.items():  # fmt: skip
+    numbers = dict(gravity=gravity, mass=given.get("mass"), diameter=diameter, drop_height=drop_height)
+    air = dict(drag_coefficient=drag_coefficient, terminal_speed=terminal_speed, air_density=air_density)
+    for name, value in dict(**numbers, **air, viscosity_liquid=viscosity_liquid).items():
         if value is not None and not 0 < number(name, value) < math.inf:
             raise ValueError(f"{name}: {value} is not above 0 and finite")
     ball = given if diameter is None else {**given, "diameter": diameter}
