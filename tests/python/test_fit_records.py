@@ -65,7 +65,7 @@ READ = [
     ("sep=;\nh0;h1\n(cm);cm\n100;64,5\n;\n", dict(decimal_comma=True), Heights, dict(drop_m=[1], rebound_m=[0.645])),
     ("h0 (inches),h1_ft\n10,.5\n", {}, Heights, dict(drop_m=[0.254], rebound_m=[0.1524])),
     ("v_in (ft/s),v_out_ft_s\n10,8\n", {}, Points, dict(speed_m_s=[3.048], eps=[0.8])),
-    ("h_in\n10\n5\n", {}, Apexes, dict(height_m=[0.254, 0.127])),
+    ("h_in\n10\n5,\n", {}, Apexes, dict(height_m=[0.254, 0.127])),
     ("v_in,v_out\n10,8\n", dict(unit="cm/s"), Points, dict(speed_m_s=[0.1])),
 ]  # fmt: skip
 
@@ -98,6 +98,7 @@ REFUSED = [
     ("line 1: the column 'spede_m_s' is not read, but nearly has the name speed_m_s", "spede_m_s,eps\n1,0.5\n", {}),
     ("line 1: the column 'rum' is not read, but nearly has the name run", "rum,t_s\na,0\n", {}),
     ("line 1: the column 'h1 error .cm.' is .* h1_sigma_cm", "h0_cm,h1_cm,h1 error (cm)\n100,64,1\n", {}),
+    ("line 3: 1 cell, but .* has 2", POINTS + "1,0.5\n2\n", {}),
     ("line 3: 4 cells, but .* has 2; .* commas, .* decimal point", POINTS + "1,0.5\n0,5,0,85\n", {}),
     ("line 2, column eps: '0,85' has a decimal comma; .* such as 0.85, or --decimal-comma", POINTS + '1,"0,85"\n', {}),
     ("line 2, column eps: '.5' has a decimal point, but .*without", "speed_m_s;eps\n2;.5\n", dict(decimal_comma=True)),
@@ -210,6 +211,7 @@ def test_bounces_of_a_track(eps, rate, noise, bound):
     gaps = read({"time_s": at, "height_m": heights})
     np.testing.assert_allclose(gaps.record.time_s[:5], bounces[:5], atol=bound)
     assert gaps.remarks[0] == "4 rows without a height are left out."
+    assert np.all(np.abs(gaps.record.line[:5] - record.line[:5]) <= 1)  # rows of the file
 
 
 def test_hostile_bytes():
