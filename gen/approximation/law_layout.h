@@ -23,8 +23,8 @@
 enum law_part { PART_NEAR, PART_MIDDLE, PART_TAIL, PART_BELOW, PART_INVERSE_NEAR, PART_INVERSE };
 
 struct law_table {
-    enum law_part part; /* quantity of the rows; in a derived layout also of the function that uses them */
-    enum quantity serves;
+    enum law_part part;       /* the part that the rows cover */
+    enum quantity serves;     /* quantity of the rows; in a derived layout also of the function that uses them */
     char stem[40], title[64]; /* end of the name; first line of the comment */
     struct pieces rows;       /* input of pieces_make, or of pieces_fit if rows = 0. first = NAN: the rows of an
                                * inverse begin at law_layout_inverse_octave() */

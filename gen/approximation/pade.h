@@ -128,8 +128,8 @@ struct references {
     slong count, even, far;
 };
 
-/* Sets the sample points: near i/even, i = 1..even; near/2^(6 j), j = 1..small; above `near` the points near (5/4)^j up
- * to beta_max; and beta_max. Returns 0, or 1 after reporting the failure. */
+/* Sets the sample points. With c, the smaller of PADE_NEAR and beta_max, they are c i/even, i = 1..even; c/2^(6 j), j =
+ * 1..small; above c, c (5/4)^j up to beta_max; and beta_max. Returns 0, or 1 after reporting the failure. */
 enum { PADE_NEAR = 2 }; /* the usual range, within which no collision is slow */
 int references_init(struct references *s, const struct cor_exponents *law, slong beta_max, slong even, slong small);
 void references_clear(struct references *s);

@@ -176,7 +176,7 @@ int disk_mode_solve(struct disk_mode *mode, const fmpq_t nu, slong n, slong l, d
 /* ---- all modes ---- */
 
 struct work {
-    const struct disk *disk; /* nu and its multiples with more bits than any step needs */
+    const struct disk *disk; /* 1 + nu and 1 - nu with more bits than any step needs */
     slong digits;
     struct disk_mode *mode;
     slong *which; /* the modes to compute */

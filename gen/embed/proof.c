@@ -50,7 +50,7 @@ struct prover {
     struct far_proof far; /* for beta >= exp(10) at zero force */
     bool far_known;
     double enough;
-    double from; /* the proof holds from this speed on */
+    double from; /* the proof holds at this speed and above */
     struct part *part;
     slong parts;
 };

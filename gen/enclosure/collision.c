@@ -45,7 +45,7 @@ enum {
  * motion loses more bits, the code tries again with more. */
 #define GROWTH_LOADING 2.0
 #define GROWTH_UNLOADING 1.13
-/* Growth for each bit of the distance from beta to the threshold, for Hertz's law with a dashpot */
+/* Growth for each halving of the distance from beta to the threshold, for Hertz's law with a dashpot */
 #define GROWTH_BELOW 2.7
 
 /* Chooses the route. The logarithm of the motion's contraction is ln(1/mu) twice, for loading and release

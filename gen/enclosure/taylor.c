@@ -19,7 +19,7 @@ enum {
     /* Coefficient n needs STEP_BITS n bits less than coefficient 0 and is computed with that many bits less. These bits
      * are added for the round-off of its sums. */
     COEFFICIENT_GUARD = 24,
-    /* From this number of coefficients on, products of polynomials cost less than sums of products. */
+    /* With this number of coefficients or more, products of polynomials cost less than sums of products. */
     ONLINE_FROM = 96
 };
 

@@ -347,7 +347,7 @@ int sweep_run(const struct sweep_request *request)
         status = status == STATUS_OK ? drawn : status;
     }
     free(run.sweep.eps);
-    table_clear(&run.printer.table); /* modes of a sweep that failed */
+    table_clear(&run.printer.table); /* left by a sweep that failed */
     free((void *)run.modes.mode);
     free(run.result);
     hard_wall_tables_clear(&run.tables);

@@ -135,7 +135,7 @@ COR_API const char *cor_quantity_name(enum cor_quantity quantity);
  *     COR_LOSS             1 - eps with relative accuracy, also where a subtraction would cancel
  *     COR_DAMPING_OF_EPS   the smallest damping that has this eps, with the given double treated as exact. Near eps = 1
  *                          one unit of its last place changes the damping much; use COR_DAMPING_OF_LOSS there
- *     COR_MAX_OVERLAP,     the same for zero overlap, zero force and approach only; absent for the limited end
+ *     COR_MAX_OVERLAP,     equal at the ends zero overlap, zero force and approach only; absent for the limited end
  *     COR_TIME_OF_MAX_OVERLAP
  *
  * Damping 0 gives eps 1 and loss 0; damping +inf gives eps 0 and loss 1. The inverses return +inf if the damping

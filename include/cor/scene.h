@@ -387,9 +387,9 @@ int cor_option_allows(const struct cor_scene_option *option, double value); /* T
 enum cor_adhesion { COR_ADHESION_NONE, COR_ADHESION_DMT, COR_ADHESION_JKR };
 
 /* Spheres with JKR adhesion attract each other beyond zero overlap, in the tail of the force, and part at the end of
- * the tail. In LAMMPS they part earlier, at the largest pull, and lose about half as much energy. In arrays the tail
- * has the index of zero overlap, and the largest pull the index of zero force. The damping force is C (c^2/R)^b x' with
- * the radius c of the contact; for w -> 0 it becomes the damping force of the law.
+ * the tail. In LAMMPS they part earlier, at the largest pull, and lose about half as much energy to adhesion. In arrays
+ * the tail has the index of zero overlap, and the largest pull the index of zero force. The damping force is C
+ * (c^2/R)^b x' with the radius c of the contact; for w -> 0 it becomes the damping force of the law.
  * Accuracy: eps^2 within COR_JKR_EPS2_MAX_ERROR, absolute. While eps > 0.01, this number also bounds the relative error
  * of durations. Down to eps = 1e-3 the bound is 0.01/eps times this number, because the rounding error of eps^2 moves
  * the end. Sampled in tests/unit/test_scene_jkr.c. Without damping eps is a closed form. The sticking speed is infinite
@@ -425,7 +425,7 @@ enum cor_fault {
     COR_FAULT_PLATE_NUMBERS,  /* a plate has only thickness, modulus, Poisson's ratio and density */
     COR_FAULT_PLATE_DENSITY,  /* the density of the plate is missing */
     COR_FAULT_PLATE_DAMPING,  /* a plate has no damping except the dissipation of its sphere */
-    COR_FAULT_TWO_CONTACTS,   /* both bodies and a stiffness or an effective mass are given */
+    COR_FAULT_TWO_CONTACTS,   /* bodies are given, and also a stiffness or an effective mass */
     COR_FAULT_SPRING,         /* number is missing: stiffness and effective mass go together */
     COR_FAULT_NOT_HERTZ,      /* bodies are given, but the law does not have Hertz's force */
     COR_FAULT_NO_WAY,         /* nothing gives the damping */

@@ -519,7 +519,8 @@ static int meet_eps(struct cor_scene_contact *contact, double *eps, double *spee
             cor_scene_set_damping(contact, COR_SCENE_RESTITUTION, *eps, *speed_m_s, (int)model->end) == COR_FAULT_NONE);
 }
 
-/* Finds the numbers of a model, which give the requested restitution at the model's end. Returns 1 if they exist. */
+/* Finds the numbers of a model. Returns 1 if they exist. If a restitution is given, they realise it at the model's
+ * end. */
 static int fill_block(struct block *block, struct task *task, const struct cor_simulator_model *model)
 {
     enum cor_simulator_status status = COR_SIMULATOR_OK;
@@ -1697,7 +1698,7 @@ static int put_materials(struct text *t, struct task *task)
     const struct cor_simulator_model *const model = best.model;
     task->own.step_corrected = given->step_corrected;
     task->own.time_step_s = isless(best.time_step_s, INFINITY) ? best.time_step_s : 0;
-    if (fill_contacts(task, model, &block) < 0) /* the block of the smallest time step */
+    if (fill_contacts(task, model, &block) < 0) /* again, with the smallest step of all */
         return 0;
     put_comment(t, "%s, %s (%s): contacts end at %s", s->title, model->model, model->version,
                 cor_end_names[model->end]);

@@ -140,7 +140,7 @@ int cor_motion_expand(struct motion *m)
     return 0;
 }
 
-/* Sets v from the energy if the spring force is below half of `press`: no large numbers then cancel. */
+/* Sets v from the energy if the spring's energy is below half the work of `press`: no large numbers then cancel. */
 static void restore_speed(struct motion *m)
 {
     const int d = order_of(m);

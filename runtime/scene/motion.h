@@ -78,7 +78,7 @@ int cor_motion_expand(struct motion *m);
 /* Makes the end of the step the start of the next one. */
 void cor_motion_advance(struct motion *m);
 
-/* Follows the motion to the turning point, where the next step begins, or to the end of a step in which F falls and
+/* Follows the motion to the turning point, where the next step begins, or to the end of a step at which F falls and
  * `rests` is true. *force_max: the largest F on the way. Returns 0 if this needs too many steps. */
 int cor_motion_compress(struct motion *m, double *force_max, int (*rests)(const struct motion *m));
 

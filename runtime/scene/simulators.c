@@ -166,7 +166,7 @@ static double unscale_number(const struct cor_simulator_model *model, double num
 }
 
 /* Returns P, the Padé approximant of order [3/6] of eps at zero force in v = sqrt(beta) (Müller and Pöschel, Phys.
- * Rev. E 84, 021302 (2011)). YADE since 2025 sets en to P, with beta at the speed vn = 1 m/s. */
+ * Rev. E 84, 021302 (2011)). In YADE since 2025 en = P, with beta at the speed vn = 1 m/s. */
 static double yade_pade(double v)
 {
     static const double above[] = {1, 1.07232, 0.574198, 0.141552};

@@ -8,8 +8,8 @@
 #include "cor/scene.h"
 #include "runtime/scene/exponents.h"
 
-/* Returns gamma of the damping 2 gamma sqrt(m k_tangent), which gives e at zero force: Thornton, Cummins and Cleary,
- * Powder Technol. 233, 30 (2013). */
+/* Returns gamma of the damping 2 gamma sqrt(m k_tangent), which gives about e at zero force: a fit by Thornton, Cummins
+ * and Cleary, Powder Technol. 233, 30 (2013). */
 double cor_thornton_gamma(double e);
 /* Returns the polynomial of Tsuji, Tanaka and Ishida, Powder Technol. 71, 239 (1992), in the form of LAMMPS. */
 double cor_tsuji_alpha(double e);
