@@ -109,14 +109,8 @@ COR_KERNEL struct cx cx_root(struct cx x)
  * atanh, and Abramowitz and Stegun 4.4.49. */
 COR_KERNEL double rough_log(double x)
 {
-    uint64_t bits, exponent;
-    double m, k;
-    memcpy(&bits, &x, sizeof bits);
-    exponent = (bits >> 52) | 0x4330000000000000; /* 2^52 + the exponent's bits */
-    bits = (bits & 0x000fffffffffffff) | 0x3ff0000000000000;
-    memcpy(&m, &bits, sizeof m);
-    memcpy(&k, &exponent, sizeof k);
-    const double f = (m - COR_ROOT_2) / (m + COR_ROOT_2), z = f * f;
+    const double k = cor_inline_from_bits((cor_inline_bits(x) >> 52) | UINT64_C(0x4330000000000000)); /* + 2^52 */
+    const double m = cor_inline_significand(x), f = (m - COR_ROOT_2) / (m + COR_ROOT_2), z = f * f;
     return (k - 4503599627370496.0 - 1022.5) * COR_LN2 + 2 * f * (1 + z * (1.0 / 3 + z * (1.0 / 5)));
 }
 

@@ -19,7 +19,7 @@
 #define COR_RATIO_FAR_LIMITED_TAIL (-2.41682332836322825930e-17)
 
 /* Below this zeta, products lose bits to underflow, and eps is 1 - L to the last bit. */
-#define COR_RATIO_TINY 1.18305218616677471e-271 /* 2^-900 */
+#define COR_RATIO_TINY COR_INLINE_2_M900
 /* End of the kernels of A(zeta) */
 #define COR_RATIO_FORCE_NEAR 3.0
 /* The largest double below 1 */

@@ -12,8 +12,8 @@
 #include "runtime/number/elementary.h"
 
 /* Below this beta, three terms of the series are exact to the last bit. */
-#define COR_HC_TINY 9.5367431640625e-07                  /* 2^-20 */
-#define COR_HC_APPROACH_LEAST 8.67361737988403547206e-19 /* 2^-60: below it eps is 1 and the loss is beta/3 */
+#define COR_HC_TINY 9.5367431640625e-07        /* 2^-20 */
+#define COR_HC_APPROACH_LEAST COR_INLINE_2_M60 /* below it eps is 1 and the loss is beta/3 */
 
 /* 1/3 and 2/3 as pairs */
 #define COR_HC_THIRD 3.33333333333333314830e-01
