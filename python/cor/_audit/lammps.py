@@ -899,26 +899,22 @@ class Granular(System):
         return [(Coefficient(words, at, style), 0, words[1], unknown)]
 
     def walls_of_liggghts(self, words: Words) -> List[Tuple[Coefficient, int, str, str]]:
-        of, meshes = Coefficient(words, 5, "model"), words.find("meshes", 4)
-        is_primitive = words.find("primitive", 4) > 0
+        at, meshes, is_primitive = 5, words.find("meshes", 4), words.find("primitive", 4) > 0
         plane = next((i for i, word in enumerate(words) if re.fullmatch("[xyz](plane|cylinder)", word)), 0)
         if _OLD_MODEL.fullmatch(words[3].replace("wall/", "")) and plane:
-            type = words.value(plane + (3 if words[plane].endswith("plane") else 2))
-            unknown = "" if 1 <= type <= MAX_TYPES else f"The type of the wall {words[1]} is not known."
-            return [(Coefficient(words, 3, "model"), 0 if unknown else int(type), words[1], unknown)]
-        if words[4] != "model" or (not is_primitive and meshes < 0):
-            return [(of, 0, words[1], f"cor does not support the wall {words[4]}.")]
-        if is_primitive:
-            sources = [(words[1], self.fixes.get(words[1]))]
+            at, types = 3, [(words[1], words.value(plane + (3 if words[plane].endswith("plane") else 2)))]
+        elif words[4] != "model" or (not is_primitive and meshes < 0):
+            return [(Coefficient(words, at, "model"), 0, words[1], f"cor does not support the wall {words[4]}.")]
         else:
             count = words.value(words.find("n_meshes", 4) + 1)
             names = words[meshes + 1 : meshes + 1 + (int(count) if 1 <= count < MAX_TYPES else 1)]
             sources = [(f"{words[1]} {name}", self.fixes.get(name)) for name in names]
+            sources = [(words[1], self.fixes.get(words[1]))] if is_primitive else sources
+            types = [(n, f.value(f.find("type", 4) + 1) if f and f.find("type", 4) > 0 else NAN) for n, f in sources]
         walls = []
-        for name, source in sources:
-            type = source.value(source.find("type", 4) + 1) if source and source.find("type", 4) > 0 else NAN
+        for name, type in types:
             unknown = "" if 1 <= type <= MAX_TYPES else f"The type of the wall {name} is not known."
-            walls.append((of, int(type) if not unknown else 0, name, unknown))
+            walls.append((Coefficient(words, at, "model"), 0 if unknown else int(type), name, unknown))
         return walls
 
     def pressing(self, words: Words) -> float:
