@@ -513,6 +513,10 @@ TEST(several_materials)
     request.simulator = "mercurydpm";
     assert_true(cor_simulator_lines(text, sizeof text, &request) > 0);
     is_near(found(text, "\ncor_2_4->setDissipation("), pair_of(n[2], n[3], 1).dissipation_time_s, 1e-9);
+    for (at = text; (at = strstr(at, "\ncor_")) != NULL; at++) { /* every object is declared */
+        snprintf(words, sizeof words, "\nauto %.*s = ", (int)strcspn(at + 1, "-"), at + 1);
+        found(text, words);
+    }
     /* MFiX has e at one speed, by the formula of a linear spring with Hertz's force, and one material of walls. */
     request.simulator = "mfix";
     request.speeds = 1;
