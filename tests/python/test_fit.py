@@ -23,7 +23,8 @@ DATA = Path(__file__).parents[2] / "docs" / "data"
 CORGEN = os.environ.get("CORGEN", "build/corgen")
 LONG = bool(os.environ.get("COR_TEST_LONG"))
 G = 9.80665
-BALL = {"mass": 0.0027, "diameter": 0.04, "drag_coefficient": 0.47}
+BALL_SIZE = {"mass": 0.0027, "diameter": 0.04}
+BALL = {**BALL_SIZE, "drag_coefficient": 0.47}
 FIELD = likelihood.Field(G, 0.0, math.nan)
 # theta of each curve, with eps from 0.4 to 0.95 at 0.1 to 10 m/s
 TRUTH = {
@@ -161,14 +162,15 @@ def test_drag_is_no_property_of_the_ball(table_tennis):
         row = by_name(with_drag, "constant")["eps"]
         assert with_drag.find()[0].name == "constant" and row.low_95 < 0.955 < row.high_95
         assert row.high_95 - row.low_95 < 2e-3
-    free = cor.fit(times(drops), law="constant", mass=0.0027, diameter=0.04, fit_drag=True)
+    free = cor.fit(times(drops), law="constant", fit_drag=True, **BALL_SIZE)
     row = by_name(free, "constant")["drag_coefficient"]
     assert row.low_95 < 0.47 < row.high_95 and row.high_95 - row.low_95 < 0.1
+    # the size of the ball has no effect without drag
+    sized, bare = (cor.fit(times(drops, [0.1, 0.6]), law="constant", **size) for size in (BALL_SIZE, {}))
+    assert sized.parameters.value[0] == bare.parameters.value[0]
     # speeds computed from the same numbers without a ball's mass and diameter
-    speed = (
-        math.sqrt(2 * 0.0027 * G * (1 - 1.204 * math.pi / 6 * 0.04**3 / 0.0027) / (1.204 * 0.47 * math.pi / 4)) / 0.04
-    )
     lighter = G * (1 - 1.204 * math.pi / 6 * 0.04**3 / 0.0027)
+    speed = math.sqrt(2 * 0.0027 * lighter / (1.204 * 0.47 * math.pi / 4)) / 0.04
     same = cor.fit(times(drops), law="constant", terminal_speed=speed, gravity=lighter).find()[1].theta[0]
     assert same == pytest.approx(by_name(cor.fit(times(drops), law="constant", **BALL), "constant")["eps"].value)
 
@@ -406,6 +408,7 @@ def test_many_bounces_are_reduced(monkeypatch):
         width = a.high_68 - a.low_68
         assert b.parameter == a.parameter and b.value == pytest.approx(a.value, abs=0.1 * width)
         assert b.high_68 - b.low_68 == pytest.approx(width, rel=0.1) and b.rms == pytest.approx(a.rms, rel=1e-4)
+        assert b.aic == pytest.approx(a.aic, abs=3)
 
 
 # ---- how often intervals contain the truth ----
@@ -541,6 +544,10 @@ def test_parameters_of_materials():
     for title, contact in contacts.items():
         end = None if title == "elastic-plastic" else "zero_overlap"
         assert contact.eps(1.5, end) == pytest.approx(result.predict(1.5, title).eps, rel=1e-9), title
+    rigid = cor.fit(data, law="viscoelastic", end="zero-overlap", wall=True, young_2=math.inf, **bodies)
+    time = rigid.parameters.value[0]
+    contact = cor.Contact(cor.Body(7e10, 0.24, time, 0.005, 1.3e-3), cor.Body(np.inf, 0.24, time, np.inf, np.inf))
+    assert contact.eps(1.5, "zero_overlap") == pytest.approx(rigid.predict(1.5).eps, rel=1e-9)
     bodies.update(wall=True, viscosity_liquid=1e-3)
     result = cor.fit(draw_points("stokes", np.random.default_rng(12)), law="stokes,constant,walton-braun", **bodies)
     row, theta = by_name(result, "stokes")["critical_stokes_number"], result.find("stokes")[1].theta
@@ -689,7 +696,7 @@ POSITIVE = "gravity drag_coefficient terminal_speed diameter air_density drop_he
         (ValueError, "law: 3 is not a model", dict(law=3)),
         (ValueError, r"law: \[\] has no models", dict(law=[])),
         (ValueError, "separator: 'space' is not a separator; allowed: comma", dict(separator="space")),
-        *[(ValueError, f"{name}: -1 is not above 0", {name: -1}) for name in POSITIVE],
+        *[(ValueError, f"{name}: 0 is not above 0", {name: 0}) for name in POSITIVE],
         (ValueError, "fit_drag: points has speeds", dict(fit_drag=True)),
         (ValueError, "diameter: missing", dict(drag_coefficient=0.4, mass=1.0)),
         (ValueError, "terminal_speed: not with drag_coefficient", dict(drag_coefficient=0.4, terminal_speed=9.0)),

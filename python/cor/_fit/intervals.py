@@ -114,15 +114,15 @@ def _lines(p: Problem, extra: Sequence[float]) -> List[List[float]]:
     flights = p.at(np.array([*([0.0] * len(p.curve.kinds)), *extra]))
     eps, weight = flights.eps, (p.spread(flights) * np.ones(p.size)) ** -2
     if p.curve is CONSTANT:
-        return [[float(np.clip(np.average(eps, weights=weight), 0, 1))]]
+        return [[float(np.clip((weight @ eps) / weight.sum(), 0, 1))]]
     use = eps > 0
     if not use.any():
         return [[-1.0, 0.0]]
     x, y, w = flights.log_speed[use], np.log(eps[use]), weight[use] * eps[use] ** 2
-    mean_x, mean = np.average([x, y], axis=1, weights=w)
-    far = w * (x - mean_x)
-    slope = (far @ y) / (far @ x) if far @ x > 1e-12 * (w @ x**2) else 0.0
-    return [[mean - slope * mean_x, slope], [mean, 0.0]]
+    total, sx, sy = w.sum(), w @ x, w @ y
+    spread = total * (w @ (x * x)) - sx * sx
+    slope = (total * (w @ (x * y)) - sx * sy) / spread if spread > 1e-12 * total * (w @ (x * x)) else 0.0
+    return [[(sy - slope * sx) / total, slope], [sy / total, 0.0]]
 
 
 def minimise(p: Problem) -> Tuple[Floats, float]:
