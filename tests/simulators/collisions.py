@@ -5,6 +5,7 @@ them at zero force, in LIGGGHTS, and by REBOUND's callback. docs/simulators.md h
 
     tests/simulators/collisions.py [--long]    CORGEN, LMP, LIGGGHTS and YADE name the programs
 """
+import functools
 import glob
 import itertools
 import math
@@ -12,12 +13,13 @@ import os
 import random
 import re
 import shutil
+import subprocess
 import sys
 import tempfile
 
 sys.dont_write_bytecode = True
 from common import (CORGEN, HERE, LIGGGHTS, LMP, ROOT, YADE, extrapolated, first_row, numbers_of,  # noqa: E402
-                    output_of, run, script, skip, summary, verdict)
+                    output_of, script, skip, summary, verdict)
 
 # TOLERANCE: largest |simulated/exact - 1| after extrapolation. The largest value seen is 8e-8 at 1e-6 m/s, where
 # doubles of positions have too few digits for the overlap. A wrong model must differ by MARGIN tolerances.
@@ -63,9 +65,33 @@ def judge(name, eps, right, wrong, tolerance=TOLERANCE, margin=MARGIN):
             (name, eps, right, eps / right - 1, nearest))
 
 
+@functools.lru_cache(None)
+def yade_process():
+    """Starts the one YADE that runs all commands, because a start takes a second. Returns it and its first output."""
+    process = subprocess.Popen([YADE, "-x", "-n", "-j1", os.path.join(HERE, "restitution", "yade.py")],
+                               stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    return process, answer_of(process)
+
+
+def answer_of(process):
+    """Returns the lines up to the next "done", or to the end."""
+    return "".join(itertools.takewhile(lambda line: line not in ("", "done\n"), iter(process.stdout.readline, None)))
+
+
+def printed(command):
+    """Returns the output of a command of YADE or another program."""
+    if command[0] != YADE:
+        return output_of(command)
+    process, text = yade_process()
+    for number, given in enumerate(command[1:]):
+        print(given, file=process.stdin, flush=True)
+        text = text * (number > 0) + answer_of(process)
+    return text
+
+
 def lines_of(command, word):
     """Returns the fields after the word in each line that begins with it. A failure shows all output of the program."""
-    text = output_of(command)
+    text = printed(command)
     rows = [row.split()[1:] for row in text.splitlines() if row.startswith(word + " ")]
     if not rows:
         print(text[-2000:])
@@ -223,7 +249,7 @@ def sides_of(simulator, paste, duration, tangent, steps):
 
 def yade(*runs):
     """Returns the command by which YADE runs dicts of restitution/yade.py."""
-    return [YADE, "-x", "-n", "-j1", os.path.join(HERE, "restitution", "yade.py"), *map(repr, runs)]
+    return [YADE, *map(repr, runs)]
 
 
 def yade_eps(work, power, runs):
@@ -512,7 +538,7 @@ def several(host, work, seed):
                         script(LMP if host == "lammps" else LIGGGHTS, "restitution/%s.in" % host, **shared, n=n, types=3,
                                r1=radii[0], r2=radii[1], m1=masses[0], m2=masses[1], t1=i + 1, t2=j % 2 + 1,
                                cor_wall_3="zplane %d" % -(j < 2) + " NULL" * (host == "lammps")))
-    output = "".join(output_of(command) for command in ([yade(*commands)] if host == "yade" else commands))
+    output = "".join(printed(command) for command in ([yade(*commands)] if host == "yade" else commands))
     seen = [row.split() for row in re.findall("^eps (.*)", output, re.M)]
     slid = [float(row) for row in re.findall("^side .* (.*)", output, re.M)]
     for (i, j, factor, wanted), row in zip(kinds, seen):
@@ -550,13 +576,15 @@ def main():
                     tests = [tests[int(os.environ.get("COR_TEST_TURN", "0")) % len(tests)]]
                 for test in tests + [yade_gravity]:
                     test(work)
-                if "vn yes" in run(yade()).stdout:
+                if "vn yes" in printed(yade()):
                     yade_vn(work)
                 else:
                     skip("YADE, en and vn", "this YADE has no vn, 2025.2.0 has")
             oblique_impacts(host, work, 1 if "--long" in sys.argv else 10)
             unlike(host, work, seed)
             several(host, work, seed)
+            if host == "yade":
+                yade_process()[0].communicate()  # ends it
     return summary()
 
 

@@ -85,7 +85,7 @@ def printed(work, name, change, given):
             file.write(text)
     libraries = [os.path.join(os.path.dirname(CORGEN), "libcor%s.a" % part) for part in ("_scene", "")]
     web = [os.path.join(ROOT, "web", source + ".c") for source in ("exports", "functions", "request")]
-    print(output_of(["cc", "-O1", "-I" + ROOT, "-I" + os.path.join(ROOT, "include"), "-o", program, *sources, *web,
+    print(output_of(["cc", "-O0", "-I" + ROOT, "-I" + os.path.join(ROOT, "include"), "-o", program, *sources, *web,
                      *libraries, "-lm"]), end="")
     return re.sub("[A-Za-z]", "x", run([program], input=given).stdout)
 

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
 # Head-on collisions in YADE with the text of corgen contact --for yade: of two spheres, or of one with a wall.
-#     yade -x -n -j1 yade.py RUN [RUN]...
+#     yade -x -n -j1 yade.py RUN [RUN]...        or RUNs on lines of standard input; "done" ends each answer
 # Each RUN is a dict of Python: paste, the file of the text; duration, s; n, numbers of steps. Optional, if they differ
 # from the defaults in collide: wall, speed, g, side (tangential speed over speed), radius, and material, the numbers of
 # the two materials. With g the speed belongs to a ball that returns to the wall. The script prints for each n, with
 # duration/(n + 1/2) as the time step,
 #     eps PASTE N VALUE CHANGE
 # CHANGE of the velocity after the contact must be 0. SI units. The text may define before_step, commands for each step,
-# and may use `step`. Without arguments the script prints whether this YADE has vn.
+# and may use `step`. Without arguments the script first prints whether this YADE has vn.
 import ast
 import atexit
 import os
@@ -58,9 +58,11 @@ def collide(text, step, steps, wall=0, speed=1, g=0, side=0, radius=None, materi
 start = dict(globals())
 if len(sys.argv) == 1:
     print("vn", "yes" if hasattr(Ip2_FrictMat_FrictMat_MindlinPhys, "vn") else "no")
-for argument in sys.argv[1:]:
+    print("done", flush=True)
+for argument in sys.argv[1:] or sys.stdin:
     given = ast.literal_eval(argument)
     paste, duration, counts = (given.pop(name) for name in ("paste", "duration", "n"))
     for count in counts:
         before, after = collide(open(paste).read(), duration / (count + 0.5), count, **given)
         print("eps %s %d %.17g %.3g" % (paste, count, after, after - before))
+    print("done", flush=True)
