@@ -615,6 +615,8 @@ def test_reasons_without_a_tangential_restitution(tmp_path):
         species.format(setter, f"{friction}; s.setRollingStiffness(1)"): "rolling",
         VISCOUS.format("").replace("en=0.5", "en=0.5,mR=1"): "rolling",
         VISCOUS.format("").replace("et=1", "et=0"): "not known",
+        species.format("Stiffness(1); s.setDissipation(0)", f"Stiffness(1e30); s.setSliding{friction}"): "out of range",
+        species.format(setter.replace(", 0.5, 0.01", ""), friction): "not known",
     }
     for text, wanted in cases.items():
         deck = DECKS[0].parent / text if text in [path.name for path in DECKS] else write(tmp_path, "deck", text)

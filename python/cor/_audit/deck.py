@@ -153,6 +153,13 @@ def share(part: float, whole: float) -> float:
     return part / whole if part and whole else part and NAN
 
 
+def by_restitution(model: str, e: float, e_t: float, friction: float) -> Tangential:
+    """Returns the spring and damper that YADE and MercuryDPM compute from e and the tangential restitution e_t."""
+    normal, along = (math.log(x) if x > 0 else NAN for x in (e, e_t))
+    spring = 2 / 7 * (math.pi**2 + along**2) / (math.pi**2 + normal**2)
+    return Tangential(model, spring, 2 / 7 * share(along, normal), friction)
+
+
 @dataclass(frozen=True)
 class Options:
     """The options of cor audit, SI. radii and densities: keyed by the name of a type or material; "" is for all others.

@@ -430,6 +430,8 @@ class _Audit:
             if needed < (math.inf if math.isnan(row.time_step_s) else row.time_step_s):
                 row.advice += " The tangential damper exceeds the friction at the first touch: the tangential "
                 row.advice += f"restitution needs a time step of about {needed:.2g} s or less."
+        else:
+            row.advice += " No tangential restitution: mass, stiffness or another number is unknown or out of range."
 
     def rows_of(self, contact: Contact) -> List[Row]:
         """Returns the rows of one contact: one for each size and speed."""

@@ -11,7 +11,8 @@ import warnings
 from typing import Any, Dict, Iterator, List, Set, Tuple
 
 from .deck import (
-    NAN, NO_FRICTION, ROLLS, Body, Contact, Deck, DeckError, Options, Remark, Repair, Spring, Tangential, Units, share,
+    NAN, NO_FRICTION, ROLLS, Body, Contact, Deck, DeckError, Options, Remark, Repair, Spring, Tangential, Units,
+    by_restitution, share,
 )  # fmt: skip
 from .yade import Script, number_of
 
@@ -436,36 +437,33 @@ def read_mercurydpm(text: str, name: str, options: Options) -> Deck:
                 source.place(c, start + len(words[k]) - len(words[k].lstrip()), start + len(words[k].rstrip()))
             if math.isnan(c.number):
                 c.unknown = f"{m[2]} is called without a literal number."
-            logs = [math.log(v) if v > 0 else NAN for v in values[1:3]] if "Tangential" in m[2] else []
-            c.tangential = _mercury_tangential(c, m[1], plain, constants, logs)
+            both = [*values, NAN, NAN, NAN][1:3] if "Tangential" in m[2] else []
+            c.tangential = _mercury_tangential(c, m[1], plain, constants, both)
             deck.contacts.append(c)
     if not deck.contacts:
         deck.remarks.append(Remark(name, 1, "the text calls no setter of a restitution coefficient that cor supports"))
     return deck
 
 
-def _mercury_tangential(c: Contact, of: str, plain: str, constants: Dict[str, str], logs: List[float]) -> Tangential:
-    """Returns the tangential force of a species. Numbers may be parts of its normal ones. logs: of e and e_t."""
-    found = dict(re.findall(rf"\b{of}\s*(?:->|\.)\s*setSliding(\w+)\(([^;]*)\)\s*;", plain))
-    if re.search(rf"\b{of}\s*(?:->|\.)\s*set(Rolling|Torsion)\w+\(", plain):
+def _mercury_tangential(c: Contact, of: str, plain: str, constants: Dict[str, str], both: List[float]) -> Tangential:
+    """Returns the tangential force of a species. Numbers may be parts of its normal ones. both: e and e_t, if given."""
+    species = rf"\b{of}\s*(?:->|\.)\s*"
+    set_ = re.findall(rf"{species}setSliding(\w+)\(([^;]*)\)\s*;", plain)
+    found = {key: constants.get(text.strip(), text) for key, text in set_}
+    if re.search(rf"{species}set(Rolling|Torsion)\w+\(", plain):
         return Tangential(ROLLS)
     if c.spring is not Spring.HOOKE and c.spring is not Spring.CONTACT_TIME:
         return Tangential("cor has no model of MercuryDPM's tangential force next to this spring")
     if "FrictionCoefficient" not in found:
         return NO_FRICTION
-    ratios = []
-    for key, whole in (("Stiffness", c.stiffness), ("Dissipation", c.number)):
-        text = found.get(key, "0")
-        part, count = re.subn(rf"\b{of}\s*(?:->|\.)\s*get{key}\(\)", "1", constants.get(text.strip(), text))
-        is_number = c.spring is Spring.HOOKE and (key == "Stiffness" or not c.model.startswith("MERCURYDPM"))
-        whole = 1.0 if count else whole if is_number else NAN
-        ratios.append(share(arithmetic(part), whole))
-    if logs:
-        ratios = [
-            2 / 7 * (math.pi**2 + logs[1] ** 2) / (math.pi**2 + logs[0] ** 2),
-            2 / 7 * share(logs[1], logs[0]),
-        ]
-    return Tangential("sliding-friction", ratios[0], ratios[1], arithmetic(found["FrictionCoefficient"]))
+    name, friction, ratios = "sliding-friction", arithmetic(found["FrictionCoefficient"]), []
+    if both:
+        return by_restitution(name, both[0], both[1], friction)
+    normal = c.stiffness if c.spring is Spring.HOOKE else NAN, c.number if c.style else NAN
+    for key, whole in zip(("Stiffness", "Dissipation"), normal):
+        part, count = re.subn(rf"{species}get{key}\(\)", "1", found.get(key, "0"))
+        ratios.append(share(arithmetic(part), 1.0 if count else whole))
+    return Tangential(name, ratios[0], ratios[1], friction)
 
 
 def _mercury_dashpot(

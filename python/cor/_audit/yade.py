@@ -10,7 +10,9 @@ from dataclasses import dataclass, field
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
 from .._cor import lib
-from .deck import NAN, ROLLS, Body, Contact, Deck, DeckError, Options, Remark, Repair, Spring, Tangential, share
+from .deck import (
+    NAN, ROLLS, Body, Contact, Deck, DeckError, Options, Remark, Repair, Spring, Tangential, by_restitution, share,
+)  # fmt: skip
 
 MAX_TEXT, MAX_STEPS, MAX_ITEMS, MAX_CALLS = 1 << 22, 300000, 20000, 30
 
@@ -858,10 +860,8 @@ class _Reader:
         if key == "et":
             e_t = sum(m.number(key) for m in both) / 2
             e_t = number_of(self.value_of(functor, key, *both)[0]) if functor and key in own else e_t
-            logs = [math.log(e) if e > 0 else NAN for e in (numbers[0], e_t)]
-            shear = 2 / 7 * (math.pi**2 + logs[1] ** 2) / (math.pi**2 + logs[0] ** 2)
-            ratio = 2 / 7 * share(logs[1], logs[0])
-        elif len(numbers) == 2:
+            return by_restitution("viscel", numbers[0], e_t, friction)
+        if len(numbers) == 2:
             shear, damper = (_pair([m.number(k) for m in both]) for k in ("ks", "cs"))
             shear, ratio = share(shear, numbers[1]), share(damper, numbers[0])
         return Tangential("viscel", shear, ratio, friction)
