@@ -149,16 +149,6 @@ def test_kept_and_late(tmp_path, monkeypatch):
     assert not rows and "--run has no contact to measure" in messages and "sets no contact itself" in messages
 
 
-def test_later_run(tmp_path):
-    """YADE: after a measurement the script goes on with its own bodies."""
-    deck = tmp_path / "deck.py"
-    text = (Path(__file__).parents[1] / "audit/decks/yade-cohesive.py").read_text()
-    later = "".join(line.replace("'mat'", "'later'") + "\n" for line in text.splitlines() if "append" in line)
-    deck.write_text(f"{text}O.run(1, True)\n{later}O.run(1, True)\n")
-    rows, _ = measured(deck, ["--speed", "0.1"], program_of(deck))
-    assert len(rows) == 3 and all(row["measured"] for row in rows), rows
-
-
 def test_difference(tmp_path):
     """The advice states the difference between the program's eps and cor's, here for another version."""
     deck = tmp_path / "deck.lmp"

@@ -229,23 +229,6 @@ TEST(versions)
     found(text_for("lammps", "new", &scene, 1), "refused: 'new' is not a version of LAMMPS");
 }
 
-/* A simulator without the form of a comment has no lines, and the list of allowed simulators does not contain it. */
-TEST(simulators_without_lines)
-{
-    struct cor_scene scene = bodies(COR_LAW_VISCOELASTIC, 0);
-    scene_give(scene, {COR_SCENE_DISSIPATION_TIME, 1e-5});
-    for (size_t i = 0; i < cor_simulator_count; i++) {
-        const char *const name = cor_simulators[i].name;
-        char words[100], list[1000];
-        snprintf(words, sizeof words, "refused: '%s' is not a simulator", name);
-        assert_int_equal(strncmp(text_for(name, NULL, &scene, 1), words, strlen(words)) == 0,
-                         cor_simulators[i].comment == NULL);
-        snprintf(list, sizeof list, "%s,", found(text_for("none", NULL, &scene, 1), "allowed:"));
-        snprintf(words, sizeof words, " %s,", name);
-        assert_int_equal(strstr(list, words) == NULL, cor_simulators[i].comment == NULL);
-    }
-}
-
 /* Each pair of types has the damping that gives the right mean eps at this time step, in its own number of steps. */
 TEST(corrected_for_a_step)
 {
