@@ -132,7 +132,7 @@ static void damping_of(struct complex_ball *beta, struct complex_ball *log_beta,
     const double threshold = ball_middle(work->f->threshold);
     *log_beta = x;
     switch (work->interval->variable) {
-    case INTERVAL_ROOT: /* the root is 1 */
+    case INTERVAL_ROOT: /* root = 1, so z = beta */
         *beta = x;
         break;
     case INTERVAL_LOG:

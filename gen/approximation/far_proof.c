@@ -78,7 +78,7 @@ static void far_cell_clear(struct far_cell *cell)
 /* Computes a quantity's limit for mu -> 0, which is at most 210 mu u^2 from it (docs/theory.md, 8). */
 static void limit_on(arb_poly_t y, enum quantity quantity, const struct far_cell *cell)
 {
-    const slong events = quantity == DURATION_ZERO_FORCE ? 2 : 1; /* events of a time of order ln(1/mu) */
+    const slong events = quantity == DURATION_ZERO_FORCE ? 2 : 1; /* slow phases, each of order ln(1/mu) */
     const double lo = cell->lo;
     LOCAL(arb, x, c);
     arb_poly_zero(y);

@@ -10,7 +10,7 @@
 #include "support/parallel.h"
 
 enum {
-    GUARD_BITS = 10, /* bits beyond the bits of a sample; they nearly always determine its rounding */
+    GUARD_BITS = 10, /* extra bits, which nearly always suffice to round a sample correctly */
     SCALING_BITS = 32
 };
 

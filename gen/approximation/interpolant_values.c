@@ -115,7 +115,7 @@ static void approach_only(arb_t y, const struct interpolant *f, enum quantity qu
     LOCAL(arb, beta, eps, part, zero);
     interpolant_beta(beta, f, variable, x, prec);
     if (quantity == LOSS_QUOTIENT_APPROACH_ONLY && arf_cmpabs_2exp_si(arb_midref(beta), -90) < 0) {
-        /* the next order is negligible */
+        /* beta is small, so terms of the next order are negligible */
         interpolant_at(y, f, LOSS_QUOTIENT_ZERO_OVERLAP, INTERVAL_ROOT, zero, prec);
         arb_mul_2exp_si(y, y, -1);
         return;
@@ -232,7 +232,7 @@ static int make_constants(struct interpolant *f, double beta_max)
     if (law_fall_power(law).num <= 0) {
         LOCAL(arb, height);
         const int status = collision_threshold(f->threshold, height, law, INTERPOLANT_BITS);
-        arb_get_mid_arb(f->threshold, f->threshold); /* the variable v needs this number */
+        arb_get_mid_arb(f->threshold, f->threshold); /* v = ln(beta_c - beta) needs an exact beta_c */
         return status;
     }
     const double root_end = pow(fmax(interpolant_last(f, EPS_ZERO_OVERLAP, INTERVAL_ROOT), 0), (double)f->layout->root);
@@ -244,7 +244,7 @@ static int make_samples(struct interpolant *f, double beta_min, double beta_max)
 {
     const struct interpolant_layout *const layout = f->layout;
     for (int i = 0; i < layout->intervals; i++) {
-        /* an interval is known if [beta_min, beta_max] meets it; the far coefficients continue the last u */
+        /* sample the intervals that meet [beta_min, beta_max], and the last u, which the far coefficients continue */
         const struct interval *const interval = &layout->interval[i];
         struct samples *const s = &f->samples[i];
         const double lo = interval->lo, hi = interval->hi;

@@ -283,7 +283,7 @@ static void make_tables(struct law_layout *layout)
     layout->table = xmalloc((size_t)QUANTITIES * PARTS * sizeof *layout->table);
     for (int i = 0; i < QUANTITIES; i++) {
         const enum quantity quantity = (enum quantity)i;
-        /* the ends coincide, or eps has a closed form */
+        /* no table if the ends coincide or eps has a closed form */
         if ((is_of_force(quantity) && !law_force_ends(law)) || (quantity == EPS_ZERO_OVERLAP && law_is_linear(law)))
             continue;
         for (int part = 0; part < (is_eps(quantity) ? PARTS : PART_INVERSE_NEAR); part++)
@@ -334,7 +334,7 @@ int law_layout_init(struct law_layout *layout, const struct cor_exponents *law)
         radius = layout->threshold;
     layout->near_end = exp2(floor(log2(fmin(radius, 1))) - (double)NEAR_OCTAVES);
     make_intervals(layout);
-    /* eps falls faster in linear laws, and their collisions are fast to compute */
+    /* eps of linear laws falls faster and is quick to compute, so they get more samples */
     for (int i = 0; i < 2 && law_is_linear(law); i++)
         law_layout_refine(layout);
     make_tables(layout);

@@ -107,7 +107,7 @@ int law_proof_interval(double *end, const struct law_proof *proof, double u)
 static bool variable_of(arb_poly_t x, const struct law_proof *proof, const struct interval *interval,
                         const arb_poly_t log_beta, const arb_poly_t beta)
 {
-    static const char *const of_beta[] = {/* the root is 1 */
+    static const char *const of_beta[] = {/* root = 1 */
                                           [INTERVAL_ROOT] = "beta",
                                           [INTERVAL_LOG] = "log_beta",
                                           [INTERVAL_BELOW] = "log(proof->f->threshold - beta)"};

@@ -16,7 +16,7 @@ enum {
     BITS = 192,                /* precision of references and of all computations in this file */
     SMALL_STEP = 6,            /* ratio of small sample points, as a power of 2 */
     FAR_STEP = 5,              /* large sample points have the ratio 5/4 */
-    PIECES = 512,              /* number of pieces up to PADE_NEAR, and beyond; the condition is bounded on each */
+    PIECES = 512,              /* pieces up to PADE_NEAR, and also above it; each has a bound of the condition */
     OPERATIONS_PER_DEGREE = 3, /* z rounded, one product, one sum */
 };
 

@@ -26,7 +26,7 @@
 #define BETA_LIMIT 1e6
 #define LEAST_TOLERANCE 1e-15
 enum { TRUTH_BITS = 64, PADE_BITS = 320, PADE_POINTS = 4096, ROOT_REFINEMENT = 2, TEXT = 1024 };
-/* Half ulps of error of beta if a caller writes factor * pow(speed, q) */
+/* Error of beta in half ulps, if a caller writes factor * pow(speed, q) */
 #define ROUNDINGS_OF_BETA 2.0
 
 /* Nanoseconds of a single call, and of an element in a loop, measured once: published formulas and the library by

@@ -6,8 +6,8 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* Checks the format of a picture, which is the ending of its file name: .svg, .png or .pdf; without an ending svg.
- * Returns STATUS_OK, or STATUS_USAGE after a message that names the option --plot. */
+/* Checks the ending of a picture's file name, which sets the format: .svg, .png or .pdf; none means .svg. Returns
+ * STATUS_OK, or STATUS_USAGE after a message that names the option --plot. */
 int gnuplot_check(const char *path);
 
 /* Begins a script: terminal, colours (black, grey, light, blue, red, green, violet, amber), axes. Returns NULL after a

@@ -92,7 +92,7 @@ void table_add_integer(struct table *t, long value);
 void table_add_number(struct table *t, double x, int digits); /* nan if x is NaN */
 void table_add_known(struct table *t, double x, int digits);  /* an empty cell if x is NaN, not known */
 void table_print(const struct table *t, enum output_format format, FILE *file); /* not FORMAT_LATEX */
-/* Print a table in parts, only csv and json: the rows that the table contains. first: none were printed before. */
+/* Print the current rows of a table as a part of a longer table; only csv and json. first: no rows precede. */
 void table_print_start(const struct table *t, enum output_format format, FILE *file);
 void table_print_rows(const struct table *t, enum output_format format, bool first, FILE *file);
 void table_print_end(enum output_format format, FILE *file);

@@ -168,7 +168,7 @@ def test_drag_is_no_property_of_the_ball(table_tennis):
     # the size of the ball has no effect without drag
     sized, bare = (cor.fit(times(drops, [0.1, 0.6]), law="constant", **size) for size in (BALL_SIZE, {}))
     assert sized.parameters.value[0] == bare.parameters.value[0]
-    # speeds computed from the same numbers without a ball's mass and diameter
+    # the terminal speed instead of mass and diameter gives the same eps
     lighter = G * (1 - 1.204 * math.pi / 6 * 0.04**3 / 0.0027)
     speed = math.sqrt(2 * 0.0027 * lighter / (1.204 * 0.47 * math.pi / 4)) / 0.04
     same = cor.fit(times(drops), law="constant", terminal_speed=speed, gravity=lighter).find()[1].theta[0]

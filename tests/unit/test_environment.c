@@ -18,7 +18,7 @@
 #include <xmmintrin.h>
 #endif
 
-/* The functions of generated/cor_sphere.h, which no list of the library contains. The inverses use eps. */
+/* Adds the functions of generated/cor_sphere.h, which are not in the lists of the library. The inverses get eps. */
 #define INLINE_FUNCTION(name)                                                                                          \
     static void inline_##name(const struct arguments *a, struct results *r)                                            \
     {                                                                                                                  \

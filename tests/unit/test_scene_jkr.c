@@ -140,7 +140,7 @@ TEST(damped)
         }
 }
 
-/* Near the sticking speed the end of the contact moves by the rounding errors of eps^2. */
+/* Near the sticking speed, where eps is small, rounding errors of eps^2 change the duration. */
 TEST(durations)
 {
     draw_begin();

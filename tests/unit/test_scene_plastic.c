@@ -22,7 +22,7 @@ TEST(eps_of_the_speed)
         const double eps = cor_elastic_plastic_eps(x);
         check_ulp(eps, printed_eps(x), COR_ELASTIC_PLASTIC_EPS_MAX_ULP);
         check(eps <= 1, "x = %a: eps = %a", x, eps);
-        /* closer to 1 the printed formula loses digits of 1 - eps; the next test has its limit */
+        /* nearer to x = 1 the printed formula loses digits of 1 - eps; the next test checks the limit */
         if (x > 1.125) { /* d ln x/d ln eps is 4 or more: eps determines x well */
             check_ulp(cor_elastic_plastic_loss(x), 1 - printed_eps(x), COR_ELASTIC_PLASTIC_LOSS_MAX_ULP);
             const double back = cor_elastic_plastic_speed_ratio(eps);
