@@ -190,7 +190,7 @@ static void add_rayleigh(const struct disks *d)
             struct cor_disk_rayleigh out;
             const int status =
                 cor_disk_rayleigh(&cut, taken[k], COR_DISK_DATUM_CENTRE_OF_MASS, plan->speed[i], &out, NULL);
-            /* no value beyond the contact law, or beyond the theory, where the collision creates energy */
+            /* beyond the contact law no value exists; beyond the theory it is NaN if the collision creates energy */
             if (status == COR_OK || status == COR_BEYOND_THEORY)
                 m->value[i] = sqrt(1 - (out.fraction + out.tail));
             m->outside = m->outside || status != COR_OK;

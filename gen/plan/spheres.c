@@ -609,7 +609,7 @@ int plan_spheres(struct plan *plan, const struct embed_request *request, const s
         return status;
     struct spheres s = {
         .plan = plan, .request = request, .contact = contact, .with_force = with_force, .pressed = pressed};
-    struct embed_request embed = *request, forced = *with_force; /* one tolerance for the plan and one for the header */
+    struct embed_request embed = *request, forced = *with_force; /* with a tolerance that headers allow */
     struct decimal coarsest = {0};
     decimal_set(&coarsest, TEXT_OF(EMBED_COARSEST));
     if (tolerance > EMBED_COARSEST)

@@ -416,7 +416,7 @@ NOT_INLINE int follow_impact(struct cor_oblique_impact *oblique, const struct co
     if (!begin(&s, contact, tangential, speed_m_s) || !set_memory(&s, 0))
         return COR_FAULT_RANGE;
     const double speed = s.m.v[0];
-    s.slips = tangent > 0 && !cor_is_infinity(friction); /* 0: the limit of small angles, no slip */
+    s.slips = tangent > 0 && !cor_is_infinity(friction); /* tangent 0: the limit of small angles */
     s.cap *= s.slips ? 3.5 * friction : 0;
     s.w = s.size = tangent > 0 ? tangent : 1;
     s.q = 0;
