@@ -189,7 +189,7 @@ static char *read_list(uint32_t *check, const struct values_rule *rule, const ch
     bool comment = false;
     size = list ? size : 0;
     *check = cor_mode_file_check(COR_MODE_FILE_CHECK_START, list ? list : "", size);
-    for (size_t i = list && strncmp(list, "\xef\xbb\xbf", 3) == 0 ? 3 : 0; i < size; i++) { /* skips a byte order mark */
+    for (size_t i = list && strncmp(list, "\xef\xbb\xbf", 3) == 0 ? 3 : 0; i < size; i++) { /* skip a byte order mark */
         const char c = list[i];
         comment = c == '#' || (comment && c != '\n');
         const bool ends = comment || c == ',' || isspace((unsigned char)c);
