@@ -359,6 +359,18 @@ def test_hostile(tmp_path):
     assert time.process_time() - start < 10
 
 
+@pytest.mark.parametrize("key", ["solref", "solimp", "solmix", "priority", "condim", "contype", "size", "density"])
+@pytest.mark.parametrize("wrong", ["{0} 1", "{1}"])
+def test_attributes_that_are_not_numbers(tmp_path, key, wrong):
+    """MuJoCo refuses them on either geom and in defaults, also if the other geom has the number."""
+    text = f'{key}="{wrong.format("high", "1 x" if key in ("solref", "solimp", "size") else "nan")}"'
+    for geoms in ((text, ""), ("", text)):
+        floor, ball = (f'<geom type="{t}" {g}/>' for t, g in zip(("plane", "sphere"), geoms))
+        model = f"<mujoco><worldbody>{floor}<body><freejoint/>{ball}</body></worldbody></mujoco>"
+        status, _, messages = run("audit", write(tmp_path, "m.xml", model), "--speed", "1")
+        assert status == 2 and f"MuJoCo does not load this model: {key} must" in messages, (model, messages)
+
+
 def test_long_loop(tmp_path, monkeypatch):
     """After half of the time cor leaves a loop, states it, and reads the lines below."""
     monkeypatch.setattr("cor._audit.script.MAX_SECONDS", 0.1)

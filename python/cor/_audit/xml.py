@@ -74,6 +74,7 @@ class _Geom:
 
 class _Model:
     SOLREF, SOLIMP = [0.02, 1.0], [0.9, 0.95, 0.001, 0.5, 2.0]
+    NUMBERS = ("solref", "solimp", "solmix", "priority", "condim", "contype", "conaffinity", "size", "mass", "density")
 
     def __init__(self, name: str, options: Options) -> None:
         self.deck, self.options = Deck(name, "mujoco"), options
@@ -229,14 +230,19 @@ class _Model:
         condim = max(condims) if priority == 0 else condims[priority < 0]
         if pair is not None:
             ref, imp, condim = pair.vector("solref", ref), pair.vector("solimp", imp), pair.number("condim", condim)
+        read = [g for g in (one, two, pair) if g]
         if self.flag.get("override") == "enable":
             whole = _Geom(ET.Element(""), {key[2:]: value for key, value in self.option.items() if key[:2] == "o_"}, 0)
             ref, imp = whole.vector("solref", self.SOLREF), whole.vector("solimp", self.SOLIMP)
+            read.append(whole)
         bodies = [Body(g.name, wall=self.weld[g.body] == 0) for g in (one, two)]
         bodies.sort(key=lambda b: b.wall)
         c = Contact(at.file, at.line, "mujoco", (bodies[0], bodies[1]), pair=f"{one.name}-{two.name}")
         c.tangential = Tangential("in MuJoCo no number sets it, and its friction is a constraint that only damps")
         self.set_model(c, ref, imp, condim)
+        wrong = {k: None for k in self.NUMBERS for g in read if any(map(math.isnan, _numbers(g.values.get(k))))}
+        if wrong:
+            c.unknown = f"MuJoCo does not load this model: {', '.join(wrong)} must be numbers."
         self.deck.contacts.append(c)
 
     def set_model(self, c: Contact, ref: List[float], imp: List[float], condim: float) -> None:
