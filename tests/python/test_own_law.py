@@ -68,7 +68,6 @@ def test_headers(tmp_path, number, kind, language, tolerance):
     got = np.empty_like(speed)
     made.loop(speed.ctypes.data_as(ctypes.c_void_p), got.ctypes.data_as(ctypes.c_void_p), len(speed))
     inside = np.clip(speed.astype(np.float64), low, high)  # the header's limits are rounded to float
-                                                           # float
     exact = eps(inside.astype(LONG) if "table" not in law else inside)
     assert np.max(np.abs(got / exact - 1)) <= tolerance * 1.0001, f"seed {SEED}"
     assert made.call(-float(speed[0])) == float(got[0]) and np.isnan(made.call(float("nan")))

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
 from .._cor import lib
+
 from .deck import (
     NAN, ROLLS, Body, Contact, Deck, DeckError, Options, Remark, Repair, Spring, Tangential, by_restitution, share,
 )  # fmt: skip
