@@ -400,7 +400,7 @@ int table_read(struct table *t, const char *option, const char *path, const char
         const int found = line[strspn(line, " \t\r")] == '\0' || *line == '#' ? 0 : split_fields(field, COLUMNS, line);
         for (int i = 0; i < found && !wrong; i++) {
             char *const shown = xprintable(field[i]);
-            wrong = strcmp(shown, field[i]) == 0 ? NULL : xprintf("'%s' is not text in UTF-8 without tabs", field[i]);
+            wrong = strcmp(shown, field[i]) == 0 ? NULL : xprintf("'%s' must be UTF-8 text without tabs", field[i]);
             free(shown);
         }
         if (wrong || found == 0)

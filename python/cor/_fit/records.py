@@ -359,7 +359,7 @@ def choose_columns(table: Table) -> Tuple[str, List[str]]:
             same = split[places[0]] == split[places[1]]
             what = "columns of this name" if same else f"columns of {QUANTITIES[key].names[0]}s"
             table.refuse(
-                line, key, f"the file has two {what}; allowed: one, or drops below each other and a column run"
+                line, key, f"the file has two {what}; allowed: one, or drops below each other and a column named run"
             )
         if places:
             without = {QUANTITIES[k].dimension: 0 for k in keys if k in named and split[named[k][0]][1] is None}
@@ -474,7 +474,7 @@ def _times(table: Table, ball: Ints, start: Ints) -> Times:
     inside[start[:-1]] = False
     for at in np.flatnonzero(inside[1:] & (flight <= 0)) + 1:
         text = f"{table.cell(row[at], key)} is not after the previous bounce"
-        allowed = "ascending times within a drop; each drop needs its own text in the column run"
+        allowed = "ascending times within a drop; each drop needs its own text in the column named run"
         table.refuse_row(row[at], key, f"{text}; allowed: {allowed}")
     _refuse_waveform(table, key, flight[inside[1:]])
     counts, needed = np.diff(start), np.where(np.isnan(height), 3, 2)
@@ -513,7 +513,7 @@ def _leave_out_gaps(table: Table) -> None:
     rows = np.flatnonzero(np.logical_not(empty))
     for k in np.flatnonzero(np.diff(rows) > MAX_GAP + 1):
         why = f"{rows[k + 1] - rows[k] - 1} rows have no height; allowed: up to {MAX_GAP} in succession"
-        table.refuse_row(int(rows[k]) + 1, "h", f"{why}, or separate drops with a column run")
+        table.refuse_row(int(rows[k]) + 1, "h", f"{why}, or separate the drops by a column named run")
     if len(rows) < len(empty):
         table.columns = [np.asarray(column)[rows] for column in table.columns]
         table.remarks.append(f"{len(empty) - len(rows)} rows without a height are left out.")
@@ -525,7 +525,7 @@ def _track(table: Table, ball: Ints, start: Ints) -> Times:
     parts, lines = [], []
     for a, b in zip(start[:-1], start[1:]):
         for at in a + 1 + np.flatnonzero(np.diff(time[a:b]) <= 0):
-            allowed = "ascending times within a drop; each drop needs its own text in the column run"
+            allowed = "ascending times within a drop; each drop needs its own text in the column named run"
             table.refuse_row(at, "t", f"{table.cell(at, 't')} is not after the previous row; allowed: {allowed}")
         try:
             parts.append(find_bounces(time[a:b], height[a:b]))
