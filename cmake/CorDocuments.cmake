@@ -22,7 +22,7 @@ if(HELP2MAN)
       -DOUTPUT=${pages} -P ${PROJECT_SOURCE_DIR}/cmake/ManPages.cmake
     DEPENDS corgen ${PROJECT_SOURCE_DIR}/cmake/ManPages.cmake
     VERBATIM)
-  # in a build for tests, the test that installs the pages makes them: a second of work for each new corgen
+  # in a build for tests, the test that installs the pages makes them, because they take a second for each new corgen
   if(COR_BUILD_TESTS)
     add_custom_target(man DEPENDS ${pages}/corgen.1)
   else()

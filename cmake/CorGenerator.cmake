@@ -53,8 +53,8 @@ if(FLINT_FOUND)
   set_source_files_properties(${of_corgen} ${PROJECT_SOURCE_DIR}/gen/support/formula.c PROPERTIES
     COMPILE_OPTIONS $<$<AND:$<CONFIG:Release>,$<C_COMPILER_ID:GNU,Clang,AppleClang>>:-O2>)
   # FLINT's headers take half the time of a compilation, so gcc precompiles them. Exceptions are sources with other
-  # options and sources that need more of the C library than POSIX. With clang, tools read the commands before the
-  # build.
+  # options and sources that need more of the C library than POSIX. With clang nothing is
+  # precompiled, because tools read the compile commands before a build has made the precompiled header.
   if(CMAKE_C_COMPILER_ID STREQUAL GNU)
     target_precompile_headers(corgen_core PRIVATE ${PROJECT_SOURCE_DIR}/gen/support/flint.h)
     set(other support/console.c support/formula.c support/output.c support/parallel.c tables/directory.c)

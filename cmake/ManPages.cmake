@@ -25,7 +25,7 @@ function(man_page name words summary see)
   if(NOT status EQUAL 0)
     message(FATAL_ERROR "help2man ${words} failed: ${status}")
   endif()
-  # no date, no hyphens within commands, and columns of lists that can wrap
+  # no date, no hyphens within commands, and line breaks after the commas of lists of columns
   string(REGEX REPLACE "(\\.TH [^ ]+ \"1\") \"[^\"]*\"([^\n]*\n)" "\\1 \"\"\\2.nh\n.ad l\n" text "${text}")
   string(REGEX REPLACE ",([a-z])" ",\\\\:\\1" text "${text}")
   file(WRITE "${page}" "${text}")

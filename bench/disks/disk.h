@@ -15,7 +15,7 @@
 
 struct disk_bench {
     FILE *csv;
-    const struct cor_disk_modes *all; /* many more modes of nu = 0.33 than the library has */
+    const struct cor_disk_modes *all; /* modes of nu = 0.33, many more than the library has */
     int quick;
     struct timing timing;
 };

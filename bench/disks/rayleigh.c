@@ -85,7 +85,7 @@ static void each_mode(struct disk_bench *bench)
     }
 }
 
-/* ---- all modes: with the tail, to a tolerance; without it ---- */
+/* ---- all modes: sums to a tolerance with the tail, and plain sums without the tail ---- */
 
 static void all_modes(struct disk_bench *bench)
 {
@@ -110,7 +110,7 @@ static void all_modes(struct disk_bench *bench)
         const struct task *const t = &task[i];
         const bool sum = i >= TOLERANCES;
         if (!sum && (t->status != COR_OK || t->n >= truth.n / 2))
-            continue; /* the reference has the same modes */
+            continue; /* failed, or used half of the reference's modes or more */
         const double found = t->out.fraction + (sum ? 0 : t->out.tail);
         disk_csv(bench, &(struct disk_row){"energy", sum ? "truncation" : "cor", USUAL_SPEED, t->tolerance, t->n,
                                            job[i].best_ns / 1e9, fmax(fabs(found / energy - 1), unsure)});

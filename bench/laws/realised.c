@@ -123,7 +123,8 @@ static void print_cell(const char *separator, const char *text)
     printf("\"");
 }
 
-/* Writes the number over the damping as a product of powers. */
+/* Writes the simulator's number, divided by the damping, as a product of powers of mass, stiffness, radius and
+ * speed. */
 static void write_factor(char *text, size_t size, const struct cor_simulator_model *m)
 {
     const struct cor_scene_contact one = {.mass_kg = 1, .stiffness = 1, .radius_m = 1};
@@ -157,7 +158,7 @@ static void print_models(void)
     }
 }
 
-/* ---- over the speed ---- */
+/* ---- eps as a function of the speed ---- */
 
 static void print_speeds(void)
 {

@@ -31,7 +31,7 @@ EXACT(loss_force, COR_END_ZERO_FORCE, -expm1l(-l))
 EXACT(eps_approach, COR_END_APPROACH_ONLY, expl(-l))
 EXACT(eps_limited, COR_END_LIMITED, expl(-l))
 
-/* Returns the largest overlap for a = 3/2, at which the spring has the energy of a rebound without damping. */
+/* Returns the largest overlap for a = 3/2. There the spring's energy is the energy of the undamped rebound. */
 static long double exact_overlap(long double beta)
 {
     return powl(1.25L * powl(reference_hunt_crossley_approach_eps(beta), 2), 0.4L);
@@ -39,7 +39,7 @@ static long double exact_overlap(long double beta)
 
 static long double exact_sphere_force(long double beta)
 {
-    return cor_sphere_eps_zero_force((double)beta); /* within a unit of its last place */
+    return cor_sphere_eps_zero_force((double)beta); /* accurate to one unit in the last place */
 }
 
 /* ---- formulas in use ---- */

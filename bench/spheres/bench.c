@@ -80,7 +80,7 @@ static double worst_error(const struct truth *truth, const struct scene *scene, 
     return worst;
 }
 
-/* The speeds of a scene and their beta, by enum input. */
+/* Arguments of the methods: the speeds of a scene and the beta of each speed. Index: enum input */
 struct inputs {
     double *random[2]; /* SCALARS numbers; arrays use the first IN_CACHE */
     double *even[2];   /* COLLISIONS */

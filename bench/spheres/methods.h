@@ -12,8 +12,8 @@
 enum {
     ARRAY = 1,      /* one call for all; the arrays fit the first-level cache */
     LARGE = 2,      /* also timed on arrays larger than the last-level cache */
-    INTEGRATES = 4, /* microseconds each: fewer speeds */
-    FLOAT = 8       /* in and out are arrays of float; error at the given float */
+    INTEGRATES = 4, /* takes microseconds for each eps, so it is timed at fewer speeds */
+    FLOAT = 8       /* `in` and `out` are arrays of float; error at the given float */
 };
 
 struct method {
@@ -24,11 +24,11 @@ struct method {
     enum end end;
     enum input input;
     unsigned flags;
-    int number; /* steps; for arrays of the library, their instruction set */
+    int number; /* number of steps; for array functions of the library, the instruction set */
 
     /* computes out[i] = eps(in[i]), independently for each i */
     void (*each)(const struct method *method, const struct scene *scene, const double *in, double *out, size_t n);
-    /* each eps(in[i]) waits for the previous one; returns the last; NULL for arrays */
+    /* as `each`, but each eps waits for the previous one; returns the last eps; NULL for arrays */
     double (*chain)(const struct method *method, const struct scene *scene, const double *in, size_t n);
 };
 
@@ -52,7 +52,7 @@ static inline void methods_add(struct methods *methods, const struct method *met
 void add_published(struct methods *methods);
 void add_library(struct methods *methods);
 
-/* methods_embedded.c, compiled with each of these sets of flags */
+/* Defined by methods_embedded.c, which is compiled once for each of these sets of flags */
 void add_embedded_plain(struct methods *methods);
 void add_embedded_avx2(struct methods *methods);
 void add_embedded_avx512(struct methods *methods);
@@ -74,7 +74,8 @@ static volatile float methods_zero;
 #define WAIT_FOR(LAST, G) ((G) += methods_zero * (LAST))
 #endif
 
-/* Defines NAME_each and NAME_chain: an expression in g (speed or beta) after SETUP, which may use scene and method. */
+/* Defines NAME_each and NAME_chain, which run SETUP and then evaluate EXPRESSION in g, a speed or beta. Both may use
+ * `scene` and `method`. */
 #define SCALAR_METHOD_OF(REAL, NAME, SETUP, EXPRESSION)                                                                \
     static void NAME##_each(const struct method *method, const struct scene *scene, const double *in, double *out,     \
                             size_t n)                                                                                  \

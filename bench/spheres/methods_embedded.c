@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Code that a user compiles: generated/cor_sphere.h, for every beta. Truncated series, Padés and two-point Padés of
- * growing order (approximants.sh). Headers of corgen embed for the ordinary scene with falling tolerance, in double and
- * float. This file is compiled once for each set of flags. ADD is the name of its only function, SET the instruction
- * set, and INSTRUCTIONS its name in the table, NULL for plain flags. With vectors all rows are loops. */
+/* Rows for code that a user compiles. generated/cor_sphere.h accepts every beta. Truncated series, Padés and two-point
+ * Padés of growing order come from approximants.sh. Headers of corgen embed have falling tolerances for the ordinary
+ * scene, in double and float. This file is compiled once for each set of flags. ADD is the name of its only function,
+ * SET the instruction set, and INSTRUCTIONS the name of this set in the table, NULL for plain flags. With vector
+ * instructions all rows are loops over arrays. */
 #include "methods.h"
 
 #include <math.h>

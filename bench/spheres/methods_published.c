@@ -19,7 +19,7 @@ static double mueller_poeschel(double v)
     return (1 + 0.501086 * v) / (1 + v * (0.501086 + v * (1.15345 + v * (0.577977 + v * 0.532178))));
 }
 
-/* Returns their [3/6] approximant, which YADE evaluates for en. */
+/* Returns the [3/6] approximant of Mueller and Poeschel, which YADE evaluates for `en`. */
 static double mueller_poeschel_of_yade(double v)
 {
     return (1 + v * (1.07232 + v * (0.574198 + v * 0.141552))) /

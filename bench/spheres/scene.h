@@ -29,7 +29,7 @@ void scene_speeds(const struct scene *scene, double *speed, size_t n);
 void scene_even_speeds(const struct scene *scene, double *speed, size_t n);
 
 struct truth {
-    double in[2][CHECKED];          /* by enum input: speeds, even in their logarithm, and beta */
+    double in[2][CHECKED]; /* index: enum input; speeds evenly spaced in their logarithm, and the beta of each */
     long double eps[2][2][CHECKED]; /* index: enum input, enum end */
 };
 

@@ -16,7 +16,7 @@ struct job {
 struct timing {
     double sample_ns; /* shortest duration of a job in a round */
     int rounds;       /* rounds of a job */
-    int slow_share;   /* a job whose run lasts several sample_ns runs once in slow_share rounds */
+    int slow_share;   /* a job that takes several sample_ns runs only in every slow_share-th round */
 };
 
 /* Runs all jobs in turn and sets best_ns. */

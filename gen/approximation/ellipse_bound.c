@@ -19,8 +19,8 @@ enum { MOST_BALLS = 6000, DEEPEST = 24 /* number of times that a square may be s
 #define STRONG_OVERLAP 1.4
 #define STRONG_FORCE (-1.5)
 #define STRONG_ABOUT 0.7
-/* Paths that end at v/v_s = 1 + e have a resolution of this number times e. It was chosen by experiment: with 2, proofs
- * took twice as long. */
+/* Paths that end at the speed (1 + e) v_s, v_s the sticking speed, have a resolution of this number times e. It was
+ * chosen by experiment: with 2, proofs took twice as long. */
 #define NEAR_STICKING 5
 /* Width of a strip in ln(speed) */
 #define STRIP 0.25
@@ -220,13 +220,13 @@ bool ellipse_bound_of_law(struct ellipse_bound *bound, const struct interpolant 
     const bool log = interval->variable == INTERVAL_LOG, force = eps == EPS_ZERO_FORCE;
     if (force && !log)
         return false;
-    /* paths to zero overlap creep only for ln(beta) and n > 0 */
+    /* a path to zero overlap creeps only in intervals of ln(beta) and for n > 0 */
     const bool pressed = f->layout->press != NULL;
     const bool may_be_strong = force || (log && !pressed && law_fall_power(law).num > 0);
     const double lo = interval->lo, hi = interval->hi, log_sticking = f->layout->press_log;
     const double above = (lo + hi) / 2 - (force ? STRONG_FORCE : STRONG_OVERLAP);
     const bool strong = may_be_strong && above > 0;
-    struct complex_ball beta, log_beta; /* beta in the whole ellipse */
+    struct complex_ball beta, log_beta; /* one ball for beta in the whole ellipse */
     damping_of(&beta, &log_beta, &work, (struct complex_ball){(lo + hi) / 2, 0, (hi - lo) / 2 * (rho + 1 / rho) / 2});
     work.path = complex_law_path(law, ball_above(beta), strong);
     if (pressed) /* near the sticking speed v_s the energy left at the end is of order v/v_s - 1 */

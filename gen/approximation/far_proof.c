@@ -12,7 +12,7 @@ enum {
     POINTS = 8    /* points on each side of the middle at which the error is evaluated first */
 };
 
-/* Length of cells of u up to WIDE_FROM. Above WIDE_FROM mu < 4e-28, so the limits of the functions for mu -> 0 suffice:
+/* Length of cells up to u = WIDE_FROM. Beyond it mu < 4e-28, so the limits of the functions for mu -> 0 suffice, and
  * longer cells enclose mu in a ball around 0. */
 #define CELL_LENGTH 0.5
 #define WIDE_FROM 38.0
@@ -78,7 +78,7 @@ static void far_cell_clear(struct far_cell *cell)
 /* Computes a quantity's limit for mu -> 0, which is at most 210 mu u^2 from it (docs/theory.md, 8). */
 static void limit_on(arb_poly_t y, enum quantity quantity, const struct far_cell *cell)
 {
-    const slong events = quantity == DURATION_ZERO_FORCE ? 2 : 1; /* slow phases, each of order ln(1/mu) */
+    const slong events = quantity == DURATION_ZERO_FORCE ? 2 : 1; /* slow phases, which last of order ln(1/mu) */
     const double lo = cell->lo;
     LOCAL(arb, x, c);
     arb_poly_zero(y);
@@ -141,8 +141,8 @@ static void formula_on(arb_poly_t y, const double *c, const struct far_cell *cel
                  c[0]);
 }
 
-/* Computes ln(beta of the formula/beta). With q = eps beta^(5/3)/a and e = mu q it is -(3/5) ln(q) + ln(1 + e (b_0 +
- * b_1 v + b_2 v^2) + e^2 (c_0 + ... + c_4 v^4)), v = u - (3/5) ln(q). */
+/* Computes the logarithm of the quotient of the formula's beta and the exact beta. With q = eps beta^(5/3)/a, e = mu q
+ * and v = u - (3/5) ln(q) it is -(3/5) ln(q) + ln(1 + e (b_0 + b_1 v + b_2 v^2) + e^2 (c_0 + ... + c_4 v^4)). */
 static bool inverse_on(arb_poly_t y, const struct far_proof *proof, const double *c, const struct far_cell *cell)
 {
     LOCAL(arb_poly, q, e, v);
@@ -175,7 +175,7 @@ static double cell_error(const struct far_proof *proof, enum quantity quantity, 
     error = done ? enclosed_largest_ratio(difference, scale, known, HALVINGS) : HUGE_VAL;
     if (quantity != BETA_ZERO_FORCE)
         return error;
-    return error < 0x1p-20 ? error * (1 + error) : HUGE_VAL; /* converts the error of a logarithm: exp(error) - 1 */
+    return error < 0x1p-20 ? error * (1 + error) : HUGE_VAL; /* exp(error) - 1, as the error is of a logarithm */
 }
 
 double far_proof_bits(const struct far_proof *proof, enum quantity quantity, const double *c)

@@ -152,11 +152,11 @@ void interpolant_through_samples(arb_poly_t p, const struct samples *s, const st
 /* Returns beta at a place of an interval, as a double. */
 double interpolant_beta_near(const struct interpolant *f, const struct interval *interval, double x);
 
-/* Returns the power of beta in the force of a layout with a force. */
+/* Returns the power -2a/n of beta in the constant force of a layout (`press`). */
 struct ratio interpolant_press_power(const struct cor_exponents *law);
 
 /* Computes the quantity at a place of a variable that has an interval for it. (1 - eps)/beta loses no bits where eps is
- * near 1. For spheres z reaches beta = 8.25 for quantities of zero overlap, and 17 for the others. */
+ * near 1. For spheres the intervals in z end at beta = 8.25 for quantities of zero overlap and at 17 for the others. */
 void interpolant_at(arb_t y, const struct interpolant *f, enum quantity quantity, enum interval_variable variable,
                     const arb_t x, slong prec);
 
@@ -182,7 +182,8 @@ arb_srcptr interpolant_far(const struct interpolant *f, enum quantity quantity);
  *
  *     beta = (a/eps)^(3/5) (1 + e (b_0 + ... + b_2 v^2) + e^2 (c_0 + ... + c_4 v^4)),   e = eps/a,   v = -(3/5) ln(e)
  *
- * up to terms in e^3. They follow by formal inversion of the sum of interpolant_far, whose coefficient of u is 0. */
+ * up to terms in e^3. The coefficients follow by formal inversion of the sum of interpolant_far, whose coefficient of u
+ * is 0. */
 enum { INTERPOLANT_FAR_INVERSE = 9 };
 void interpolant_far_inverse(arb_ptr coefficient, const struct interpolant *f);
 

@@ -32,7 +32,8 @@ static bool falls_apart(const struct cor_exponents *law)
     return n > 0 && m != 0 && m != n;
 }
 
-/* Returns the exponent of beta at the sum over mu^i u^j, or at `fall`, minus the leading exponent. */
+/* Returns the exponent of the power of beta that multiplies the sum over mu^i u^j, or `fall`, minus the leading
+ * exponent. */
 static struct ratio far_excess(const struct cor_exponents *law, bool fall)
 {
     const struct ratio a = law_elastic(law), b = law_damping(law),
@@ -116,12 +117,12 @@ void interpolant_far_value(arb_t y, const struct interpolant *f, enum quantity q
     arb_mul(y, y, power, prec);
 }
 
-/* Solves e = mu (1 + mu q_1(u) + mu^2 q_2(u)), u = -(3/5) ln(mu), for beta = mu^(-3/5) in powers of e. The first order
- * is (3/5) q_1(v), the second (9/25) (q_1 q_1' - 2 q_1^2) + (3/5) q_2. */
+/* Solves e = mu (1 + mu q_1(u) + mu^2 q_2(u)), u = -(3/5) ln(mu), for beta = mu^(-3/5) in powers of e. With v = -(3/5)
+ * ln(e), the first order is (3/5) q_1(v), and the second is (9/25) (q_1 q_1' - 2 q_1^2) + (3/5) q_2 at v. */
 void interpolant_far_inverse(arb_ptr coefficient, const struct interpolant *f)
 {
     const slong prec = INTERPOLANT_BITS;
-    arb_srcptr far = f->far[EPS_ZERO_FORCE]; /* 1, u; mu (1, u, u^2); mu^2 (1, ..., u^3) */
+    arb_srcptr far = f->far[EPS_ZERO_FORCE]; /* coefficients of 1, u; mu (1, u, u^2); mu^2 (1, ..., u^3) */
     LOCAL(arb_poly, q1, q2, second);
     LOCAL(arb, c, d);
     for (slong k = 0; k < 3; k++)

@@ -36,7 +36,7 @@ static void set_excess(arb_t y, const struct search *s, const arb_t w, const arb
     arb_get_mid_arb(y, y);
 }
 
-/* True if w is beyond the root. The loss rises with beta; eps and v fall with beta. */
+/* True if w is beyond the root. The loss rises with beta; eps and v = ln(beta_c - beta) fall with beta. */
 static bool is_beyond_root(const struct search *s, double w, const arb_t wanted)
 {
     LOCAL(arb, x, y);
@@ -128,7 +128,7 @@ int interpolant_inverse(arb_t y, const struct interpolant *f, enum quantity quan
         arb_log(wanted, x, INTERPOLANT_BITS);
     choose_stretch(&s, wanted);
     const int status = solve_search(w, &s, wanted);
-    if (s.of_loss) { /* (1 - eps)/beta has a limit at beta = 0 */
+    if (s.of_loss) { /* invert (1 - eps)/beta, which has a limit at beta = 0 */
         interpolant_at(y, f, s.function, s.variable, w, prec);
         arb_inv(y, y, prec);
     } else {

@@ -19,7 +19,7 @@ static inline bool has_quantity(const struct interval *interval, enum quantity q
 }
 
 /* Computes an exact beta near the place x of an interval, and the value of the variable there. beta is exact because a
- * strongly damped collision widens its uncertainty a thousandfold. */
+ * strongly damped collision would widen an uncertainty of beta a thousandfold. */
 void interpolant_place(arb_t beta, arb_t variable, const struct interpolant *f, const struct interval *interval,
                        double x);
 void samples_init(struct samples *s, slong count);

@@ -15,8 +15,8 @@ enum {
 };
 
 /* At strong damping zero overlap is slow to compute, but all of its quantities except the duration have a closed form.
- * Zero overlap is singular near 1.7 + 0.45 i, so the ellipse around the third interval is too small for the proof. The
- * two next intervals cover its range for the proof; the values still come from the third. */
+ * Zero overlap is singular near 1.7 + 0.45 i, so the ellipse around the third interval is too small for the proof. For
+ * the proof, the next two intervals cover the range of the third; the values still come from the third. */
 static const struct interval sphere_intervals[] = {
     {INTERVAL_ROOT, 0, 0.625, 40, 90, FORM_QUOTIENT, SET_ALL},
     {INTERVAL_ROOT, 0.625, 1.25, 40, 90, FORM_VALUE, SET_ALL},
@@ -168,7 +168,7 @@ static int interval_solve(arb_ptr value, const struct interpolant *f, const stru
     return status;
 }
 
-/* Computes these numbers rounded to `bits` bits, as exact numbers. */
+/* Computes the numbers of interval_solve, rounded to `bits` bits, as exact numbers. */
 static int interval_sample(arb_ptr value, const struct interpolant *f, const struct interval *interval,
                            const arb_t beta, slong bits)
 {

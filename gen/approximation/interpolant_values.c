@@ -68,8 +68,9 @@ static void restore_quantity(arb_t y, const struct interpolant *f, enum quantity
         LET(y, prec, eps_or_loss[form][loss], y, beta, scale);
 }
 
-/* Computes zero force from zero overlap near beta = 0: eps G(w), and the duration minus eps^((1-a)/(1+a)) h^(1/(a-b))
- * T(w), h = beta eps^q, w = h^((a+1)/(a-b)) (docs/theory.md, 5 and 9). The loss quotient needs only G - 1. */
+/* Computes a quantity of zero force from zero overlap near beta = 0 (docs/theory.md, 5 and 9). eps is multiplied by
+ * G(w), and the duration is reduced by eps^((1-a)/(1+a)) h^(1/(a-b)) T(w), where h = beta eps^q and w =
+ * h^((a+1)/(a-b)). The loss quotient needs only G - 1. */
 static void set_way_back(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t x, slong prec)
 {
     const struct ratio a = law_elastic(&f->layout->law), b = law_damping(&f->layout->law),
@@ -77,7 +78,7 @@ static void set_way_back(arb_t y, const struct interpolant *f, enum quantity qua
     LOCAL(arb, beta, eps, h, w, part);
     interpolant_beta(beta, f, INTERVAL_ROOT, x, prec);
     interpolant_at(eps, f, EPS_ZERO_OVERLAP, INTERVAL_ROOT, x, prec);
-    const bool elastic = arb_is_zero(beta); /* h = w = 0 */
+    const bool elastic = arb_is_zero(beta); /* then h = w = 0 */
     if (!elastic) {
         LET(h, prec, "(eps^q*beta)^(1/(a - b))", eps, q, beta, a, b);
         LET(w, prec, "h^(a + 1)", h, a);
@@ -147,7 +148,7 @@ void interpolant_at(arb_t y, const struct interpolant *f, enum quantity quantity
     if (i >= 0) {
         polynomial_at(y, f, i, stored, x, prec);
         form = f->layout->interval[i].form;
-    } else if (stored == EPS_ZERO_OVERLAP) { /* q = 0: exp(-pi beta/sqrt(beta_c^2 - beta^2)) */
+    } else if (stored == EPS_ZERO_OVERLAP) { /* for q = 0, eps = exp(-pi beta/sqrt(beta_c^2 - beta^2)) */
         LOCAL(arb, beta);
         interpolant_beta(beta, f, variable, x, prec);
         LET(y, prec, "-(pi*beta/sqrt(f->threshold^2 - beta^2))", beta, f->threshold);
@@ -244,7 +245,8 @@ static int make_samples(struct interpolant *f, double beta_min, double beta_max)
 {
     const struct interpolant_layout *const layout = f->layout;
     for (int i = 0; i < layout->intervals; i++) {
-        /* sample the intervals that meet [beta_min, beta_max], and the last u, which the far coefficients continue */
+        /* sample the intervals that meet [beta_min, beta_max], and the last interval of u, which the far coefficients
+         * continue */
         const struct interval *const interval = &layout->interval[i];
         struct samples *const s = &f->samples[i];
         const double lo = interval->lo, hi = interval->hi;
@@ -322,7 +324,7 @@ static double error_at(const struct interpolant *f, int i, enum quantity quantit
     return fabs(arf_get_d(arb_midref(y), ARF_RND_UP));
 }
 
-/* Its places include the ends of an interval, where interpolation is worst. */
+/* The checked places include the ends of an interval, where interpolation is worst. */
 int interpolant_check(double *error, const struct interpolant *f, int points)
 {
     const int intervals = f->layout->intervals;

@@ -39,7 +39,7 @@ struct law_layout {
     double overlap_end; /* end of the middle rows; below a threshold, first beta of the rows in beta_c - beta */
     double overlap_log; /* q > 0: last ln(beta) of the tail of eps at zero overlap. 0: no tail, because eps = v_f
                          * beta^(-1/q) for beta >= overlap_end */
-    double below_first, below_end; /* the smallest beta_c - beta of a double beta; the end of these rows */
+    double below_first, below_end; /* smallest beta_c - beta of a double beta, and end of the rows in beta_c - beta */
     double threshold;              /* beta_c, or infinity */
     struct law_table *table;       /* owned */
     int tables;
@@ -97,7 +97,7 @@ bool law_tables_have_fall(const struct law_tables *t, enum quantity quantity);
  * BETA_ZERO_FORCE beyond the rows: a, a', b_0, ... (interpolant_far_inverse). */
 slong law_tables_far_row(arb_ptr row, const struct law_tables *t, enum quantity quantity);
 
-/* Write such a row, or the further term as two doubles. */
+/* Write a row of law_tables_far_row, or the further term as two doubles. */
 int law_tables_emit_far(struct emit *e, const struct law_tables *t, enum quantity quantity, const char *name);
 int law_tables_emit_fall(struct emit *e, const struct law_tables *t, const char *name);
 

@@ -28,7 +28,8 @@ static void log_range(double range[2], const struct interpolant *f, const struct
     range[!falls] = log(interpolant_beta_near(f, interval, interval->hi));
 }
 
-/* Returns an ellipse's radius that proves an error slightly below `wanted` from this modulus of eps. */
+/* Returns the radius rho of an ellipse that proves an error slightly below `wanted` if eps has this modulus on the
+ * ellipse. */
 static double radius_for(const struct interval *interval, double modulus, double wanted)
 {
     return pow(20 * modulus / wanted, 1 / ((double)interval->count - 1));

@@ -17,7 +17,7 @@ static int interpolant_make(struct law_tables *t)
 {
     for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
         if (attempt > 0) {
-            interpolant_free(t->f); /* the interpolant belongs to the old layout */
+            interpolant_free(t->f); /* free the interpolant before its layout changes */
             law_layout_refine(&t->layout);
         }
         t->f = interpolant_new(&t->layout.interpolant, 0, INFINITY);
@@ -145,7 +145,7 @@ slong law_tables_far_row(arb_ptr row, const struct law_tables *t, enum quantity 
 {
     const bool speed = quantity == EPS_ZERO_OVERLAP, inverse = quantity == BETA_ZERO_FORCE;
     if (speed && law_is_hunt_crossley(&t->layout.interpolant.law)) {
-        arb_one(row); /* an interval that contains 1 cannot be split */
+        arb_one(row); /* v_f is exactly 1; an interval that contains 1 could not be split */
     } else if (speed) {
         arb_set(row, t->f->final_speed);
     } else if (inverse) {

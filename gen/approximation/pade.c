@@ -21,8 +21,8 @@ enum {
     PLACE_DIGITS = 8
 };
 
-/* Table I prints 2.5839, 3.5839 and 2.9839 for numbers that these a_k make 2.58401, 3.58401 and 2.98401. One unit in
- * the last digit of a_3 changes them by 2.4e-4, because d_0 is near zero. */
+/* Table I prints 2.5839, 3.5839 and 2.9839, but these a_k give 2.58401, 3.58401 and 2.98401. One unit in the last digit
+ * of a_3 changes these numbers by 2.4e-4, because d_0 is near zero. */
 const char *const published_a[4] = {"1", "3/5", "0.315119", "0.161167"};
 const char *const published_d[5] = {"2.5839", "3.5839", "2.9839", "1.1487", "0.3265"};
 
@@ -48,7 +48,8 @@ static void get_coefficient(arb_t x, const arb_poly_t c, slong k)
         arb_poly_get_coeff_arb(x, c, k);
 }
 
-/* Computes Q from sum_j q_j c_{i-j} = limit q_{i+5} (i <= m and a limit is given) or 0, i = first .. first+n-1. */
+/* Computes Q from n equations, i = first .. first+n-1. The sum over j of q_j c_{i-j} is limit q_{i+5} if a limit is
+ * given and i <= m, otherwise 0. */
 static bool find_denominator(struct pade *f, const arb_poly_t c, slong first, slong m, slong n, arb_srcptr limit,
                              slong prec)
 {
@@ -376,7 +377,8 @@ static int try_precision(struct pade *f, arb_poly_t c, bool *regular, const stru
             *regular = pade_of_series(f, c, m, n, prec);
             break;
         }
-        /* 1 over the series of 1/eps: the zero is known to be exact, but a linear system of balls could not show it */
+        /* use 1 over the series of 1/eps: a zero in it is known to be exact, but a linear system of balls could not
+         * show it */
         arb_poly_one(f->p);
         restitution_power(f->q, c, (struct ratio){-1, 1}, &r->law, n + 1, prec);
         _arb_poly_normalise(f->q);

@@ -143,8 +143,8 @@ void pade_error_init(struct pade_error *e);
 void pade_error_clear(struct pade_error *e);
 LOCAL_STRUCT(pade_error)
 
-/* Samples the error of the exact functions of the rounded coefficients, which includes the rounding of the
- * coefficients. */
+/* Samples the error of eps and 1 - eps from the rounded coefficients. The evaluation is exact, so the error includes
+ * the rounding of the coefficients but no rounding of the evaluation. */
 void pade_approximation_error(struct pade_error *e, const struct pade_rounded *r, enum cor_end end,
                               const struct references *s);
 

@@ -17,7 +17,7 @@ enum {
     SMALL_STEP = 6,            /* ratio of small sample points, as a power of 2 */
     FAR_STEP = 5,              /* large sample points have the ratio 5/4 */
     PIECES = 512,              /* pieces up to PADE_NEAR, and also above it; each has a bound of the condition */
-    OPERATIONS_PER_DEGREE = 3, /* z rounded, one product, one sum */
+    OPERATIONS_PER_DEGREE = 3, /* the rounding of z, one product, one sum */
 };
 
 void pade_rounded_init(struct pade_rounded *r)
@@ -53,7 +53,7 @@ int pade_round(struct pade_rounded *r, const struct pade *f)
     r->root = f->root;
     arb_poly_set(r->p, f->p);
     arb_poly_set(r->q, f->q);
-    /* eps = 1 + O(beta), so below z^root the difference is exactly 0, and its interval contains 0. */
+    /* eps = 1 + O(beta), so the coefficients of Q - P below z^root are exactly 0, and their intervals contain 0. */
     arb_poly_sub(r->l, f->q, f->p, ARF_PREC_EXACT);
     for (slong i = 0; i < r->root; i++)
         if (i < arb_poly_length(r->l) && !arb_contains_zero(arb_poly_get_coeff_ptr(r->l, i)))

@@ -72,11 +72,11 @@ static int collision_at(arb_t value, const void *interpolant, const struct piece
     switch (p->variable) {
     case VARIABLE_BETA:
     case VARIABLE_ROOT_BETA:
-        if (p->quantity >= EPS_APPROACH_ONLY) { /* search all variables of the interpolant */
+        if (p->quantity >= EPS_APPROACH_ONLY) { /* use the variable that has an interval at this beta */
             interpolant_at_beta(value, f, p->quantity, y, WORKING_BITS);
             break;
         }
-        /* the root of beta at y, the interpolant's variable near beta = 0 */
+        /* x: the root of beta that is the interpolant's variable near beta = 0 */
         if (p->variable == VARIABLE_BETA || p->root != f->layout->root) {
             arb_pow_ui(x, y, p->variable == VARIABLE_BETA ? 1 : (ulong)p->root, WORKING_BITS);
             arb_root_ui(x, x, (ulong)f->layout->root, WORKING_BITS);

@@ -109,7 +109,8 @@ int pieces_fit(struct pieces *p, struct pieces_function f);
  * Floats have no _FIRST_OCTAVE, and FIRST is the end of row 0. */
 int pieces_emit(struct emit *e, const struct pieces *p);
 
-/* Computes a table by pieces_make, or by pieces_fit if rows = 0, and writes it. Returns their status. */
+/* Computes a table by pieces_make, or by pieces_fit if rows = 0, and writes it. Returns 0, or 1 after reporting the
+ * failure. */
 int pieces_write(struct emit *e, struct pieces *p, struct pieces_function f);
 
 /* ---- sampled_function.c: rows of a function of one variable that can be enclosed ----

@@ -101,13 +101,14 @@ struct law_proof {
     double *error; /* bound of |polynomial - stored number| on each interval, infinite without a proof */
 };
 
-/* Proves the intervals of eps at one end that meet beta_min to beta_max, with errors below `wanted` if possible. Its
+/* Proves the intervals of eps at one end that meet beta_min to beta_max, with errors below `wanted` if possible. The
  * ellipses are as small as `wanted` allows. Returns NULL after a message if a polynomial is proved to be wrong. */
 struct law_proof *law_proof_new(const struct interpolant *f, enum quantity eps, double beta_min, double beta_max,
                                 double wanted);
 void law_proof_free(struct law_proof *proof);
 
-/* Returns the proved interval that contains u = ln(beta), to 1e-12, and ends last; -1: none. *end: its end */
+/* Returns the proved interval that contains u = ln(beta) to within 1e-12. If there are several, returns the one that
+ * ends last; if none, -1. *end: the end of the interval */
 int law_proof_interval(double *end, const struct law_proof *proof, double u);
 
 /* Computes eps for lo <= ln(beta) <= hi in interval i, and ln(beta), as functions of t (enclosed_function.h). Returns

@@ -113,7 +113,7 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
         set_scales(beta, time_unit, o, 3 * bits + 256);
     else
         arb_set_fmpq(beta, o->beta.value, 3 * bits + 256);
-    if (o->force.text) /* F T/(m g) in SI units */
+    if (o->force.text) /* in SI units the scaled force is F T/(m g), T = time_unit */
         LET(pressing, 3 * bits + 256, in_si(o) ? "F*time_unit/(m*g)" : "F", F, time_unit, m, g);
     int status =
         o->threshold ? STATUS_OK : collision_solve_pressed(&collision, beta, pressing, &o->law.exponents, at, bits);

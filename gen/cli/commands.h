@@ -26,7 +26,7 @@ struct series_arguments {
 
 struct pade_arguments {
     struct option_common common;
-    struct pade_request request; /* kind and law are not set; a degree not given: OPTIONS_NOT_GIVEN */
+    struct pade_request request; /* `kind` and `law` are not set; OPTIONS_NOT_GIVEN: no such degree given */
     slong digits;
     bool two_point, as_published, force;
     const char *header; /* file of the C header, or NULL */
@@ -35,7 +35,7 @@ struct pade_arguments {
 
 struct collide_arguments {
     struct option_common common;
-    struct decimal beta, stiffness, effective_mass, damping_coefficient, speed; /* beta, or the other four */
+    struct decimal beta, stiffness, effective_mass, damping_coefficient, speed; /* `beta`, or the other four */
     struct decimal force;                                                       /* text NULL: no force */
     bool threshold;
     int end; /* enum cor_end; OPTIONS_NOT_GIVEN: both */
@@ -57,7 +57,7 @@ struct disk_modes_arguments {
 
 struct disk_collide_arguments {
     struct option_common common;
-    struct sweep_request request; /* tolerance, format and output are not set */
+    struct sweep_request request; /* `tolerance`, `format` and `output` are not set */
     struct decimal tolerance;
     const char *part; /* "I/N"; NULL: not given */
     slong join;       /* 0: not given */

@@ -37,7 +37,7 @@ static struct cor_simulator_request request_of(const struct contact_arguments *o
                                           .integrator = default_integrator ? COR_VERLET_HALF_STEP : o->integrator};
 }
 
-/* Refuses options that contradict each other or miss a number, such as friction without bodies. */
+/* Refuses options that contradict each other or lack a number that they need, such as friction without bodies. */
 static int check_options(const struct contact_arguments *o, const struct contacts *contacts)
 {
     const struct cor_scene_contact *const c = &contacts->contact[0];

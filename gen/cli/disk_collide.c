@@ -11,7 +11,7 @@
 
 #define DEFAULT_TOLERANCE "1e-8"
 #define DEFAULT_HARD_WALL_TOLERANCE "1e-5"
-enum { MOST_PARTS = 1000 }; /* --join opens the files of all parts */
+enum { MOST_PARTS = 1000 }; /* --join opens the files of all parts at once */
 
 static const struct option_numbers tolerance_numbers = {
     .range = {TEXT_OF(COR_DISK_COLLISION_MIN_TOLERANCE), "1", true, false, true,

@@ -49,11 +49,11 @@ struct option_rule {
         const char *const *words; /* ends with NULL */
         const struct values_rule *values;
     } range;
-    const struct cor_scene_option *scene; /* number of a scene, with unit and range; NULL: no number of a scene */
+    const struct cor_scene_option *scene; /* the number of a scene that the option sets; NULL: none */
     const char *unit;                     /* unit of a number, such as "Pa"; NULL: no unit */
-    const char *why;                      /* reason for the upper limit; for words: "an end of contact" */
-    const char *excludes;                 /* options that contradict this one, space separated, or NULL */
-    const char *needs;                    /* the option that this one requires, or NULL */
+    const char *why;      /* reason for the upper limit; for words: their kind, as "an end of contact" */
+    const char *excludes; /* options that contradict this one, space separated, or NULL */
+    const char *needs;    /* the option that this one requires, or NULL */
 };
 
 /* Arguments of every subcommand; the first member of its struct of arguments */

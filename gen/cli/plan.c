@@ -6,7 +6,7 @@
 #include "support/console.h"
 
 /* Removes the constant force from a request. If the restitution was measured under the force, the contact's damping
- * replaces it; `damping` owns that number. */
+ * replaces the restitution; `damping` owns the new number. */
 static void remove_force(struct embed_request *request, struct decimal *damping, const struct contacts *pressed)
 {
     const struct cor_scene_contact *const contact = &pressed->contact[0];

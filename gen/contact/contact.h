@@ -31,7 +31,7 @@ const char *contact_law_text(char text[CONTACT_LAW_TEXT], const struct cor_scene
 /* Warns on stderr if the spheres of a law without yield would yield at this impact speed. */
 void contact_warn_yield(const struct contacts *contacts, double speed_m_s);
 
-/* Converts the status of a function of cor/scene.h to an exit status, for such a contact. */
+/* Converts the status of a function of cor/scene.h, called for such a contact, to an exit status. */
 int contact_status(int status);
 
 cor_scene_solver contact_enclosed;

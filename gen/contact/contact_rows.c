@@ -24,7 +24,7 @@ const char *contact_end_text(const struct cor_scene_contact *contact, int end)
     return contact->force_n > 0 && end == COR_END_ZERO_FORCE ? "the surface" : cor_end_names[end];
 }
 
-/* Returns the name of an end for the name of a column. */
+/* Returns the name of an end of contact, as a part of the name of a column. */
 static const char *end_of(const struct contacts *contacts, int end)
 {
     return cor_scene_end_name(&contacts->contact[0], end);
@@ -57,7 +57,8 @@ void contact_print_ranges(FILE *file, const struct contacts *contacts, bool rows
                 tabor, COR_TABOR_DISTANCE_M, COR_TABOR_JKR, COR_TABOR_DMT);
 }
 
-/* Adds a row with a number of each contact that cor/scene.h does not compute, unless it is NaN. */
+/* Adds a row for a quantity that is not among the quantities of cor/scene.h, unless it is NaN. value: one for each
+ * contact */
 static void add_number(struct table *table, const struct contacts *contacts, const char *name,
                        const double value[COR_SCENE_ENDS], const char *unit, int digits)
 {
@@ -196,7 +197,7 @@ static int add_hertz(struct table *table, const struct contacts *contacts, int k
         status = cor_scene_eps(&eps, &hertz, speed_m_s, end);
     if (status != COR_FAULT_NONE)
         return contact_status(status);
-    /* damped until the largest overlap, then half an elastic contact at the final speed */
+    /* the approach is damped until the largest overlap; the rebound is half an elastic contact at the final speed */
     const double in = cor_sphere_time_of_max_overlap(impact.beta) / cor_sphere_duration_zero_overlap(0),
                  approach_s = in * cor_scene_elastic_duration_s(&hertz, speed_m_s) +
                               cor_scene_elastic_duration_s(&hertz, eps * speed_m_s) / 2;

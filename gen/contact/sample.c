@@ -60,7 +60,7 @@ static double piece_point(const struct piece *piece, int i)
     return (piece->low + piece->high) / 2 - (piece->high - piece->low) / 2 * cos(angle);
 }
 
-/* Interpolates between these points by the barycentric formula. */
+/* Interpolates between the points of piece_point by the barycentric formula. */
 static double piece_value(const struct piece *piece, int quantity, double u)
 {
     double above = 0, below = 0;
@@ -285,8 +285,8 @@ static double reach_right(const struct sampler *c, double left, double error, do
 
 /* ---- all points ---- */
 
-/* Places points for segments with at most this error, up to the end of the range or up to `most` segments. Returns
- * their number. *last_error: error of the last segment if it is extended to the end of the range */
+/* Places points for segments with at most this error, up to the end of the range or up to `most` segments. Returns the
+ * number of segments. *last_error: error of the last segment if it is extended to the end of the range */
 static size_t place_points(const struct sampler *c, double *x, size_t most, double error, double *last_error)
 {
     double length = (c->high - c->low) / 2;

@@ -75,7 +75,7 @@ static void print_lists(FILE *file, const struct column *column, int columns, si
 void sample_print(FILE *file, const struct sample *sample, const struct sample_request *request,
                   enum sample_format format)
 {
-    static const char *const before[] = {/* a line of a comment */
+    static const char *const before[] = {/* start of a comment line */
                                          [SAMPLE_TEXT] = "",
                                          [SAMPLE_C] = "/* ",
                                          [SAMPLE_PYTHON] = "# ",

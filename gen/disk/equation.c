@@ -21,7 +21,7 @@
 
 struct wave {
     arb_t z, h, d, k;
-    int tall;    /* |A| > 1: h = 1 */
+    int tall;    /* true if |A| > 1; then h = 1 */
     slong zeros; /* number of zeros of J_n below kappa */
 };
 
@@ -115,7 +115,8 @@ static int waves_set(struct waves *v, const struct disk *d, slong n, const arb_t
     return wave_set(&v->a, n, d->prec) && (n == 0 || wave_set(&v->b, n, d->prec));
 }
 
-/* Computes T0, T1, T2, bilinear in a and b. With the derivative of one wave it gives one term of the product rule. */
+/* Computes T0, T1, T2, which are bilinear in a and b. If a or b is the derivative of its wave, the result is one term
+ * of the product rule. */
 static void set_products(arb_ptr t, const struct disk *disk, const struct wave *a, const struct wave *b)
 {
     LET(t + 0, disk->prec, "(disk->e*a->d - disk->s*a->k)*b->d - 2*b->k*a->d", disk->e, a->d, disk->s, a->k, b->d,
@@ -143,7 +144,7 @@ static int count_eigenvalues(arb_srcptr t0, const struct disk *disk, const struc
     const arb_srcptr t1 = t0 + 1, t2 = t0 + 2;
     LOCAL(arb, f, part, det, p, y);
 
-    /* F, D and P times d D of the waves */
+    /* F, D and P, each times the product a.d b.d of the two waves */
     combine_products(f, p, t0, disk, v->g, n);
     LET(part, prec, "v->a.z*t2/(2*(n + 1))", v->a.z, t2, n);
     LET(det, prec, "n*(t0/2 - 2*t1) + part", n, t0, t1, part);

@@ -151,7 +151,7 @@ static void search_pieces_beta(struct embed_form *best, const struct embed_scene
 
 static void search_pieces_speed(struct embed_form *best, const struct embed_scene *s)
 {
-    if (s->knot) { /* the cubics of a table themselves */
+    if (s->knot) { /* try the table's own cubics */
         struct embed_form f = form_blank(s, FAMILY_PIECES_SPEED, SPEED, 3, 0);
         f.rows = s->knots - 1;
         f.knot = s->knot;

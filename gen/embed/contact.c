@@ -101,7 +101,7 @@ struct measured {
     int end, *status;
 };
 
-/* Computes the difference from the measured eps, which falls with beta. */
+/* Computes eps minus the measured eps. The difference falls with beta. */
 static bool eps_above(arb_t f, const arb_t beta, const void *context, slong prec)
 {
     const struct measured *const m = context;
@@ -142,7 +142,7 @@ void embed_elastic_plastic_eps(arb_t eps, const arb_t speed, const arb_t yield_s
     LET(eps, prec, "(108*t/((t^2 + 5)^2*(t + 2)))^(1/4)", t);
 }
 
-/* Computes the same difference with the other sign, which falls with v_y. */
+/* Computes the measured eps minus eps. The difference falls with the yield speed. */
 static bool eps_below(arb_t f, const arb_t yield_speed, const void *context, slong prec)
 {
     const struct measured *const m = context;
@@ -202,7 +202,7 @@ int embed_contact_numbers(arb_t beta_per_root, arb_t force, arb_t yield_speed, a
     else if (embed_given(request, COR_SCENE_DURATION))
         return usage_error("the damping from --duration is not exact enough for a header; replace --duration by --beta "
                            "B --at G, --zeta Z or --restitution E --at G, which corgen contact prints");
-    else { /* for the force K x^a + C x^b x': beta g^-q = (C/m) (m/K)^((b+1)/(a+1)), where C is given or is (3/2) A K */
+    else { /* the force K x^a + C x^b x' has beta g^-q = (C/m) (m/K)^((b+1)/(a+1)); C is given or is (3/2) A K */
         LET(A, prec, embed_given(request, COR_SCENE_DAMPING_COEFFICIENT) ? "C" : "A*K*3/2", C, A, K);
         LET(beta_per_root, prec, "(m/K)^((b + 1)/(a + 1))*A/m", m, K, a, b, A);
     }

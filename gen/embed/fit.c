@@ -25,7 +25,7 @@ static double jacobi_dn(double u, double k)
         c[i + 1] = (a[i] - b) / 2;
         b = sqrt(a[i] * b);
     }
-    /* u K = u pi/(2 a_N) */
+    /* start with phi = 2^N a_N u K, K = pi/(2 a_N) */
     double phi = ldexp(u * acos(-1.0) / 2, LANDEN_STEPS), before = phi;
     for (int i = LANDEN_STEPS; i > 0; i--) {
         before = phi;
@@ -137,7 +137,7 @@ bool embed_fit_rational(struct embed_form *f, const struct embed_scene *s)
     LOCAL_VECTOR(c, count + 1);
     LOCAL_MATRIX(count, count, a);
     LOCAL_MATRIX(count, 1, b);
-    for (slong j = 0; j < count; j++) { /* p(x) - eps (q_0 + ... + q_(n-1) x^(n-1)) = eps x^n */
+    for (slong j = 0; j < count; j++) { /* equation j: p(x) - eps (q_0 + ... + q_(n-1) x^(n-1)) = eps x^n */
         arb_set_d(x, fit_node(f, lo, hi, j, count));
         eps_at(eps, f, s, x);
         arb_mul_2exp_si(x, x, -scale);

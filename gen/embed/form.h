@@ -44,7 +44,7 @@ extern const char *const embed_operation_names[OPERATIONS];
 
 enum embed_use { USE_SCALAR, USE_ARRAY, USES };
 
-/* Roots for each variable, speed^(1/degree): the speed or its fifth root, followed by this number of square roots. */
+/* Each variable is speed^(1/degree). It follows from the speed or its fifth root by this number of square roots. */
 extern const struct embed_root {
     slong degree;
     bool fifth;
@@ -126,7 +126,7 @@ struct embed_program {
         slong degree, stride;
     } step[EMBED_STEPS];
     int count;
-    int x, argument; /* steps: the root of the speed; the argument of the polynomials, x or its place in a row */
+    int x, argument; /* step of the root of the speed; step of the polynomials' argument, x or its place in a row */
     int p, q;        /* steps of the polynomials; q = 0: no denominator */
 };
 /* Returns the program of a form, which points to the numbers of the form. */

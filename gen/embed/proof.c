@@ -47,7 +47,7 @@ struct prover {
     struct interpolant_proof *interpolant; /* spheres */
     struct law_proof *law;                 /* other laws */
     enum quantity quantity;
-    struct far_proof far; /* for beta >= exp(10) at zero force */
+    struct far_proof far; /* the proof at zero force for beta >= exp(10) */
     bool far_known;
     double enough;
     double from; /* the proof holds at this speed and above */
@@ -90,8 +90,9 @@ static bool part_functions(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const 
     return true;
 }
 
-/* Encloses the variable of the polynomials, a root of v. In a liquid v = v_d + s, where v_d is the dry speed, and eps
- * becomes eps v = eps_d v_d - s. Under a constant force, the origin is subtracted from v. */
+/* Encloses the variable of the polynomials, a root of v. In a liquid v = v_d + s, where v_d is the dry speed and s the
+ * speed lost to the liquid; eps becomes eps v = eps_d v_d - s. Under a constant force, the origin is subtracted
+ * from v. */
 static bool part_variable(arb_poly_t y, arb_poly_t eps, arb_poly_t v, const arb_poly_t beta, const arb_poly_t x,
                           const struct prover *w, bool by_log)
 {
@@ -213,7 +214,7 @@ static bool part_from(struct part *part, double *end, const struct prover *w, do
     const struct interpolant_layout *const layout = &interpolant_sphere_proof;
     *part = (struct part){.by_log = true, .lo = u};
     *end = HUGE_VAL;
-    if (w->s->own.law) /* a few ulps beyond a knot both cubics differ by the square of that distance */
+    if (w->s->own.law) /* a few ulps beyond a knot, its two cubics differ by the square of that distance */
         part->interval = (int)own_law_row(end, &w->s->own, u);
     if (w->s->by_speed)
         return true;

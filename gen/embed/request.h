@@ -76,7 +76,7 @@ bool embed_is_pressed(const struct embed_request *request);
  * that cannot be read becomes -1. Returns STATUS_OK, or STATUS_USAGE after a message. */
 int embed_request_scene(struct cor_scene *scene, const struct embed_request *request);
 
-/* Equal cor_scene_of_body and cor_scene_mass_is_given, for the numbers as written. */
+/* Do the same as cor_scene_of_body and cor_scene_mass_is_given, with the decimal numbers as the user wrote them. */
 const struct decimal *embed_number_of_body(const struct embed_request *request, int number, int body);
 bool embed_mass_is_given(const struct embed_request *request, int body);
 

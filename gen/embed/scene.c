@@ -158,7 +158,8 @@ static int scene_collide(struct embed_scene *s)
 /* An interval in ln(beta) is as long as its distance from the sticking speed, where eps has a branch point, but at most
  * this long. */
 #define LONGEST_PRESSED 0.5
-/* Closer than this, without a proof, intervals are three times as long and have more points. */
+/* Closer to the sticking speed than this, where nothing is proved, intervals are three times as long and have more
+ * points. */
 #define NEAR_STICKING 1e-3
 enum { PRESSED_POINTS = 30, NEAR_POINTS = 38, PRESSED_BITS = 76, STICKING_BITS = 100, MOST_PRESSED = 200 };
 

@@ -18,7 +18,7 @@ struct embed_scene {
     enum cor_end end;
     bool single; /* float */
     double speed_min, speed_max, tolerance;
-    struct cor_exponents law, named; /* the law of beta and the law of the request, see by_speed */
+    struct cor_exponents law, named; /* the law of beta, and the law that the request names; see by_speed */
     bool plastic;
     struct own_law own; /* own.law 0: none */
     double *knot;       /* the starts of the cubics of the law's table, and the end of the last one; NULL: no table */
@@ -32,7 +32,7 @@ struct embed_scene {
     double origin;       /* a double below sticking_speed; subtracted from every speed of the scene except the onset */
     double onset;        /* eps is 1, or 0 if pressed, up to this speed; the forms begin above it; 0: no such speed */
     bool constant;       /* eps is the same at every speed: no damping, or q = 0 */
-    arb_t eps;           /* the value of that eps */
+    arb_t eps;           /* the value of the constant eps */
     arb_t beta_per_root; /* beta = beta_per_root speed^q, q = 1/5 for spheres */
     arb_t beta_enclosed; /* encloses beta_per_root, which is the middle of this ball if a restitution is given */
     double beta_min, beta_max;
@@ -55,7 +55,7 @@ int embed_scene_init(struct embed_scene *s, const struct embed_request *request,
                      const struct cor_scene_contact *contact);
 void embed_scene_clear(struct embed_scene *s);
 
-/* Computes beta at a speed. enclosed: with the uncertainty of a beta that follows from a restitution */
+/* Computes beta at a speed. enclosed: includes the uncertainty of a beta that follows from a restitution */
 void embed_scene_beta(arb_t beta, const struct embed_scene *s, const arb_t speed, bool enclosed);
 
 /* Computes eps at a speed in [speed_min, speed_max]; all three have the origin subtracted. Accuracy: interpolant.h */
@@ -68,11 +68,11 @@ double embed_rounded(const struct embed_scene *s, double x);
  *
  * cor_scene_contacts has accepted these numbers, and computes the same quantities in doubles. */
 
-/* Fills numbers that are 0 before, enclosed to `prec` bits:
+/* Fills numbers that are 0 on entry, enclosed to `prec` bits:
  *
- *     beta_per_root: of beta = beta_per_root (speed/(m/s))^q, q = 1/5 for spheres. From a restitution it is enclosed to
- *                    2^-79 of itself, under a constant force to 2^-149. Elastic-plastic spheres have none.
- *     force: f_1 of the constant force f = f_1 (speed/(m/s))^(-2a/(a+1)) of x'' + beta x^b x' + x^a = f; 0 without one
+ *     beta_per_root: the factor in beta = beta_per_root (speed/(m/s))^q, q = 1/5 for spheres. From a restitution it is
+ *                    enclosed to 2^-79 of itself, under a constant force to 2^-149. Elastic-plastic spheres have none.
+ *     force: f_1 in the constant force f = f_1 (speed/(m/s))^(-2a/(a+1)) of x'' + beta x^b x' + x^a = f; 0 without one
  *     yield_speed: v_y of elastic-plastic spheres, m/s
  *     liquid_speed: the speed lost to a liquid on each way, m/s; 0 without one
  *

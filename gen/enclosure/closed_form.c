@@ -60,8 +60,8 @@ void closed_form_linear(struct collision *c, const arb_t beta, const struct cor_
     }
 }
 
-/* Sets eps = (1 + W_0(-x))/beta, x = (1 + beta) exp(-1 - beta), and x_max. Near beta = 0, the branch point of W, both
- * lose 2 log2(1/beta) bits. */
+/* Sets eps = (1 + W_0(-x))/beta, x = (1 + beta) exp(-1 - beta), and x_max. Near beta = 0, the branch point of W, eps
+ * and x_max lose 2 log2(1/beta) bits. */
 void closed_form_hunt_crossley(struct collision *c, const arb_t beta, const struct cor_exponents *law, slong prec)
 {
     LOCAL(arb, w);

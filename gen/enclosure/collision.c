@@ -48,7 +48,7 @@ enum {
 /* Growth for each halving of the distance from beta to the threshold, for Hertz's law with a dashpot */
 #define GROWTH_BELOW 2.7
 
-/* Chooses the route. The logarithm of the motion's contraction is ln(1/mu) twice, for loading and release
+/* Chooses the route. The logarithm of the motion's contraction is ln(1/mu) for loading, again ln(1/mu) for release
  * (docs/theory.md, 8), and k/mu for unloading to zero overlap (9). The slow manifold replaces the unloading if k/mu
  * suffices to reach `last` with the requested bits. This estimate neglects a power of beta, so a motion just above the
  * limit may miss the manifold at any precision. Then the unloading is integrated. */

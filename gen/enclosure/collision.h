@@ -13,7 +13,8 @@ int collision_solve(struct collision *c, const arb_t beta, const struct cor_expo
 /* Solves like collision_solve, but sets only x_max, t_max, eps_zero_overlap and t_zero_overlap. */
 int collision_solve_overlap(struct collision *c, const arb_t beta, const struct cor_exponents *law, slong bits);
 
-/* Solves like collision_solve_overlap if beta is about `below` under the threshold. Close to it more bits are lost. */
+/* Solves like collision_solve_overlap if beta is about `below` under the threshold. The closer beta is to the
+ * threshold, the more bits are lost. */
 int collision_solve_below(struct collision *c, const arb_t beta, double below, const struct cor_exponents *law,
                           slong bits);
 

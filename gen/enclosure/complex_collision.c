@@ -157,8 +157,8 @@ static bool fall_from_force(struct complex_collision *c, struct complex_ball bet
     return true;
 }
 
-/* Follows the motion from the turning point near beta = 0: to kappa = 1, then in zeta from 1 to z, zero force, and from
- * 1 to 0, zero overlap. */
+/* For beta near 0, follows the motion from the turning point to kappa = 1. Then follows it in zeta from 1 to z, where
+ * the force is zero, and from 1 to 0, where the overlap is zero. */
 static bool unload_near(struct complex_collision *c, struct path *p, struct path_state y, struct complex_ball z,
                         bool overlap)
 {
@@ -178,7 +178,7 @@ static bool unload_near(struct complex_collision *c, struct path *p, struct path
     return true;
 }
 
-/* Follows the motion from the turning point far from beta = 0 to zero force at k = 1, where eps = y^2/beta, and from
+/* For beta far from 0, follows the motion from the turning point to zero force at k = 1, where eps = y^2/beta, and from
  * there to zero overlap. If the modulus is between CREEP_FROM and CREEP_TO, follows both paths to zero overlap. */
 static bool unload_far(struct complex_collision *c, struct path *p, struct path_state y, const double modulus[2],
                        bool overlap)
@@ -191,8 +191,9 @@ static bool unload_far(struct complex_collision *c, struct path *p, struct path_
                         (modulus[1] < CREEP_FROM || fall_from_force(c, p->c1, y.value, true)));
 }
 
-/* Where the domains of two paths overlap, both are followed. Each gives a function that is analytic in its part of the
- * ellipse. Both agree where their ring meets the real axis, and therefore in the whole ring. */
+/* Where the domains of two paths overlap, in a ring, both paths are followed. Each gives a function that is analytic
+ * in its part of the ellipse. The two functions agree where the ring meets the real axis, and therefore in the whole
+ * ring. */
 bool complex_collision_root(struct complex_collision *c, struct complex_ball z, bool overlap)
 {
     const double modulus[2] = {ball_below(z), ball_above(z)}, size = ball_size(z);

@@ -215,7 +215,7 @@ bool complex_law_zero_force(struct complex_ball *log_eps, const struct cor_expon
     *log_eps = ball_sub(ball_times(y.value, p.difference), log_beta);
     if (!p.pressed || !done)
         return done;
-    /* (eps/v_f)^2 = 1 - 2 f x_f/v_f^2 of the flight to the surface */
+    /* the flight to the surface gives (eps/v_f)^2 = 1 - 2 f x_f/v_f^2 */
     const struct complex_ball lost = ball_times(ball_mul(p.c3, exp_of_power(y.value, 1 - 2 * p.difference)), 2);
     struct complex_ball flight;
     *log_eps = ball_sub(*log_eps, pressing->log_speed);
