@@ -47,8 +47,9 @@ static void note(struct law_case *c, int end, int what, double computed, const a
           at, at, computed);
 }
 
-/* Computes the loss for beta < 1e-100: 1 - eps = -C_1 beta and, at zero force, (a-b)/((a+1)(b+1)) beta^((a+1)/(a-b))
- * less (docs/theory.md, 2 and 5); C_1 = -(2/(a+1)) X^(b+1) B((b+1)/(a+1), 3/2), X = ((a+1)/2)^(1/(a+1)). */
+/* Computes the loss 1 - eps for beta < 1e-100 (docs/theory.md, 2 and 5). At zero overlap it is -C_1 beta; at zero force
+ * it is less by (a-b)/((a+1)(b+1)) beta^((a+1)/(a-b)).
+ * C_1 = -(2/(a+1)) X^(b+1) B((b+1)/(a+1), 3/2), X = ((a+1)/2)^(1/(a+1)). */
 static void first_order_loss(arb_t loss, const struct cor_exponents *law, int end, const arb_t beta)
 {
     const struct ratio a = law_elastic(law), b = law_damping(law);
@@ -85,7 +86,8 @@ static int case_solve(struct collision *s, const struct law_case *c, const arb_t
     return collision_solve(s, beta, &c->law, BITS + (b < 1 ? (slong)-log2(b) : 0)); /* here 1 - eps has BITS bits */
 }
 
-/* Computes eps and the duration; with damping during approach only, from the largest overlap and the rebound. */
+/* Computes eps and the duration at an end. With damping during approach only, the rebound is elastic, so both follow
+ * from the largest overlap. */
 static void end_values(arb_t eps, arb_t duration, const struct law_case *c, const struct collision *s, int end)
 {
     const struct ratio a = law_elastic(&c->law);
@@ -99,8 +101,8 @@ static void end_values(arb_t eps, arb_t duration, const struct law_case *c, cons
     LET(duration, PREC, "s->t_max + duration*eps^((1 - a)/(1 + a))", s->t_max, duration, eps, a);
 }
 
-/* Checks the inverse at the double x near eps or the loss: beta + (x - eps)/(d eps/d beta). The slope comes from the
- * difference to another collision, at beta - step. */
+/* Checks the inverse at the double x near eps or the loss. The exact inverse is beta + (x - eps)/(d eps/d beta); the
+ * slope comes from the difference to another collision, at beta - step. */
 static void check_inverse(struct law_case *c, double beta, const struct collision *s)
 {
     const double room = beta < c->threshold ? fmin(beta, c->threshold - beta) : beta, step = ldexp(room, -STEP_BITS);

@@ -19,7 +19,7 @@ struct law_functions {
     const char *elastic, *damping;
     law_function *eps[LAW_ENDS], *loss[LAW_ENDS], *beta[LAW_ENDS], *beta_of_loss[LAW_ENDS], *duration[LAW_ENDS];
     law_function *max_overlap, *time_of_max_overlap;
-    double one_ulp, two_ulp; /* bounds of eps, loss and largest overlap; of times and inverse */
+    double one_ulp, two_ulp; /* one_ulp: bound of eps, loss and largest overlap. two_ulp: bound of times and inverse */
     double approach_ulp;     /* bound for the third end */
 };
 

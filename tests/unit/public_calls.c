@@ -75,7 +75,7 @@ static double any_number(struct bit_source *source)
         return of_bits(bits(source) & UINT64_C(0x7fffffffffffffff));
     case 5:
         return uniform(source, -1, 0);
-    case 6: /* steps from just below 1 up to 1 */
+    case 6: /* numbers up to 1, most of them just below 1 */
         x = uniform(source, 0, 1);
         return 1 - ldexp(x, -(int)draw_below(source, 60));
     case 7:

@@ -66,7 +66,7 @@ enum public_type { PUBLIC_double, PUBLIC_float, PUBLIC_size_t, PUBLIC_several };
 struct public_function {
     const char *name;
     void (*call)(const struct arguments *a, struct results *r);     /* one call for all n, or one call at all */
-    void (*elements)(const struct arguments *a, struct results *r); /* for an array: a call for each; or NULL */
+    void (*elements)(const struct arguments *a, struct results *r); /* for an array: a call per element; or NULL */
     enum public_type type;
 };
 

@@ -24,7 +24,7 @@ struct disk {
     double alpha, speed;
     const struct effort *effort;
     size_t points, active; /* active: number of points that have a pressure */
-    double *path, *load;   /* series of a step: path[k][1 + n] of x_0 + 1 and Q, load[k] */
+    double *path, *load;   /* series of a step: path[k][1 + n] for x_0 + 1 and Q, load[k] for the load */
     long double eps;
     double one_minus_eps2, max_compression, max_load;
     double level, start, end;           /* level: load where contact begins and ends, 0 if unknown; start, end: times */
@@ -47,8 +47,7 @@ static double negligible_position(const struct disk *disk)
     return fmin(0, (log(disk->effort->tolerance * disk->alpha * disk->speed * disk->speed) - MARGIN) / disk->alpha);
 }
 
-/* Bounds the distance (with `speed`, the velocity) that free modes can give the rim, as if all amplitudes had one
- * sign. */
+/* Bounds the displacement of the rim by free modes, or with `speed` its velocity, as if all amplitudes had one sign. */
 static double swing(const struct disk *disk, int speed)
 {
     double sum = 0;
@@ -123,8 +122,8 @@ static void integrate_energies(const struct disk *disk, double t, const double *
 
 enum { SAMPLES = 8 };
 
-/* Records the events in a step of length h from `time`: turning points of the centre, maxima of the load, and its
- * crossings of the level. */
+/* Records the events in a step of length h from `time`: turning points of the centre, maxima of the load, and the times
+ * at which the load crosses `level`. */
 static void follow(struct disk *disk, double time, double h)
 {
     const int count = disk->effort->order;
@@ -144,7 +143,7 @@ static void follow(struct disk *disk, double time, double h)
                 integrate_energies(disk, t, disk->integral, disk->average);
         } else if (level > 0 && isnan(disk->start)) {
             disk->start = time + t;
-            if (disk->average != NULL) /* subtracts the integral so far, so that it is 0 here */
+            if (disk->average != NULL) /* subtracts the part before the contact */
                 integrate_energies(disk, t, disk->integral, disk->integral);
             for (size_t i = 0; disk->average != NULL && i < disk->n; i++)
                 disk->integral[i] = -disk->integral[i];

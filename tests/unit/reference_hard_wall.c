@@ -37,7 +37,7 @@ static double static_compliance(double nu, double phi, double psi)
         const double x = cos(n * phi) * cos(phi), y = sin(n * phi) * sin(phi);
         const double x_psi = cos(n * psi) * cos(psi), y_psi = sin(n * psi) * sin(psi);
         sum += a * x * x_psi - b * (x * y_psi + y * x_psi) + d * y * y_psi;
-        if (n == wall->nyquist) /* the library's cosine series end at Nyquist's number: without cos((n + 1) phi) */
+        if (n == wall->nyquist) /* the library's cosine series end at Nyquist's number and lack cos((n + 1) phi) */
             sum -= (a + 2 * b + d) / 4 * cos((n + 1) * phi) * cos((n + 1) * psi);
     }
     return sum;

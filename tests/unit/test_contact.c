@@ -136,7 +136,7 @@ TEST(speeds)
             check(eps_at_speed[end](&elastic, *speed) == 1, "speed %g", *speed);
         assert_true(eps_at_speed[end](&c, COR_SI_LEAST) == 1 && eps_at_speed[end](&c, 1e249) > 0);
     }
-    /* T = 2 tau_0 scale g^(-1/5) at both ends, by Hertz, and x_max = y_0 scale g^(4/5) */
+    /* by Hertz, the duration is 2 tau_0 scale g^(-1/5) at both ends, and the largest overlap is y_0 scale g^(4/5) */
     const long double root = powl(0.3, 0.2L), time = 3.21806545971904308454L * elastic.scale / root;
     check_ulp(cor_contact_duration_s_zero_overlap(&elastic, 0.3), time, 6);
     check_ulp(cor_contact_duration_s_zero_force(&elastic, 0.3), time, 6);
@@ -287,8 +287,8 @@ static void in_range(double computed, long double exact, double bound)
         check_ulp(computed, exact, bound);
 }
 
-/* By hand: eta_1 = 1e3, eta_2 = 2e3 Pa s: (5e3)^2/8e3 = 3125; Y = 1e9 Pa, nu = 1/4:
- * (1 - 1/16)(1/2)/(1/16) = 7.5; A = 3125 * 7.5/3e9 = 7.8125e-6 s. */
+/* By hand: eta_1 = 1e3 and eta_2 = 2e3 Pa s give the factor (5e3)^2/8e3 = 3125, and nu = 1/4 gives
+ * (1 - 1/16)(1/2)/(1/16) = 7.5. With Y = 1e9 Pa, A is 3125 * 7.5/3e9 = 7.8125e-6 s. */
 TEST(dissipation_time)
 {
     check_near(cor_dissipation_time_s(1e3, 2e3, 1e9, 0.25), 7.8125e-6L, 1e-15L);
@@ -346,7 +346,7 @@ TEST(oblique_impacts)
               cor_tangential_stick_angle(1, NAN), cor_tangential_stick_angle(INFINITY, INFINITY));
 }
 
-/* By hand: R = 1 cm of ice, 917 kg/m^3: 4.18879e-6 * 917 = 3.84112e-3 kg. */
+/* By hand: a ball of ice, R = 1 cm and 917 kg/m^3, has the mass 4.18879e-6 * 917 = 3.84112e-3 kg. */
 TEST(mass_of_a_sphere)
 {
     check_near(cor_sphere_mass_kg(0.01, 917), 3.84112e-3L, 1e-6L);

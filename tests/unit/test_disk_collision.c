@@ -16,7 +16,7 @@ static const double pi = 3.14159265358979323846;
 static const double slack = 1e-13;
 
 /* Looser bounds of disk.h, at a tolerance of 1e-11, for values interpolated between two moments of the contact. The
- * error of a depth is relative to v, of a time to the time, of an average to (pi/2) v^2. */
+ * error of a depth is relative to v, the error of a time to this time, and the error of an average to (pi/2) v^2. */
 static const double depth_bound = 1e-7, time_bound = 1e-6, average_bound = 1e-6, soft_average_bound = 1e-4;
 
 enum { TABLE = 1800 };
@@ -99,8 +99,8 @@ static struct reference_collision truth_of(const struct cor_disk_modes *modes, s
     return truth;
 }
 
-/* Checks eps and 1 - eps^2 to the tolerance, the energies, and, in_full, all other numbers of a complete reference.
- * Returns the number of steps. */
+/* Checks eps and 1 - eps^2 to the tolerance, the energies, and, if `in_full`, all other numbers of a complete
+ * reference. Returns the number of steps. */
 static size_t judge(const struct cor_disk_modes *modes, size_t n, double alpha, double v, double tolerance,
                     const struct reference_collision *truth, int in_full)
 {
@@ -171,7 +171,8 @@ static struct cor_disk_modes modes_cut(const struct cor_disk_modes *modes, const
 }
 
 /* Each scene has the modes with n in of_n and the modes below a frequency, or all modes if of_n is NULL. The tolerance
- * decreases from `from` by the factor `ratio`. `from` = 0: only 1e-11, comparing all numbers with a reference. */
+ * decreases from `from` by the factor `ratio`. If `from` is 0, the only tolerance is 1e-11, and all numbers are
+ * compared with a reference. */
 TEST(reference)
 {
     const struct {
@@ -202,7 +203,7 @@ TEST(reference)
         {0.33, (int[]){1, 8, 9, 31, -1}, 12, 300, 0.1, 0, 0, 0},
         {0.33, (int[]){1, -1}, 5, 300, 0.1, 0, 0, 0},
         {0.33, (int[]){109, -1}, 1, 300, 0.1, 0, 0, 0},
-        /* no multiple of pi in omega h feeds energy into a mode */
+        /* no mode gains energy where its omega h is a multiple of pi */
         {0.33, (int[]){0, -1}, 22, 200, 0.1, 1e-2, 100, 2.3},
         {0.9, (int[]){0, -1}, 11, 200, 0.1, 1e-2, 100, 2.3},
         {0.33, (int[]){0, -1}, 22, 2000, 0.1, 1e-2, 100, 2.3},
@@ -387,14 +388,14 @@ TEST(moments)
         assert_true(diary.first.time < 0 && fabs(diary.first.velocity / diary.speed - 1) < 1e-6);
         assert_true(fabs((diary.first.position + 1) / (diary.speed * diary.first.time) - 1) < 1e-6);
         assert_true(diary.first.wall_energy < scene[k].tolerance * energy);
-        /* the last moment, after the contact; the last run itself is not extrapolated */
+        /* the last moment is after the contact; it belongs to the last run, which is not extrapolated */
         assert_true(diary.last.wall_energy < scene[k].tolerance * energy);
         double off = fabs(diary.last.velocity / -diary.speed - out.eps);
         for (size_t i = 0; i < diary.n; i++)
             off = fmax(off, fabs(diary.energy[i] / energy - after[i]));
         assert_true(diary.astray < 0.01);
         assert_true(off < 1e-4);
-        /* the modified potential differs from the wall's by the square of the step */
+        /* the modified potential differs from the wall's potential by a term of the order of the squared step */
         assert_true(diary.wander <= scene[k].wander);
         /* the disk may be deeper between moments; no moment is deeper than the result, up to order 4 */
         assert_true(fabs(diary.max_position + 1 - out.max_compression) < 1e-3 * out.max_compression &&
@@ -422,7 +423,8 @@ TEST(moments_within_a_budget)
 
 /* ---- hard cases ---- */
 
-/* Chaotic: the steps change the third digit of eps, the estimate covers this, and energy is conserved. */
+/* In a chaotic collision, the steps change the third digit of eps. The estimate covers this, and energy is
+ * conserved. */
 TEST(chaotic)
 {
     if (points(2) < 2)
@@ -550,8 +552,8 @@ TEST(workspaces)
     assert_true(cor_disk_collision_workspace(&cor_disk_modes_nu033, 1000, &plain) > bytes);
 }
 
-/* Many speeds have the bits of single calls, in any order. From speed to speed the number of angles stays, grows or
- * shrinks. Some speeds are refused, or do not reach the tolerance. Each has its own budget. */
+/* A call with many speeds gives the bits of single calls, in any order. From speed to speed the number of angles stays,
+ * grows or shrinks. Some speeds are refused, or do not reach the tolerance. Each speed has its own budget. */
 TEST(many_speeds)
 {
     static const double speed[] = {0.1, 0.1, 0.002, 0.3, NAN, 0.05, 0.500001, 0, -1, INFINITY, 0.5, 1e-9, 0.1, -0.0};

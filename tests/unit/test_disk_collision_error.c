@@ -56,7 +56,7 @@ static struct scene larger_scene(struct random_state *random)
     return s;
 }
 
-/* Allowed share of estimates that are too small, and their largest factor */
+/* Allowed share of estimates that are too small, and the largest factor by which they may be too small */
 static const double too_small_share = 0.005, too_small_factor = 4;
 
 struct tally {
@@ -109,7 +109,7 @@ static void scene_judge_by_tighter(const struct scene *s, struct tally *tally)
 {
     struct scene other = *s, tighter = *s;
     struct cor_disk_collision out, of_other, truth;
-    other.tolerance = 1e-8 / s->tolerance; /* also from 1e-6 to 1e-2 */
+    other.tolerance = 1e-8 / s->tolerance; /* this tolerance, too, is from 1e-6 to 1e-2 */
     tighter.tolerance = 0.01 * s->tolerance;
     const int status = scene_collide(s, 0, &out);
     if (status != COR_OK)
@@ -160,9 +160,9 @@ TEST(larger_scenes)
 
 /* ---- known scenes ---- */
 
-/* Hard scenes, and eps by reference_disk_collision with the error `known`; COR_TEST_MULTIPLIER computes it again. They
- * have extreme speeds and walls, or few modes at hard walls, where the round-off of the speed grows 10^4 to 10^6
- * times. */
+/* Hard scenes with eps from reference_disk_collision, whose error is `known`. With COR_TEST_MULTIPLIER, the test
+ * computes eps again. The scenes have extreme speeds and walls, or few modes at hard walls, where the round-off of the
+ * speed grows 10^4 to 10^6 times. */
 static const struct known_scene {
     struct scene scene;
     double exact, known;

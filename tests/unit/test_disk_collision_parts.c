@@ -67,7 +67,7 @@ TEST(drift)
 
 /* ---- kick ---- */
 
-enum { MODES = 34 }; /* largest number; then n is at most 13, in one or two blocks of lanes */
+enum { MODES = 34 }; /* the largest number of modes; their n is at most 13, in one or two blocks of lanes */
 
 /* The potential of (15.1), U = V - (h^2/24) |grad V|^2/m, with V = (1/alpha) int exp(alpha x(phi)) dphi by the rule of
  * phi angles. Its gradient in x_0 and Q is from central differences. *fastest: the largest acceleration of the rim */
@@ -273,7 +273,7 @@ TEST(energies)
     const struct cor_motion m = {.size.modes = 2, .after = {after[0], after[1]}};
     struct cor_collision_run run[2] = {{.number = 1, .eps = 0.8}, {.eps = 0.8}};
     struct cor_disk_collision out = {0};
-    /* a change of the energies counts even if eps does not change: 4/3 of the differences */
+    /* a change of the energies counts even if eps does not change, with 4/3 of the differences */
     assert_true(fabs(cor_collision_movement(&m, run, 2) - 0.5 * 4 / 3 * 0.01 * sqrt(2)) < 1e-15);
     /* the weights 4/3 and -1/3 give a negative energy, which counts as 0; the result states how negative it is */
     after[1][0] = 0.25;
@@ -367,12 +367,12 @@ TEST(other_errors)
     const struct cor_collision_evidence calm = {.amplification = 0.1}, wild = {.amplification = 1e6};
     const struct cor_collision_run run = {.steps = 1000, .max_load = 1, .ripple = 1e-6};
     struct cor_collision_error error, more;
-    /* a random walk of 1000 steps, and its amplification by 10^6 */
+    /* the round-off of 1000 steps is a random walk, which `wild` amplifies by 10^6 */
     cor_collision_other_errors(&stage.m, &run, 0, &calm, &error);
     cor_collision_other_errors(&stage.m, &run, 0, &wild, &more);
     assert_true(error.round_off > sqrt(1000) * 0x1p-53 && error.round_off < 10 * sqrt(1000) * 0x1p-53);
     assert_true(more.round_off > 1e6 * sqrt(1000) * 0x1p-53 && more.round_off < 1e7 * sqrt(1000) * 0x1p-53);
-    /* phases that drift, for modes with a tenth of the energy */
+    /* drifting phases add round-off if the modes have a tenth of the energy */
     const double walk = more.round_off;
     cor_collision_other_errors(&stage.m, &run, 0.1, &calm, &error);
     cor_collision_other_errors(&stage.m, &run, 0.1, &wild, &more);
@@ -411,7 +411,7 @@ TEST(angles_error)
     cor_collision_other_errors(&stage.m, &run, 0.1, &evidence, &error);
     assert_true(fabs(error.angles - 3e-9) < 1e-20);
     evidence.angles_measured = 0;
-    /* half of the angles change the load by 100 %: the error is unknown */
+    /* with half of the angles the load changes by 100 %, so the error is unknown */
     run.ripple = 1;
     cor_collision_other_errors(&stage.m, &run, 0.1, &evidence, &error);
     assert_true(error.angles == 1);

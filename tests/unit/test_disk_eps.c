@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The restitution of a disk with all its modes at a rigid wall. Another route interpolates the table. The uncertainty
- * is compared with collisions, and the limits with other known facts. */
+/* Tests the restitution of a disk with all its modes at a rigid wall. The table is interpolated by another method, the
+ * uncertainty is compared with collisions, and the limits with other known facts. */
 #include "check.h"
 
 #include "cor/disk.h"
@@ -112,7 +112,7 @@ static long double neville(const long double value[4], long double t)
     return p[0];
 }
 
-/* Returns the four values of a cell on a side: first or last in nu, or in x (across). */
+/* Returns the four values of a cell on its first or `last` side in nu or, if `across`, in x. */
 static void values_on_side(const struct cell *of, int across, int last, long double value[4])
 {
     for (int k = 0; k < 4; k++)
@@ -181,7 +181,8 @@ TEST(test_between)
 
 /* ---- borders ---- */
 
-/* A random place on a side of a rectangle, the border. Points on either side are at the distance `off` (v, nu). */
+/* A random place on a border, one of the sides of a rectangle. Two points are compared, at the distances `off` in v and
+ * nu before and after the border. */
 struct border {
     double v, nu, off[2];
     long double x, y;

@@ -15,7 +15,8 @@ static double first_omega(size_t level)
     return 15 * pow(2, 0.5 * (double)level);
 }
 
-/* Terms of every error estimate: noise of the coarsest steps, and unseen waves of a level, times Omega^2 */
+/* Terms of every error estimate: NOISE is from the coarsest steps, UNSEEN/Omega^2 from waves that a level does not
+ * see */
 #define NOISE 8e-7
 #define UNSEEN 0.07
 
@@ -73,7 +74,7 @@ TEST(known_answers)
     }
     if (for_memory_only())
         return;
-    /* where levels agree well, the estimate is little more than its two other terms */
+    /* where levels agree well, the estimate is little more than its terms NOISE and UNSEEN/Omega^2 */
     const struct cor_disk_hard_wall out = wall_collide(0.33, 10, 1e-7, 4e-6);
     const double omega = first_omega(out.omega_levels - 1), least = NOISE + UNSEEN / (omega * omega);
     check(out.error_estimate >= least && out.error_estimate < least + 2 * NOISE, "%g, at least %g", out.error_estimate,
@@ -161,7 +162,7 @@ TEST(budgets)
         const double for_modes = COR_HARD_WALL_MODE_WORK * (double)cor_disk_modes_below(nu, first_omega(6));
         cor_hard_wall_within(1.05 * for_modes, nu, &free_steps, speed, &again, &work);
         check(work >= for_modes && work <= 1.1 * for_modes, "%.3g operations, %.3g for the modes", work, for_modes);
-        /* all levels together use the budget in steps, up to the steps that another level would need */
+        /* all levels together use the whole budget of steps, except a rest that is too small for another level */
         const struct cor_disk_hard_wall_options some = {COR_DISK_HARD_WALL_MIN_TOLERANCE,
                                                         1000 + random_below(&draw, 3000)};
         const int stopped = cor_hard_wall_within(most, nu, &some, speed, &again, &work);
@@ -202,8 +203,8 @@ TEST(whole_budget)
     same_results(&within, &out, "the default");
 }
 
-/* Levels that agreed by chance: the fourth and fifth of six, and five that converged regularly before the sixth moved.
- * The values come from ten and eleven levels. */
+/* In the first scene, the fourth and fifth of six levels agreed by chance. In the second, five levels converged
+ * regularly before the sixth moved. The exact values come from ten and eleven levels. */
 TEST(levels_that_agree_by_chance)
 {
     if (for_memory_only())
@@ -232,7 +233,8 @@ TEST(levels_that_agree_by_chance)
 
 /* ---- any speed ---- */
 
-/* For slow disks the results approach Rayleigh's theory slowly; at first their ratio to its fraction oscillates. */
+/* For slow disks the results approach Rayleigh's theory slowly. At first the ratio of the results to Rayleigh's
+ * fraction oscillates. */
 TEST(slower_and_slower)
 {
     double apart = INFINITY;
@@ -283,7 +285,7 @@ TEST(joins)
 enum { OBSERVED = 500 };
 struct watched {
     struct cor_disk_hard_wall_moment last;
-    double highest, widest, impulse, kicks, moved, swung; /* integrals of load, velocity, and q of mode OBSERVED */
+    double highest, widest, impulse, kicks, moved, swung; /* last three: integrals of load, velocity, q[OBSERVED] */
     size_t moments, n;
     const struct cor_disk_mode *mode;
     const double *q, *q_dot;
@@ -384,7 +386,7 @@ TEST(details)
               "the centre of mass moved by %g, not %g", w.moved, w.last.position + 1);
         check(relative_error(w.left / energy, left) < 1e-9, "%.12g left at the last moment, not %.12g", w.left / energy,
               left);
-        /* Newton's law for a mode, integrated over the collision, at a point contact */
+        /* a point contact obeys Newton's law for a mode, integrated over the collision */
         const struct cor_disk_mode *const mode = &modes->mode[OBSERVED];
         const double r = mode->omega / first_omega(out.omega_levels - 1), fade = (1 - r * r) * sqrt(1 + r * r);
         const double pushed = pow(mode->omega, 2) * w.swung + q_dot[OBSERVED], push = -fade * mode->c * w.kicks / pi;

@@ -74,7 +74,8 @@ static void as_written_out(double nu, double speed, double omega, enum cor_hard_
     double l[2];
     for (int i = 0; i < 2; i++, wall.h /= 2)
         l[i] = reference_hard_wall(&modes, speed, &wall);
-    /* the reference has errors h^2 and h^4; both have noise from the steps, which decreases like 1/Omega^2 */
+    /* the reference has errors h^2 and h^4; level and reference have noise from the steps, which decreases like
+     * 1/Omega^2 */
     const double reference = l[1] + (l[1] - l[0]) / 3;
     check(fabs(level.one_minus_eps2 - reference) < 1.5e-3 / (omega * omega), "nu = %g, v = %g: %.9f, not %.9f", nu,
           speed, level.one_minus_eps2, reference);

@@ -45,13 +45,13 @@
  * TURNING: the tangential speed g_t turns the pair during the contact, and the centrifugal acceleration a = g_t^2/d
  * pushes the spheres apart. It changes the loss by the fraction -turning(beta) (g_t/g)^2 x_max/d; <g_t^2> = 2 v_T^2.
  * For weak damping the loss is proportional to int sqrt(x) sqrt(g^2 - (4/5) (rho/m) x^(5/2) - 2 a x) dx, so that
- * turning(0) = TURNING, where the denominator is (2/5) B(3/5, 3/2). At eps = 0.85 it is smaller by 2 %.
+ * turning(0) = TURNING, whose denominator is (2/5) B(3/5, 3/2). At eps = 0.85 turning(beta) is smaller by 2 %.
  *
  * SHADOW: g_2 = 1 + (5/2) phi + ... counts a third sphere that shields the pair. Its excluded volume has the soft
  * radius d - delta, delta = Gamma(7/5) (5 T/(2 rho))^(2/5) = Gamma(7/5) 2^(2/5) x_max(v_T). The volume that two spheres
- * of radius r share at distance d is (4/3) pi r^3 (1 - 3 d/(4 r) + d^3/(16 r^3)): it falls by (24/5) delta/d.
+ * of radius r share at distance d is (4/3) pi r^3 (1 - 3 d/(4 r) + d^3/(16 r^3)). It falls by (24/5) delta/d.
  *
- * STORED: a contact stores on average 4/9 of its energy, B(7/5, 1/2)/B(2/5, 1/2), and its energy is T on average. A
+ * STORED: the mean energy of a contact is T, and it stores on average B(7/5, 1/2)/B(2/5, 1/2) = 4/9 of its energy. A
  * sphere touched by n_c others on average has the energy (2/9) n_c T in its contacts, in addition to (3/2) T. n_c is
  * proportional to T^(2/5), so the heat capacity is larger by the fraction (7/5) (4/27) n_c. */
 #define TURNING (0.8 / 0.50445489426892577)
@@ -78,7 +78,7 @@ struct collision_moments {
 /* In scaled units x' = u - (2/3) beta x^(3/2), u' = -x^(3/2) - alpha until x = 0, where -u is eps. With y and s, the
  * derivatives of x and u by alpha, the loss 1 - eps^2 has the relative derivative 2 eps s/(1 - eps^2) at alpha = 0.
  * Runge-Kutta steps in p, t = T p^3 (10 - 15 p + 6 p^2), pass over the roots of x at both ends. A hundred times more
- * change the result by less than 1e-3, for beta from 1e-3 to 2. */
+ * steps change the result by less than 1e-3, for beta from 1e-3 to 2. */
 static double turning(double beta)
 {
     enum { STEPS = 40 };

@@ -34,7 +34,7 @@ LAWS = ["linear", "tsuji", "viscoelastic", "hertz-dashpot", "hunt-crossley"]
 DAMPING_EXPONENT = {"linear": 1, "tsuji": 0.25, "viscoelastic": 0.5, "hertz-dashpot": 1, "hunt-crossley": 1.5}
 # Numbers of time steps within the contact; each is twice the previous one.
 COUNTS = [5000, 10000, 20000]
-# Largest |eps - e| with corgen's lines. With a user's own e: largest |eps - the map of runtime/scene/simulators.c|
+# Largest |eps - e| with corgen's lines. A user's own e: largest difference from the map of runtime/scene/simulators.c
 TOLERANCE = 1e-5
 # The bodies in the drivers' programs: effective mass 1.6 g, effective radius 4 mm; at a wall only the first body
 SPRING = ["--stiffness", "1e5", "--effective-mass"]
@@ -225,7 +225,7 @@ def stepped(commands_of):
 
 
 def read_pairs(case, text, name):
-    """Reads two values of a case: results at two accuracies, or the least and the largest."""
+    """Reads the results of a case: eps at two accuracies, or the least and the largest eps."""
     rows = [row.split() for row in text.split("\n") if row.startswith("eps %s " % name)]
     if not rows:
         case.eps = case.eps_most = math.nan
@@ -250,8 +250,8 @@ BULLET_FLAGS = ["-DBT_USE_DOUBLE_PRECISION", "-I/usr/include/bullet", "-lBulletD
 
 
 def callback_lines(lines, work):
-    """Returns file scope and calls of the contact callback. The text names the command that writes the header. Its
-    comments contain the lines for calls made once."""
+    """Returns the lines of the contact callback, and the calls that comments among these lines contain. Runs the
+    command that writes the header, which the lines name."""
     command = next(line for line in lines if "corgen embed" in line)
     subprocess.run([CORGEN] + command.split("corgen ")[1].split(), cwd=work, check=True, capture_output=True)
     calls = [re.sub(r"^// ((once|each body): )?", "", line) for line in lines if line.startswith("// ")]
@@ -259,7 +259,7 @@ def callback_lines(lines, work):
 
 
 def run_compiled(host, flags, signature, lines_of, cases, work):
-    """Runs a driver with a function of the lines of each case."""
+    """Compiles and runs a driver that has a function for each case, made of the lines of the case."""
     functions, rows = [], []
     for number, case in enumerate(cases):
         scope, lines = lines_of(case, number == [c.model for c in cases].index(case.model), work)
@@ -309,8 +309,8 @@ def simbody_cases():
 
 
 def stepped_cases(host, word, walls=(False, )):
-    """Returns cases of an implicit method at its printed time step, at which corgen states the mean eps. word: only
-    models whose name contains it."""
+    """Returns cases of an implicit method at its printed time step, at which corgen states the mean eps. Selects
+    the models whose name contains `word`."""
     cases = []
     for e, wall, corrected in itertools.product(RESTITUTIONS, walls, ([], ["--step-corrected"])):
         text = text_for(host, "linear", e, "--end", "zero-force", "--speed", "1", *corrected, wall=wall)
@@ -327,7 +327,7 @@ def bullet_cases():
         if "Stiffness" in case.model:
             continue
         case.numbers = (1, case.wall, 0, 1 / 240)
-        # the same restitution with Bullet's other defaults
+        # the same setRestitution, with Bullet's defaults for everything else
         own = copy.copy(case)
         own.model, own.own = "setRestitution of both bodies, product e, Bullet's defaults", True
         own.lines = [line for line in case.lines if "setRestitution(" in line]

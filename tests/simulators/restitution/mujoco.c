@@ -3,7 +3,7 @@
  *     mujoco PASTE MASS DURATION N [N]...
  * prints for each N, with DURATION/(N + 1/2) s as the time step,
  *     eps N VALUE CHANGE
- * CHANGE of the velocity after the contact must be 0. */
+ * CHANGE, the change of the velocity after the contact, must be 0. */
 #include <mujoco/mujoco.h>
 
 #include <stdio.h>
