@@ -44,9 +44,9 @@ struct cor_leg {
 #define COR_LEG_STEP 0.14
 enum { COR_LEG_STEPS = 16, COR_LEG_SHORT = 4, COR_LEG_GAUSS = 14 };
 
-/* The Gauss-Legendre rule on [-1, 1], padded with zeros. For each of its points, the struct holds the integrals of the
- * polynomial that is 1 at this point and 0 at the others. They run from x = 1 - 2 k/COR_LEG_STEPS and 1 - 2
- * k/COR_LEG_SHORT to 1. */
+/* The Gauss-Legendre rule on [-1, 1], padded with zeros. For each of its points, the struct holds integrals of the
+ * polynomial that is 1 at this point and 0 at the other points. to_steps: from x = 1 - 2 k/COR_LEG_STEPS to 1.
+ * to_short: from x = 1 - 2 k/COR_LEG_SHORT to 1. */
 struct cor_leg_rule {
     double x[COR_LEG_STEPS], w[COR_LEG_STEPS];
     double to_steps[COR_LEG_GAUSS][COR_LEG_STEPS], to_short[COR_LEG_GAUSS][COR_LEG_STEPS];
@@ -55,14 +55,14 @@ struct cor_leg_rule {
 /* Number of lines that the loops process together, and number of lines in their arrays */
 enum { COR_LINES = 64, COR_LINES_ROOM = COR_LINES + COR_LANES };
 
-/* Weights of modes in the sums below: C^2; C^2 times the two weights of the tail (rayleigh_tail.c); C^2 of modes l > 0
- * times two windows. Places without a mode have weight 0. */
+/* Weights of modes in the sums below. strength: C^2. mean, echo: C^2 times the two weights of the tail
+ * (rayleigh_tail.c). low, high: C^2 of modes l > 0 times the two windows. Places without a mode have weight 0. */
 struct cor_mode_weights {
     double strength[COR_LINES], mean[COR_LINES], echo[COR_LINES], low[COR_LINES], high[COR_LINES];
 };
 
-/* Sums over modes. First: strength times (2 I)^2. Second: mean times the phase average of (2 I)^2, plus echo times the
- * deviation from that average. Third: the windows times cos and sin of omega tau and of omega tau/2. */
+/* Sums over modes. fraction: strength times (2 I)^2. faded: mean times the phase average of (2 I)^2, plus echo times
+ * the deviation from that average. low, high: the windows times cos and sin of omega tau and of omega tau/2. */
 struct cor_mode_sums {
     double fraction, faded, low[4], high[4];
 };
@@ -79,7 +79,7 @@ COR_KERNEL double cor_rayleigh_fade(double x)
     return square * square * (35 + y * (-84 + y * (70 - 20 * y)));
 }
 
-/* Newton's divided differences in 1/n of omega - speed n and of C^2/omega, for the modes l = 0 */
+/* For the modes l = 0: Newton's divided differences of omega - speed n and of C^2/omega, as functions of 1/n */
 enum { COR_SURFACE_FITTED = 5 };
 struct cor_surface_fit {
     double speed, node[COR_SURFACE_FITTED], omega[COR_SURFACE_FITTED], strength[COR_SURFACE_FITTED];
@@ -113,7 +113,7 @@ struct cor_rayleigh_set {
                 double *fraction);
     /* Sets the frequencies and C^2 of the modes n to n + COR_LINES - 1. */
     void (*surface)(const struct cor_surface_fit *fit, int n, double *omega, double *strength);
-    /* Sets out[i] = sum weight[k] in[k][i], i < count, a multiple of COR_LEG_PART */
+    /* Sets out[i] = sum weight[k] in[k][i] for i < count. count is a multiple of COR_LEG_PART. */
     void (*blend)(int nodes, const double *weight, const double *const *in, int count, double *out);
 };
 
@@ -124,7 +124,7 @@ struct cor_spectrum {
     double half_time;   /* tau/2 */
     double decay;       /* Y */
     double first;       /* frequency at which the first octave begins */
-    int octaves, edges; /* number of octaves of a, and of b */
+    int octaves, edges; /* octaves: number of octaves of a. edges: number of octaves of b */
     double a_re[COR_SPECTRUM_OCTAVES][COR_SPECTRUM_TERMS], a_im[COR_SPECTRUM_OCTAVES][COR_SPECTRUM_TERMS];
     double b[COR_SPECTRUM_OCTAVES][COR_SPECTRUM_TERMS]; /* coefficients of omega^2 a and omega^2 b */
 };
@@ -166,11 +166,11 @@ void cor_spectrum_piece_init(struct cor_spectrum_piece *piece, const struct cor_
 void cor_spectrum_of_piece(struct cor_spectrum *spectrum, const struct cor_spectrum_piece *piece, double q0,
                            double contact_time);
 
-/* ---- the sums over modes, and their tail, the sum over all other modes, with its error: rayleigh_tail.c ---- */
+/* ---- the sums over modes; the tail, which is the sum over all other modes, and its error: rayleigh_tail.c ---- */
 
 /* A lower bound on the frequencies of any disk; the lowest is 1.1769, for nu -> 1 */
 #define COR_RAYLEIGH_LEAST_OMEGA 1.17
-/* Surface modes up to this times the highest frequency of the table are summed one by one. */
+/* Surface modes up to this multiple of the table's highest frequency are summed one by one. */
 #define COR_RAYLEIGH_FAR 8.0
 
 /* Modes that the loops process together, and their weights in the sums */
@@ -202,7 +202,8 @@ struct cor_rayleigh_table {
 void cor_rayleigh_table_init(struct cor_rayleigh_table *table, const struct cor_rayleigh_set *set,
                              const struct cor_disk_modes *modes, size_t n_modes);
 
-/* Computes the weights of a chunk of modes from number i, before number `to`. Adds to the table's sums of C^2. */
+/* Computes the weights of a chunk of modes that begins with mode number i and ends before number `to`. Adds to the
+ * table's sums of C^2. */
 void cor_rayleigh_weigh_modes(struct cor_rayleigh_table *table, size_t i, size_t to, struct cor_mode_chunk *chunk);
 
 /* Adds a chunk to the sums at a speed. mode_fraction: NULL, or receives the fractions of the chunk's modes. */
@@ -213,8 +214,8 @@ void cor_rayleigh_add(const struct cor_spectrum *spectrum, const struct cor_mode
 int cor_surface_modes_next(struct cor_surface_modes *surface, const struct cor_rayleigh_set *set,
                            struct cor_mode_chunk *chunk);
 
-/* Sets the tail beyond out->fraction, and the error estimate. sums: over all modes of the table. surface_sum: the sum
- * `faded` over the chunks of all surface modes. */
+/* Sets the tail beyond out->fraction, and the error estimate. sums: the sums over all modes of the table. surface_sum:
+ * the sum `faded` over the chunks of all surface modes. */
 void cor_rayleigh_finish(struct cor_disk_rayleigh *out, const struct cor_rayleigh_table *table,
                          const struct cor_spectrum *spectrum, const struct cor_mode_sums *sums, double surface_sum);
 

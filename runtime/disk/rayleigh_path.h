@@ -11,8 +11,8 @@
 
 struct cor_leg_path {
     int from_zero;            /* 1 if the base is 0, 0 if it is pi/2 - i Theta */
-    double tilt, q0, pi;      /* q0 and pi are 0 at the second base */
-    double tanh_theta, scale; /* scale: cosh(Theta) at the second base, 1 at the first */
+    double tilt, q0, pi;      /* q0 and pi are 0 for the base pi/2 - i Theta */
+    double tanh_theta, scale; /* scale: cosh(Theta) for this base, 1 for the base 0 */
 };
 
 struct sine_cosine {
@@ -151,11 +151,11 @@ COR_KERNEL struct cx_sine_cosine kernel_complex_sincos(struct cx x)
 
 /* h(rho) = -i rho exp(-i tilt rho/(1 + rho)): the path starts straight down and then turns to the left, where
  * exp(-omega p) decays without oscillation. slope: the derivative of h. sine: sin(theta), divided by cosh(Theta) at the
- * base pi/2 - i Theta. back: a number with the argument of exp(-i theta)/i. */
+ * base pi/2 - i Theta. back: a number with the argument of i exp(-i theta). */
 struct path_point {
     double h_re;
     struct cx slope, sine, back;
-    struct cx beyond_one; /* sine - 1 at the second base; 1 at the first */
+    struct cx beyond_one; /* sine - 1 for the base pi/2 - i Theta; 1 for the base 0 */
 };
 
 COR_KERNEL struct path_point kernel_path(const struct cor_leg_path *path, int from_zero, double rho)
@@ -183,15 +183,15 @@ COR_KERNEL struct path_point kernel_path(const struct cor_leg_path *path, int fr
     return point;
 }
 
-/* Makes a step of Halley's method for (1 + t) exp(q - t) = 1, exp(q - q0) = power, if move is 1, and none if it is
- * 0. */
+/* Makes a step of Halley's method towards the root t of (1 + t) exp(q - t) = 1, where exp(q - q0) = power. move: 1, or
+ * 0 to make no step. */
 COR_KERNEL struct cx kernel_halley(double q0, struct cx power, double move, struct cx t)
 {
     const struct cx one = cx_of(1, 0), six = cx_of(6, 0), y = cx_plus(one, t);
     const struct sine_cosine turn = kernel_sincos(t.im);
     const double size = kernel_decay(t.re - q0);
     const struct cx d = cx_minus(cx_times(cx_times(y, power), cx_of(size * turn.cosine, -size * turn.sine)), one);
-    /* f = ln(1 + d) = d (6 + d)/(6 + 4 d) + O(d^4), e = -f/f', t -= e/(1 - e f''/(2 f')) */
+    /* f is ln(1 + d), which is d (6 + d)/(6 + 4 d) + O(d^4). With e = -f/f', the step is e/(1 + e f''/(2 f')). */
     const struct cx f = cx_over(cx_times(d, cx_plus(six, d)), cx_plus(six, cx_scaled(4, d))),
                     e = cx_over(cx_times(f, y), t);
     const struct cx step = cx_over(e, cx_plus(one, cx_over(cx_scaled(0.5, e), cx_times(t, y))));
@@ -201,7 +201,8 @@ COR_KERNEL struct cx kernel_halley(double q0, struct cx power, double move, stru
 /* Returns q = q0 - 2 ln(sin(theta)), Im(q) >= 0, with an absolute error of 1e-5, as a start value. */
 COR_KERNEL struct cx rough_q(const struct cor_leg_path *path, const struct path_point *point)
 {
-    /* sin(theta) = exp(i theta)/(2 i) (1 - exp(-2 i theta)), Im(theta) < 0: its argument then has no jumps */
+    /* sin(theta) is exp(i theta)/(2 i) times (1 - exp(-2 i theta)). For Im(theta) < 0 the argument of the second factor
+     * has no jumps. */
     const double turned = rough_argument(cx_times(point->sine, point->back));
     const double q_im = path->pi - 2 * (point->h_re + turned);
     return cx_of(path->q0 - rough_log(cx_norm(point->sine)), q_im > 0 ? q_im : 0);
@@ -252,7 +253,8 @@ COR_KERNEL struct cx kernel_guess(const struct cor_leg_path *path, const struct 
     return cx_of(is_outside ? outside.re : inside.re, is_outside ? outside.im : inside.im);
 }
 
-/* Steps of Halley's method to y with relative error 2^-48, sampled at q0 = 0 to 1400, for the second base to 30 */
+/* Numbers of steps of Halley's method after which y has a relative error of 2^-48. Sampled at q0 = 0 to 1400; for the
+ * base pi/2 - i Theta, up to 30. */
 enum { STEPS_FROM_ZERO = 2, STEPS_FROM_OTHER = 3 };
 
 #endif

@@ -15,10 +15,10 @@
 
 /* Shape and ends of the legs. Chosen; tests/unit/test_disk_rayleigh_spectrum.c and
  * tests/accuracy/test_disk_rayleigh.c assert the resulting error.
- *   LEG_ENOUGH    the largest Re(p) times the lowest frequency: exp(-omega p) is then 2^-86, at any growth of the sine
+ *   LEG_ENOUGH    the largest Re(p) times the lowest frequency: exp(-omega p) is then 2^-86, however the sine grows
  *   LEG_FARTHEST  the largest distance from the base to the end of a leg
  *   LEG_NEAREST   distance of the first node, times the largest omega and the root of q0/2 + LEG_DEPTH
- *   LEG_TILT      the ray turns by 1/(1 + LEG_TILT q0): far from the limit exp(-omega p) hardly oscillates */
+ *   LEG_TILT      the ray turns by 1/(1 + LEG_TILT q0): less for large q0, where exp(-omega p) hardly oscillates */
 #define LEG_ENOUGH 60.0
 #define LEG_FARTHEST 20.0
 #define LEG_NEAREST 1e-7
@@ -96,12 +96,12 @@ static void leg_init(struct cor_leg *leg, const struct cor_rayleigh_set *set, co
     double parts[2];
     set->start(path, nearest, parts);
     const struct cx t = cx_of(parts[0], parts[1]), y = cx_plus(cx_of(1, 0), t);
-    /* int_0^rho sqrt(y/2) drho by parts, with y' = 2 y/(y - 1) in u. At the other base y is 1. The ray starts straight
-     * down. */
+    /* p is int_0^rho sqrt(y/2) drho, integrated by parts with dy/du = 2 y/(y - 1). At the base pi/2 - i Theta, y is 1.
+     * The ray starts straight down. */
     struct cx p = cx_scaled(nearest, cx_root(cx_scaled(0.5, y)));
     if (path->from_zero) {
         const struct cx inverse = cx_over(cx_of(1, 0), t), square = cx_times(inverse, inverse);
-        /* 1 + 1/t + 1/t^2 - 2 y/t^3 + ...: derivatives r'/r = 1/t, r''/r = 1/t^2 - 2 y/t^3 */
+        /* the factor 1 + r'/r + r''/r + ... with r = sqrt(y/2), r'/r = 1/t and r''/r = 1/t^2 - 2 y/t^3 */
         const struct cx second = cx_minus(square, cx_scaled(2, cx_times(y, cx_times(square, inverse))));
         p = cx_times(p, cx_plus(cx_plus(cx_of(1, 0), inverse), second));
     }
@@ -153,7 +153,7 @@ static double decay_of(const struct cor_leg_rule *rule, double theta, double tan
     return sum;
 }
 
-/* cosh(Theta) - 1, Theta and tanh(Theta) of cosh(Theta) = exp(q0/2) */
+/* x = cosh(Theta) - 1, Theta and tanh(Theta), where cosh(Theta) = exp(q0/2) */
 struct branch_point {
     double x, theta, tanh_theta;
 };
@@ -182,7 +182,7 @@ static int count_edges(double decay, double first, int octaves)
     return edges;
 }
 
-/* True if `first` Y may be below LEFT_OUT: Y > (2/3) (Theta - 1)^(3/2). */
+/* True if the product of `first` and Y may be below LEFT_OUT, by the bound Y > (2/3) (Theta - 1)^(3/2). */
 static int may_have_edges(const struct branch_point *point, double first)
 {
     return point->theta < 1 || first * pow(point->theta - 1, 1.5) < 1.5 * LEFT_OUT;
@@ -206,7 +206,7 @@ static void init_edges(struct cor_spectrum *spectrum, struct cor_leg *leg, const
     path.from_zero = 0;
     path.q0 = path.pi = 0;
     path.scale = 1 + point->x;
-    /* b has the factor exp(-omega Y), except where it is interpolated */
+    /* b contains the factor exp(-omega Y), so a shorter leg suffices, except where b is interpolated */
     leg_init(leg, spectrum->set, rule, &path, nearest, edges < 0 ? enough - spectrum->decay : enough);
     spectrum->set->octaves(leg, spectrum->first, spectrum->edges, spectrum->b, unused);
     for (int k = 0; k < spectrum->edges; k++)
@@ -269,7 +269,7 @@ void cor_spectrum_piece_init(struct cor_spectrum_piece *piece, const struct cor_
     piece->low = low;
     piece->first = first;
     piece->octaves = octaves_between(first, high);
-    /* Y increases with q0, so the smallest q0 has the most octaves of b. */
+    /* b has more octaves for a smaller Y. Y increases with q0, so the smallest q0 has the most octaves of b. */
     const struct branch_point point = branch_point_of(low);
     piece->edges = 0;
     if (may_have_edges(&point, first))
@@ -295,7 +295,7 @@ void cor_spectrum_of_piece(struct cor_spectrum *spectrum, const struct cor_spect
     const size_t of_a = (size_t)piece->octaves * COR_SPECTRUM_TERMS, of_b = (size_t)piece->edges * COR_SPECTRUM_TERMS;
     const double *im[COR_PIECE_NODES], *b[COR_PIECE_NODES];
     double weight[COR_PIECE_NODES], sum = 0, decay = 0;
-    /* barycentric weights; at a node its own weight is 1 */
+    /* barycentric weights; at a node, the weight of this node is 1 */
     for (int k = 0; k < COR_PIECE_NODES; k++) {
         const double distance = x - piece_place(k), angle = COR_PI * (k + 0.5) / (double)COR_PIECE_NODES;
         weight[k] = (k % 2 ? -1 : 1) * sin(angle) / (distance == 0 ? 1e-30 : distance);
@@ -342,7 +342,7 @@ void cor_spectrum_lines(const struct cor_spectrum *spectrum, int n, const double
     double *const arrays[] = {lines->re, lines->im, lines->cosine, lines->sine, lines->other};
     for (size_t k = 0; k < sizeof arrays / sizeof *arrays; k++)
         memset(arrays[k] + n, 0, (size_t)(COR_LINES - n) * sizeof(double));
-    /* arguments that are too large for the short reduction */
+    /* cos and sin of arguments that are too large for the short reduction of the loops */
     for (int i = n; i-- > 0 && omega[i] * spectrum->half_time > 1e6;) {
         lines->cosine[i] = cos(omega[i] * spectrum->half_time);
         lines->sine[i] = sin(omega[i] * spectrum->half_time);

@@ -223,8 +223,8 @@ static double surface_rest(const struct cor_spectrum *spectrum, const struct cor
 
 /* ---- the modes beyond the table ---- */
 
-/* Weighted integrals: of the density 2 omega times the mean response, of the mean response, and of 2 omega times the
- * part of the response that oscillates with omega tau/2 */
+/* Weighted integrals. mean: of the density 2 omega times the mean response. curvature: of the mean response. half: of 2
+ * omega times the part of the response that oscillates with omega tau/2 */
 struct integrals {
     double mean, curvature, half;
 };
@@ -257,8 +257,8 @@ static struct integrals tail_integrate(const struct cor_spectrum *spectrum, doub
     add_panel(&sum, spectrum, from, to, from, to);
     for (double omega = to; omega < 0.99 * COR_RAYLEIGH_FAR * to; omega *= 2)
         add_panel(&sum, spectrum, omega, 2 * omega, from, to);
-    /* beyond: mean response = g/omega^4, where 1/sqrt(g) varies like ln(omega). With r = dln(g)/dln(omega)/2,
-     * int 2 g omega^-3 = g (1 + r + 3/2 r^2 + ...)/omega^2 */
+    /* Beyond the last panel the mean response is g/omega^4, where 1/sqrt(g) varies like ln(omega). With r =
+     * dln(g)/dln(omega)/2, the integral of 2 g omega^-3 is g (1 + r + 3/2 r^2 + ...)/omega^2. */
     const double ends[2] = {0.5 * COR_RAYLEIGH_FAR * to, COR_RAYLEIGH_FAR * to}, end = ends[1];
     struct cor_lines lines;
     cor_spectrum_lines(spectrum, 2, ends, &lines);
@@ -267,7 +267,7 @@ static struct integrals tail_integrate(const struct cor_spectrum *spectrum, doub
     return sum;
 }
 
-/* Returns the integral of the weight in a window, 4^4 4! 4!/9! times its width. */
+/* Returns the integral of the weight in a window, which is 4^4 4! 4!/9! times the width of the window. */
 static double bump_integral(const double window[2])
 {
     return (window[1] - window[0]) * (256 * 576 / 362880.0);

@@ -68,8 +68,8 @@ COR_KERNEL struct cor_inline_pair cor_ratio_force_near(double zeta)
 
 /* ---- A(zeta) beyond 3 ---- */
 
-/* decay = exp(-theta) = zeta - sqrt(zeta^2 - 1) as a pair, where zeta = cosh(theta); theta; and excess = theta
- * (coth(theta) - 1), which is small and rounded. L at zero force is 2 (theta + excess). */
+/* With zeta = cosh(theta): theta and decay = exp(-theta) = zeta - sqrt(zeta^2 - 1) as pairs, and excess = theta
+ * (coth(theta) - 1), which is small, as a rounded double. L at zero force is 2 (theta + excess). */
 struct cor_ratio_far {
     struct cor_inline_pair decay, theta, root; /* root: sqrt(zeta^2 - 1) */
     double excess;
@@ -323,8 +323,8 @@ COR_INLINE double cor_ratio_zeta_beyond_approach_only(double eps)
     return cor_ratio_of_phase_far(cor_kernel_minus_log(e).hi, e);
 }
 
-/* Returns dL/dzeta of the limited damper for known L:
- * with W = 1 - zeta^2 and N = 4 zeta (1 + 2 zeta^2)/(1 + 8 zeta^2), W L' = L/zeta - N. */
+/* Returns L' = dL/dzeta of the limited damper from L, by W L' = L/zeta - N with W = 1 - zeta^2 and N = 4 zeta (1 + 2
+ * zeta^2)/(1 + 8 zeta^2). */
 COR_INLINE double cor_ratio_limited_slope(double zeta, double exponent)
 {
     const double square = zeta * zeta;
@@ -388,7 +388,8 @@ COR_INLINE struct cor_inline_pair cor_ratio_force_exponent(double zeta)
     return cor_pair_scaled(half, 2);
 }
 
-/* Returns L of the limited damper over zeta, zeta < 2^64. For the linear law this is the time of the second part. */
+/* Returns L/zeta of the limited damper for zeta < 2^64. For the linear law this is the time of the second part of the
+ * contact. */
 COR_INLINE struct cor_inline_pair cor_ratio_limited_time(double zeta)
 {
     const struct cor_ratio_limited parts = cor_ratio_limited_parts(zeta);

@@ -21,7 +21,8 @@
 
 /* ---- polynomials: see runtime/number/elementary.h ---- */
 
-/* ((y coth(y) - 1)/x - 1/3)/x with x = y^2, 0 <= x <= 2.26: the error times x, relative to c/x, is below 2^-55. */
+/* (c/x - 1/3)/x with c = y coth(y) - 1 and x = y^2, 0 <= x <= 2.26: the error times x, relative to c/x, is below
+ * 2^-55. */
 static const double cor_hc_coth_polynomial[13] = {
     -0x1.6c16c16c16c17p-6,  0x1.1566abc011469p-9,  -0x1.bbd779333641ep-13, 0x1.66a8f2b7e28b9p-16,
     -0x1.22805c2f9c6f4p-19, 0x1.d6daf175b5705p-23, -0x1.7da14382a020fp-26, 0x1.3531fe34faddep-29,
@@ -38,7 +39,8 @@ static const double cor_hc_atanh_polynomial[13] = {
 
 /* ---- y from beta, up to y = 1.5 ---- */
 
-/* c = y coth(y) - 1 as a pair, |y| <= 1.5: relative error 2^-55; and dc/dy = y - c (1 + c)/y, rounded */
+/* For |y| <= 1.5: c = y coth(y) - 1 as a pair with relative error 2^-55, and slope = dc/dy = y - c (1 + c)/y,
+ * rounded */
 struct cor_hc_coth {
     struct cor_inline_pair c;
     double slope;
@@ -74,8 +76,8 @@ COR_INLINE double cor_hc_loss_tiny(double beta)
     return (p.hi + (p.lo + more)) * COR_INLINE_2_M200;
 }
 
-/* Computes a collision with negative damping, beta = -b: y - c = b, and b eps is y + c. Newton's method starts from
- * y = b. The function is valid up to b = 0.7, where y = 1.1. */
+/* Computes a collision with negative damping, beta = -b. y solves y - c = b, and b eps is y + c. Newton's method starts
+ * from y = b. The function is valid up to b = 0.7, where y = 1.1. */
 COR_INLINE struct cor_hc_speeds cor_hc_speeds_pumped_near(double b)
 {
     double y = b, step = 0;
@@ -98,7 +100,8 @@ COR_INLINE struct cor_inline_pair cor_hc_energy(double z)
     return cor_pair_plus(cor_pair(z, 0), cor_kernel_minus_log(cor_pair_two_sum(1, z)));
 }
 
-/* Does the same for larger b. t = b eps solves f(t) = f(-b). Newton's method starts above the root of the convex f. */
+/* Computes the same collision for larger b. t = b eps solves f(t) = f(-b). Newton's method starts above the root of the
+ * convex f. */
 COR_INLINE struct cor_hc_speeds cor_hc_speeds_pumped_far(double b)
 {
     const struct cor_inline_pair wanted = cor_hc_energy(-b);

@@ -64,7 +64,7 @@ static struct cor_inline_pair crossley_max(const struct crossley_tables *tables,
     return cor_inline_pair_times(crossley_far_unit(u, tables->exponent), sum);
 }
 
-/* Returns the time of the rebound for s = ln(1 + beta) >= 4.5: with U = 1 + beta - s,
+/* Returns the time of the rebound for s = ln(1 + beta) >= 4.5. With U = 1 + beta - s, it is
  * beta^(2k - 1) (a + 1)^-k U^(1 - k) ((a + 1) + (c_1/U + ... + c_11/U^11)/U) */
 static struct cor_inline_pair crossley_far_rebound(const struct crossley_tables *tables, double beta,
                                                    struct cor_inline_pair s)
@@ -122,8 +122,8 @@ static struct cor_inline_pair crossley_power(struct cor_inline_pair x, struct co
  * the worst convergence is 3.7^-20. In the first panel the polynomial is integrated with the weight w^-k. */
 
 struct crossley_side {
-    double end, rest;   /* end; 1 - h of the rebound */
-    double speed, beta; /* beta r; beta */
+    double end, rest;   /* rest: 1 - h of the rebound, 0 for the loading */
+    double speed, beta; /* speed: beta r */
     int rebound;
 };
 
@@ -176,9 +176,9 @@ static const double clenshaw_curtis[DEGREE / 2 + 1] = {
     0x1.7a75f00c6ed6ep-5,  0x1.c6c0ba9c5f3a8p-5, 0x1.0456353477520p-4, 0x1.1e928048c5ae2p-4,
     0x1.32029b0efece3p-4,  0x1.3dafadaabf1b0p-4, 0x1.41c002b231adfp-4};
 
-/* k = a/(a + 1), share = 1 - k, and the weights of (1 - k) int_0^1 w^-k f(w) dw */
+/* plus = a + 1, k = a/(a + 1), share = 1 - k, and the weights of (1 - k) int_0^1 w^-k f(w) dw */
 struct crossley_rule {
-    struct cor_inline_pair plus, share, k; /* a + 1 */
+    struct cor_inline_pair plus, share, k;
     double weight[DEGREE + 1];
 };
 
@@ -311,7 +311,7 @@ static double crossley_duration(double beta, double elastic_exponent)
     if (isinf(beta))
         return a > 0 ? INFINITY
                      : 1; /* a constant force: the approach takes no time, and the rebound, with (1 - h) e^tau = 1,
-                           * takes all of it */
+                           * takes the whole duration */
     if (crossley_has_table(beta, a)) {
         const struct crossley_tables tables = crossley_tables_of(a);
         return crossley_table_duration(&tables, beta);
@@ -337,7 +337,8 @@ static double crossley_time_of_max_overlap(double beta, double elastic_exponent)
     return crossley_half(beta, &rule, 0);
 }
 
-/* Returns eps^((1 - a)/(1 + a)), the time of the elastic rebound to the speed eps over half of the elastic duration. */
+/* Returns eps^((1 - a)/(1 + a)), the time of the elastic rebound to the speed eps divided by half of the elastic
+ * duration. */
 static struct cor_inline_pair crossley_elastic_rebound(double beta, double a)
 {
     const struct cor_inline_pair plus = cor_pair_two_sum(1, a), minus = cor_pair_two_sum(1, -a);

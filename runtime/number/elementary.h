@@ -37,7 +37,7 @@
             2.510524515390137e-08, 2.0914707069612355e-09                                                              \
     }
 
-/* (atanh(s) - s)/s^3 times 2 in x = s^2, 0 <= x <= 0.02945: the error times x/2 is below 2^-59. */
+/* 2 (atanh(s) - s)/s^3 as a function of x = s^2, 0 <= x <= 0.02945: the error times x/2 is below 2^-59. */
 #define COR_KERNEL_LOG_POLYNOMIAL                                                                                      \
     {                                                                                                                  \
         0.6666666666666666, 0.4000000000000088, 0.28571428570801954, 0.22222222392089008, 0.18181795600060793,         \

@@ -202,8 +202,8 @@ double cor_scene_quantity(const struct cor_scene_contact *contact, int number)
 
 /* ---- collisions ---- */
 
-/* law: the law of libcor's table that gives eps, from zeta if q = 0, otherwise from beta; COR_LAWS: none. times: the
- * source of durations and overlap: the table, functions of the elastic exponent, or the solver. */
+/* law: the law of libcor's table that gives eps, from zeta if q = 0, otherwise from beta; COR_LAWS if no law does.
+ * times: the source of durations and overlap: the table, functions of the elastic exponent, or the solver. */
 struct functions {
     enum cor_law law;
     enum { OF_TABLE, OF_EXPONENT, OF_SOLVER } times;
@@ -350,7 +350,7 @@ static int dry_impact(struct cor_full_impact *impact, const struct cor_scene_con
         *impact = none;
     if (status != COR_FAULT_NONE || contact->adhesion_j_m2 > 0)
         return status;
-    if (contact->plate) /* the force is K x^a; the damping term of the equation is the motion of the plate */
+    if (contact->plate) /* the force is only K x^a; the damping term of the equation is the motion of the plate */
         impact->force_max = cor_quiet_power(impact->max_overlap, cor_elastic(&contact->law));
     impact->force_max = cor_quiet_product(impact->force_max, unit.force_n);
     impact->max_overlap = cor_quiet_product(impact->max_overlap, unit.length_m);
@@ -507,7 +507,7 @@ static int solved_beta(double *beta, const struct cor_scene_contact *contact, do
             return status;
         const double rest = eps == 0            ? isgreater(got, 0)
                             : isgreater(got, 0) ? log(got) - wanted
-                                                : -1; /* for eps = 0: the first beta found that gives it */
+                                                : -1; /* for eps = 0, the first beta that gives 0 is the result */
         if (fabs(rest) < 1e-15 * fmax(1, fabs(wanted)) ||
             (cor_is_bracketed(&bracket) && bracket.high - bracket.low < 1e-15 * fmax(1, fabs(x))))
             return COR_FAULT_NONE;

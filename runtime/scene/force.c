@@ -61,7 +61,7 @@ static double force_hunt_crossley(const struct cor_exponents *law, double beta)
         return NAN;
     if (beta < 1e-150)
         return pow((a + 1) / 2, a / (a + 1));
-    double z = fmin(wanted / a, beta); /* convex and increasing: Newton's steps fall to the root from above */
+    double z = fmin(wanted / a, beta); /* a convex increasing function: Newton's steps fall to the root from above */
     for (int k = 0; k < 100; k++) {
         const double step = (a * z + (a + 1) * log_rest(z) - wanted) / (a + (a + 1) * z / (1 + z));
         z -= step;

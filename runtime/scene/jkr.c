@@ -36,8 +36,8 @@ static int is_slow(const struct motion *m)
     return c * c * (cube - 1) > 4 * stiffness && towards >= 0 && towards < c / 2 * (overlap_of(high) - overlap_of(low));
 }
 
-/* True if the bodies stay together: twice the energy, which is 0 at first touch and never grows, is below its value at
- * the next end. */
+/* True if the bodies stay together: the energy, which never grows, is below the potential energy at the next end. The
+ * potential energy is 0 at first touch. */
 static int does_stay(const struct motion *m)
 {
     const double u = cor_motion_start(m), cube = u * u * u;

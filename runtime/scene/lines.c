@@ -149,7 +149,8 @@ static struct number number_text(double value, int digits)
 
 /* ---- the request to a simulator ---- */
 
-/* Contacts in the lines: the pair, and two bodies of each kind. Only for the time step: each body at each wall */
+/* Contacts in the lines: the pair, two bodies 1, and two bodies 2. Contacts for the time step only: each body at each
+ * wall */
 enum { PAIR, LIKE_1, LIKE_2, PAIRS, CONTACTS = PAIRS + 4 };
 static const struct {
     int body, other, wall;
@@ -163,10 +164,10 @@ struct task {
     int pressed;  /* gravity presses the bodies together; eps depends on it */
     int slides;   /* some contact has friction */
     int same_eps; /* the next block shows the requested eps even if a damping was given */
-    /* one for each end at which the restitution may have been measured */
+    /* one version for each end at which the restitution may have been measured */
     struct cor_scene_contact contact[CONTACTS][COR_SCENE_ENDS];
     struct cor_simulator_target target[CONTACTS];
-    struct cor_simulator_request own; /* set by soften_wall, or for one contact of several materials */
+    struct cor_simulator_request own; /* the request, changed by soften_wall or for one contact of several materials */
     size_t i, j;                      /* types of this contact, from 0 */
     struct cor_scene_contact soft[COR_SCENE_ENDS];
     double k1, hardening, depth;        /* for put_luding: k_1, k_p/k_1, plasticity depth */
@@ -186,7 +187,7 @@ static int refuse_task(struct task *task, const char *format, ...)
     return 0;
 }
 
-/* True for a wall. The numbers of the types are first those with balls, in the order of the request, then walls. */
+/* True for a wall. Types are numbered in the order of the request, first the types of balls, then the walls. */
 static int is_wall(const struct cor_material *material)
 {
     return cor_is_infinity(material->body.mass_kg);
@@ -221,14 +222,14 @@ static struct cor_material_contact *contact_of(const struct cor_simulator_reques
 struct block {
     const struct cor_simulator_model *model;
     double number[CONTACTS];
-    double damping, speed_m_s; /* of the pair in the request, and the speed at which it holds */
+    double damping, speed_m_s; /* damping of the pair in the request, and the speed at which it holds */
     double time_step_s;        /* NaN: not known */
     int same_eps;              /* the model has the requested eps, but not at the requested end */
     char reason[SENTENCE];     /* why the model has no numbers, or no corrected numbers */
 };
 
-/* Returns the type that made_of names, which gives the elasticity; `type` if made_of is NULL, the number of types if
- * the name is unknown. */
+/* Returns the type that `made_of` names, the source of the elasticity. Returns `type` if `made_of` is NULL, and the
+ * number of types if the name is unknown. */
 static size_t source_of(const struct cor_simulator_request *request, size_t type)
 {
     const char *const name = material_of(request, type)->made_of;
@@ -287,8 +288,8 @@ static int has_own_damping(const struct cor_scene *scene)
     return cor_scene_given(scene, COR_SCENE_DISSIPATION_TIME) || cor_scene_given(scene, COR_SCENE_VISCOSITY);
 }
 
-/* Changes the contact of the pair into another contact of its materials. Its damping comes from their dissipation
- * times, or keeps zeta or C/K of the pair. */
+/* Changes the contact of the pair into another contact of the same materials. The new damping comes from the
+ * dissipation times of the materials, or keeps zeta or C/K of the pair. */
 static void make_contact(struct cor_scene_contact *contact, const struct cor_scene *scene, int kind)
 {
     struct cor_sphere_contact sphere;
@@ -406,9 +407,10 @@ static int has_contact(const struct block *block, const struct task *task, int p
                                  (pair == LIKE_1 && (pairs == COR_PAIRS_MATRIX || pairs == COR_PAIRS_ONE_LAW))));
 }
 
-/* Returns the time step of one contact at a speed: its duration over the number of steps, or the largest step for the
- * tolerance. Infinite if the bodies never part, NaN if not known. *steps: the requested number, then the pair's. Other
- * contacts, whose damping may be replaced, get the smallest step of both ends and of the undamped contact. */
+/* Returns the time step of one contact at a speed: its duration divided by the number of steps, or the largest step for
+ * the tolerance. Infinite if the bodies never part, NaN if not known. *steps: the requested number; for the pair, set
+ * to its own number. Other contacts, whose damping may be replaced, get the smallest step of both ends and of the
+ * undamped contact. */
 static double step_of(const struct cor_scene_contact *c, const struct task *task, int pair, int end, double speed,
                       double *steps)
 {
@@ -449,7 +451,7 @@ static double time_step(const struct block *block, const struct task *task)
         for (int pair = 0; pair < CONTACTS; pair++) {
             const struct cor_scene_contact c = contact_made(block, task, pair);
             if (!cor_law_has_spring_of(&c.law, law))
-                return NAN; /* another spring, whose stiffness the user chooses */
+                return NAN; /* the model has another spring, whose stiffness the user chooses */
             if (has_contact(block, task, pair))
                 least = fmin(least, step_of(&c, task, pair, end,
                                             request->speeds > 0 ? request->speed_m_s[i] : block->speed_m_s, &steps));
@@ -851,7 +853,8 @@ static int put_template(struct text *t, const char *template, const struct block
 
 /* ---- comments of a block ---- */
 
-/* Returns the factor by which the number grows if the mass grows by `masses`, with equal eps (q = 0) or material. */
+/* Returns the factor by which the number grows if the mass grows by the factor `masses`: with the same eps for q = 0,
+ * otherwise with the same material. */
 static double mass_factor(const struct block *block, const struct task *task, double masses)
 {
     const struct cor_simulator_model *const model = block->model;
@@ -928,7 +931,7 @@ static void put_pairs(struct text *t, const struct block *block, const struct ta
                     TEXT(cor_scene_body_density(scene, 1)), TEXT(cor_scene_body_density(scene, 2)));
 }
 
-/* Writes the realised eps, the time step included. */
+/* Writes the realised eps, with the effect of the time step. */
 static void put_stepped(struct text *t, const struct block *block, const struct task *task, double speed_m_s,
                         double eps)
 {
@@ -1149,7 +1152,8 @@ static void put_own_maps(struct text *t, const struct task *task)
     }
 }
 
-/* Prints all models that have the contact. If none has it, returns 0; the refusal is then the reason of the first. */
+/* Prints all models that have the contact. If no model has it, returns 0, and the refusal is the reason of the first
+ * model. */
 static int put_all(struct text *t, struct task *task)
 {
     struct block block, active = {.model = NULL};
@@ -1221,7 +1225,7 @@ static void soften_wall(struct task *task)
 }
 
 /* Finds the speed at which the lines hold, and eps at this speed, for a simulator without the law of the contact.
- * Returns 0 if the request does not have them. */
+ * Returns 0 if the request does not determine them. */
 static int find_speed(struct task *task)
 {
     const struct cor_simulator_request *const request = task->request;
@@ -1536,7 +1540,8 @@ static int check_materials(struct task *task)
             if ((p->a == other->a && p->b == other->b) || (p->a == other->b && p->b == other->a))
                 return refuse_task(task, "%s and %s: two pairs of these materials; leave out one", a->name, b->name);
     }
-    /* first pairs of one material; then pairs of types made of it, which may need its damping; then all others */
+    /* turn 0: pairs of one material. turn 1: pairs of one type that is made of another material, whose damping they
+     * may need. turn 2: all other pairs. */
     for (int turn = 0; turn < 3; turn++)
         for (size_t i = 0; i < balls; i++)
             for (size_t j = i; j < types; j++)
@@ -1598,7 +1603,7 @@ static void put_largest(struct text *t, const struct block *block, const struct 
     if (!needs_mass(block, own) || !isgreater(c.mass_kg, small.mass_kg) || !model->damping_of_number)
         return;
     struct cor_scene_contact made = c;
-    if (model->id == COR_CHRONO_HERTZ) { /* its lines contain one radius for all contacts */
+    if (model->id == COR_CHRONO_HERTZ) { /* Chrono's lines contain one radius for all contacts */
         made.stiffness = small.stiffness;
         made.radius_m = small.radius_m;
     }
@@ -1637,10 +1642,10 @@ static void put_contact(struct text *t, const struct block *block, const struct 
         put_comment(t, "%s", own->simulator->wall);
 }
 
-/* True if a line of a template for several materials is written for types i and j. Its first letter selects them. m:
- * each type; b: each ball; g: each ball, if the scene has a wall; v: each wall. p: each two balls; u: each two
- * different types; w: each ball and wall; c: each contact; f: each contact, if some contact has friction; F: once, if
- * some contact has friction; -: once. */
+/* True if a line of a template for several materials is written for types i and j. The first letter of the line selects
+ * the types. m: each type; b: each ball; g: each ball, if the scene has a wall; v: each wall. p: each pair of balls; u:
+ * each pair of different types; w: each pair of a ball and a wall. c: each contact; f: each contact, if some contact
+ * has friction; F: once, if some contact has friction; -: once. */
 static int repeats_line(char letter, size_t i, size_t j, size_t balls, size_t types, int slides)
 {
     const int contact = i <= j && i < balls;
@@ -1698,7 +1703,7 @@ static int put_materials(struct text *t, struct task *task)
     const struct cor_simulator_model *const model = best.model;
     task->own.step_corrected = given->step_corrected;
     task->own.time_step_s = isless(best.time_step_s, INFINITY) ? best.time_step_s : 0;
-    if (fill_contacts(task, model, &block) < 0) /* again, with the smallest step of all */
+    if (fill_contacts(task, model, &block) < 0) /* once more, with the smallest step of all contacts */
         return 0;
     put_comment(t, "%s, %s (%s): contacts end at %s", s->title, model->model, model->version,
                 cor_end_names[model->end]);

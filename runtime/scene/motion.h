@@ -41,7 +41,7 @@ COR_INLINE double whole_power(double x, int n)
 
 enum { MOTION_ORDER = 24, MOTION_MOST_STEPS = 100000, MOTION_POWERS = 64 };
 
-/* A power of u, the product of two others; powers 0 and 1 come first */
+/* A power of u, computed as the product of two other powers. The powers 0 and 1 come first. */
 struct motion_power {
     int exponent, left, right;
     double c[MOTION_ORDER + 1];

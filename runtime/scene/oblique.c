@@ -17,8 +17,8 @@
 
 enum { ORDER = MOTION_ORDER, MOST_STEPS = 20000, MOST_IDLE = 6, MOST_PARTS = 200 };
 #define TOLERANCE 2e-15 /* a test below this fraction of its terms counts as 0 */
-#define RATIO 0.26      /* step over radius of convergence: RATIO^ORDER = 1e-14 */
-#define STRETCH 1.6     /* largest step over the step of motion.c, whose last terms are 1e-17 */
+#define RATIO 0.26      /* largest step as a fraction of the radius of convergence: RATIO^ORDER = 1e-14 */
+#define STRETCH 1.6     /* largest step as a multiple of the step of motion.c, whose last terms are 1e-17 */
 #define MOMENT 1e-11    /* negligible fraction of a step */
 #define NEAR 0.01       /* fraction of a step in which an event is located accurately */
 #define JUMP 1e-12      /* largest jump of w at which creep may begin */
@@ -32,14 +32,14 @@ enum mode { STICKS, SLIPS, CREEPS };
 
 struct slide {
     struct motion m;
-    int memory, damper_in_cap, slips, d, mode, idle, parts; /* idle: changes of the mode at one place */
-    int least;                                              /* `held` and T u x^p contain this power of u */
-    int time, spring, rate, damper;                         /* indices of powers of u: T/d, x^r, T x^(p-r)/d, x^b */
-    int stiff, elastic, damping;                            /* indices of T u x^p/d, x^a and x^b over u^least */
+    int memory, damper_in_cap, slips, d, mode, idle, parts; /* idle: number of changes of the mode at one place */
+    int least;                                              /* `held` and T u x^p contain the factor u^least */
+    int time, spring, rate, damper;                         /* indices in m.power of T/d, x^r, T x^(p-r)/d and x^b */
+    int stiff, elastic, damping;                            /* indices of u^-least times T u x^p/d, x^a and x^b */
     double p, r, kappa, gamma, cap, side, sign;             /* side: direction of the slip force. sign: the sign of F */
-    double w, q, size, moment;                              /* size: of w at the start. moment: a short step */
+    double w, q, size, moment;                              /* size: w at the start. moment: length of a short step */
     double series_w[ORDER + 1], series_q[ORDER + 1], held[ORDER + 1], damped[ORDER + 1], test[2][ORDER + 1],
-        terms[ORDER + 1]; /* terms: sizes of the terms of a test */
+        terms[ORDER + 1]; /* terms: sums of the absolute values of the terms of a test */
 };
 
 /* ---- series ---- */
@@ -52,9 +52,10 @@ static double value_at(const double *c, double s)
     return y;
 }
 
-/* Returns the first place up to `end` at which a series falls below zero, or infinity. terms: the sizes of the terms of
- * each coefficient. Leading zeros of a series from x = 0 are divided out. In each part of the way the series is at
- * least c_0 + c_1 s + least s^2, and the part ends where this bound is zero, so no fall is missed. */
+/* Returns the first place up to `end` at which a series falls below zero, or infinity. terms: for each coefficient, the
+ * sum of the absolute values of its terms. Leading zeros of a series from x = 0 are divided out. In each part of the
+ * way, the series is at least c_0 + c_1 s + least s^2, and the part ends where this bound is zero, so no fall is
+ * missed. */
 static double first_fall(const double *series, const double *terms, double end)
 {
     double c[ORDER + 1] = {0}, size = 0, power = 1, place = 0, length = 1; /* in units of `end` */
@@ -119,7 +120,8 @@ static void expand_stick(struct slide *s)
     s->test[0][ORDER] = s->test[1][ORDER] = 0;
 }
 
-/* Sets w and `held`, u^-least times the spring force in the direction of slip: the cap, less a damper within it. */
+/* Sets w and `held`, which is u^-least times the spring force in the direction of slip. The spring force is the cap,
+ * minus the force of a damper that the cap includes. */
 static void expand_slip(struct slide *s)
 {
     const struct motion *const m = &s->m;
@@ -138,8 +140,9 @@ static void expand_slip(struct slide *s)
     s->held[ORDER] = 0;
 }
 
-/* Sets T u/u^least times this difference: the rate at which the spring force would grow in the direction of the slip,
- * minus the rate of the held force. The contact slips while it is positive. w NULL: omits the spring force. */
+/* Sets `excess` to T u/u^least times a difference: the rate at which the spring force would grow in the direction of
+ * the slip, minus the rate of the held force. The contact slips while the difference is positive. If w is NULL, the
+ * first rate is omitted. */
 static void expand_excess(struct slide *s, double *excess, const double *w)
 {
     double rise[ORDER + 1] = {0}; /* derivative of `held` in s */
@@ -154,7 +157,8 @@ static void expand_excess(struct slide *s, double *excess, const double *w)
     excess[ORDER - 1] = excess[ORDER] = 0; /* these two need the unknown last coefficient of `held` */
 }
 
-/* Sets w to the threshold, and the tests of creep: w would fall below it in slip, and exceed it in stick. */
+/* Sets w to the threshold, and the two tests of creep. The contact creeps while w would fall below the threshold in
+ * slip and would exceed the threshold in stick. */
 static void expand_creep(struct slide *s)
 {
     const double *const stiff = power_series(s, s->stiff), *const slope = power_series(s, s->time),

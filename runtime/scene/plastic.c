@@ -14,7 +14,7 @@
 
 /* ---- eps ---- */
 
-/* Returns 1 - t from x = 1/r: t^2 - 1 = 6 (r^2 - 1)/(6 - r^2) */
+/* Returns 1 - t from x = 1/r, by t^2 - 1 = 6 (r^2 - 1)/(6 - r^2). */
 static double force_gap(double x, double t)
 {
     const double r = 1 / x;
@@ -164,8 +164,8 @@ double cor_scene_yield_stress(const struct cor_scene_contact *contact, double yi
 enum { TERMS = 30 };
 
 /* Returns the integral of (1 - r^2 u^(5/2))^(-1/2) from 0 to 1. With r u^(5/4) = sin(theta) it is (theta_1/r)^(4/5)
- * times sum c_k theta_1^(2k)/(5k/2 + 1), sin(theta_1) = r. c_k are the coefficients of (sin(theta)/theta)^(-1/5) in
- * powers of theta^2; they decrease like pi^(-2k). */
+ * times sum c_k theta_1^(2k)/(5k/2 + 1), where sin(theta_1) = r. c_k are the coefficients of (sin(theta)/theta)^(-1/5)
+ * in powers of theta^2; they decrease like pi^(-2k). */
 static double hertz_time(double r, double gap)
 {
     const double computed = COR_PI / 2 - 2 * asin(sqrt(gap / 2)), angle = computed > 0 ? computed : r,
@@ -239,7 +239,7 @@ double cor_wet_sticking_speed(const struct cor_scene_contact *contact, int end)
     struct cor_scene_contact dry = *contact;
     double low, high = s, eps = 0, rebound = 0, last;
     dry.liquid_speed_m_s = 0;
-    do { /* eps <= 1: the rebound from `low` is not faster than s */
+    do { /* because eps <= 1, the rebound from `low` is not faster than s */
         low = high;
         high *= 2;
         last = rebound;

@@ -65,7 +65,8 @@ static double energy_of(const struct motion *m)
                              : m->v[0] * m->v[0] / 2 + spring_energy(m, w) - m->press * whole_power(w, order_of(m));
 }
 
-/* Returns w of the least overlap at which the force can vanish, if 2 (a - b) > 1; -1: any overlap. */
+/* Returns w at the least overlap at which the force can vanish. Returns -1 if 2 (a - b) <= 1: the force can then vanish
+ * at any overlap. */
 static double release_height(const struct motion *m)
 {
     const int d = order_of(m), difference = m->spring[0].exponent - m->damper.exponent, power = 2 * difference - d;
@@ -151,7 +152,7 @@ static int follow_rebound(struct cor_full_impact *impact, struct motion *m, int 
     return COR_FAULT_NONE;
 }
 
-/* ---- slow impacts and weak damping: an elastic motion from rest that loses the energy damping J ---- */
+/* ---- slow impacts and weak damping: an elastic motion from rest, which loses the energy `damping` times J ---- */
 
 #define SLOW 1e-8           /* the largest speed; its square is neglected */
 #define WEAK 1e-16          /* the largest damping */
@@ -163,8 +164,8 @@ static double beta_function(double x, double y)
     return tgamma(x) * tgamma(y) / tgamma(x + y);
 }
 
-/* Returns (2 damping J)^(1/2) with J = int x^b x' dx to the turning point and back,
- * J = 2^(3/2) (a+1)^p/a B(p, 3/2), p = (b + 3/2)/a. */
+/* Returns (2 damping J)^(1/2). J is int x^b x' dx to the turning point and back, which is 2^(3/2) (a+1)^p/a B(p, 3/2)
+ * with p = (b + 3/2)/a. */
 static double slow_sticking_speed(const struct cor_exponents *law, double damping)
 {
     const double a = cor_elastic(law), p = (cor_damping(law) + 1.5) / a;

@@ -53,7 +53,8 @@ static int check_bodies(struct cor_scene_fault *fault, const struct cor_scene *s
     return cor_scene_check_bodies(fault, scene, 0) != COR_FAULT_NONE ? fault->fault : refuse_first(fault, rules);
 }
 
-/* Returns the number of a viscosity of a body, its own or body 1's; -1: none is given. */
+/* Returns the index of the viscosity of a body. Body 2 without its own viscosity has the viscosity of body 1. -1: none
+ * is given. */
 static int viscosity_of(const struct cor_scene *scene, int body)
 {
     if (body == 2 && cor_scene_given(scene, COR_SCENE_VISCOSITY_2))
@@ -195,7 +196,7 @@ static int set_force(struct cor_scene_contact *contact, struct cor_scene_fault *
 
 /* ---- the damping ---- */
 
-/* The numbers that give the damping, in the order in which they are refused */
+/* The numbers that give the damping, in the order in which a refusal names them */
 static const int ways[] = {COR_SCENE_DISSIPATION_TIME,    COR_SCENE_VISCOSITY, COR_SCENE_G_STAR, COR_SCENE_RESTITUTION,
                            COR_SCENE_DAMPING_COEFFICIENT, COR_SCENE_BETA,      COR_SCENE_ZETA,   COR_SCENE_DURATION};
 enum { WAYS = sizeof ways / sizeof *ways };
@@ -205,7 +206,7 @@ static int is_material(int way)
     return way == COR_SCENE_DISSIPATION_TIME || way == COR_SCENE_VISCOSITY;
 }
 
-/* Sets *found to the given number of ways[] that gives the damping, not the stiffness, or to -1. */
+/* Sets *found to the number of ways[] that is given and is not the source of the stiffness, or to -1. */
 static int find_way(int *found, struct cor_scene_fault *fault, const struct cor_scene *scene)
 {
     *found = -1;
@@ -253,7 +254,7 @@ static int check_way(struct cor_scene_fault *fault, const struct cor_scene *scen
 
 /* ---- two numbers of a contact give its stiffness and its damping ---- */
 
-/* Returns (K/m)^(1/(a+1)) from the damping and C or A = value, by beta g^-q = (C/m) (m/K)^((b+1)/(a+1)). */
+/* Returns (K/m)^(1/(a+1)) from the damping and `value`, which is C or A, by beta g^-q = (C/m) (m/K)^((b+1)/(a+1)). */
 static double rate_of_damping(const struct cor_scene_contact *contact, int source, double value)
 {
     const double beta = cor_scene_beta(contact, 1), a = cor_elastic(&contact->law), b = cor_damping(&contact->law);
@@ -262,8 +263,8 @@ static double rate_of_damping(const struct cor_scene_contact *contact, int sourc
                : cor_quiet_power(cor_quiet_quotient(value, cor_quiet_product(beta, contact->mass_kg)), 1 / (b + 1));
 }
 
-/* Sets *rate to the (K/m)^(1/(a+1)) with which this contact lasts for duration_s; for m = K = 1 it lasts rate times as
- * long. */
+/* Sets *rate to the (K/m)^(1/(a+1)) with which this contact lasts for duration_s. With m = K = 1 the contact lasts
+ * `rate` times as long. */
 static int rate_of_duration(double *rate, const struct cor_scene_contact *contact, double duration_s, double speed_m_s,
                             int end)
 {

@@ -54,13 +54,13 @@ static double thornton(double e)
     return sqrt(1.2) * cor_thornton_gamma(e);
 }
 
-/* Does the same as YADE: no damping at e = 1 exactly. */
+/* Returns zeta as YADE computes it: no damping at e = 1 exactly. */
 static double thornton_yade(double e)
 {
     return e == 1 ? 0 : thornton(e);
 }
 
-/* Does the same as Kratos: e is at least 0.001, and there is no damping above 0.999. */
+/* Returns zeta as Kratos computes it: e is raised to 0.001, and above 0.999 there is no damping. */
 static double thornton_kratos(double e)
 {
     return e > 0.999 ? 0 : thornton(e < 0.001 ? 0.001 : e);

@@ -58,7 +58,7 @@ COR_INLINE int cor_is_moderate(const struct cor_scene_contact *contact, double s
     return moderate;
 }
 
-/* True if a version, by cor_simulator_version, has the model; 0: any version */
+/* True if a version has the model. version: a number from cor_simulator_version, or 0 for any version */
 COR_INLINE int cor_model_has_version(const struct cor_simulator_model *model, long version)
 {
     return version == 0 || (version >= model->since && (model->until == 0 || version <= model->until));

@@ -12,7 +12,8 @@ struct call {
     double root[COR_ROW_BLOCK];
 };
 
-/* Sets x = scale speed = beta^5. Where this product might overflow, x is -1, which is outside every table. */
+/* Sets x = beta^5, the product of scale and speed. Where this product might overflow, x is -1, which is outside every
+ * table. */
 static void eps_before(void *context, const double *in, double *x, size_t m)
 {
     const struct call *const call = context;

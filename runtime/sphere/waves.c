@@ -7,9 +7,9 @@
 #include "runtime/number/si_range.h"
 #include "runtime/sphere/contact_parts.h"
 
-/* 2 |C_1| (9/4)/(2 pi), C_1 = -(4/5) (5/4)^(4/5) B(4/5, 3/2) of x'' + beta x x' + x^(3/2) = 0 */
+/* 2 |C_1| (9/4)/(2 pi), where C_1 = -(4/5) (5/4)^(4/5) B(4/5, 3/2) belongs to x'' + beta x x' + x^(3/2) = 0 */
 #define WAVES_FIRST_ORDER 0.605718214220582471607
-/* (9/4) 2 |C_1|/(2 pi) 2^(3/2) (2/3)^(6/5) (4 pi/3)^(-1/5), of a sphere and a half-space of one material */
+/* WAVES_FIRST_ORDER times 2^(3/2) (2/3)^(6/5) (4 pi/3)^(-1/5), for a sphere and a half-space of one material */
 #define WAVES_ONE_MATERIAL 0.790839575029895332403
 
 static int is_material(double nu)

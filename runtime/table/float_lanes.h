@@ -99,7 +99,7 @@ COR_KERNEL void floats_columns(floats c[4], const float *rows, const uint32_t at
 struct float_table {
     const float *rows;
     float first, end;
-    int shift;   /* 23 minus the bits of the rows of an octave */
+    int shift;   /* 23 minus n, where an octave has 2^n rows */
     int product; /* true if the function is beta times the row; the table then serves 0 and beta >= 2^-100 */
 };
 

@@ -241,7 +241,8 @@ COR_KERNEL struct cor_inline_pair cor_inline_law_far(struct cor_inline_law_quant
     return cor_inline_sum(sum.hi, sum.lo + (((slope.lo + c[2] * u.lo) + c[3] * v) + (c[1] + orders)));
 }
 
-/* Returns the sum of two pairs times powers of two. *exponent is the exponent of x, and becomes the sum's. */
+/* Returns the sum of two pairs times powers of two. *exponent is the exponent of x, and is set to the exponent of the
+ * sum. */
 COR_INLINE struct cor_inline_pair cor_inline_pair_plus(struct cor_inline_pair x, int *exponent,
                                                        struct cor_inline_pair y, int y_exponent)
 {

@@ -10,7 +10,7 @@
 #include "runtime/table/float_lanes.h"
 #include "runtime/table/row.h"
 
-/* Parts of a table, and the place of x's row in each */
+/* Kinds of tables: the parts of each, and where the row of x is in each part */
 enum cor_row_kind {
     COR_ROW_NONE,         /* no rows: the value is x */
     COR_ROW_GRID,         /* near: on the grid of x */
@@ -18,7 +18,7 @@ enum cor_row_kind {
     COR_ROW_ROOT_S,       /* as COR_ROW_ROOT, with s = x - node^2 in rows whose node is at least near_end */
     COR_ROW_OCTAVES,      /* middle: by octaves of x */
     COR_ROW_INVERSE,      /* near: on the grid of 1 - x for x >= 1/2; middle: by octaves of x < 1/2 */
-    COR_ROW_INVERSE_ROOT, /* near: on the grid of sqrt(1 - x); middle: likewise */
+    COR_ROW_INVERSE_ROOT, /* as COR_ROW_INVERSE, with the grid of sqrt(1 - x) */
     COR_ROW_PARTS         /* near: on the grid of x up to near_end; middle: by octaves of x up to middle_end; below: by
                            * octaves of threshold - x. `near` and `below` may be missing: NULL. */
 };
@@ -67,8 +67,8 @@ struct cor_row_table {
         .near_end = 0.5, .octaves = COR_ROW_OCTAVES_(ROWS)                                                             \
     }
 
-/* One block of m elements that starts at index i. in: the caller's values. x: arguments of the table. taken: x, with
- * `outside` elements replaced that the table does not contain; at these elements taken differs from x. */
+/* One block of m elements that starts at index i. in: the caller's values. x: arguments of the table. taken: a copy of
+ * x with other numbers in place of the `outside` elements that the table does not contain. */
 struct cor_row_block {
     size_t i, m, outside;
     const double *in, *x, *taken;

@@ -11,12 +11,12 @@
 enum {
     BITS = 160,
     FEWER_BITS = 128, /* bits of motions outside the cell in sqrt(beta) */
-    /* beta below 2^FIRST_BINADE: one cell in sqrt(beta) */
+    /* below 2^FIRST_BINADE there is one cell, in sqrt(beta) */
     FIRST_BINADE = -3,
     /* above 2^LAST_BINADE the reference scales powers and logarithms of the next three binades */
     LAST_BINADE = 45,
     BINADES = LAST_BINADE + 3 - FIRST_BINADE,
-    /* cells per binade: quarters in the first ones, close to singularities in the complex plane, then one */
+    /* the first binades, close to singularities in the complex plane, have QUARTERS cells each, the others one */
     QUARTERED = 7,
     QUARTERS = 4,
     IN_ROOT = QUARTERED * QUARTERS + BINADES - QUARTERED,
@@ -128,7 +128,8 @@ static void motion_expand(void)
         arb_div_si(m.w + n + 1, m.v + n, 2 * (n + 1), m.bits);
         arb_div_si(m.s + n + 1, m.w + n, n + 1, m.bits);
     }
-    /* scales for the errors of f and w; near their zeros the large terms are mu^2 w^2 and the speed */
+    /* scales for the errors of f and w; near a zero of f the large term is mu^2 w^2, near a zero of w it is the
+     * speed */
     const double scale_f = fmax(log2_size(m.f), log2_size(m.square) + 2 * log2_size(m.mu));
     const double scale_w = fmax(log2_size(m.w), log2_size(m.v));
     arb_set_d(m.step, exp2(fmin(step_log2(m.f, scale_f), step_log2(m.w, scale_w))));
@@ -156,10 +157,11 @@ static bool negative_at_end(arb_srcptr component)
     return arb_is_negative(x);
 }
 
-/* Finds the zero of a component, positive at 0 and negative at the end of the step: halvings, then Newton steps. */
+/* Finds the zero of a component that is positive at 0 and negative at the end of the step, by halvings, then Newton
+ * steps. */
 static void motion_zero(arb_t sigma, arb_srcptr component)
 {
-    enum { HALVINGS = 12, NEWTON = 5 }; /* bits from halvings, which Newton's method doubles 5 times */
+    enum { HALVINGS = 12, NEWTON = 5 }; /* Newton's method doubles the 12 bits from the halvings 5 times */
     LOCAL(arb, low, high, middle, y, slope);
     arb_set(high, m.step);
     for (int i = 0; i < HALVINGS; i++) {
@@ -201,9 +203,9 @@ static void fall_rate(arb_t p, arb_t r)
     _arb_poly_evaluate(p, fall_p, FALL_LENGTH, r, 2 * BITS);
 }
 
-/* Computes the formal solution of 1 - p + r p^2 - r^2 p p'/2 = 0 and of 2/(r p) dr. Then follows the motion from the
- * manifold at r = 1/FALL_DEGREE to the end, with mu = 1 and X = z. The end speed -dz/dt' is the limit h*^5 of beta^5
- * eps. */
+/* Computes the formal solution p of 1 - p + r p^2 - r^2 p p'/2 = 0, and the integral of 2/(r p). Then follows the
+ * motion from the manifold at r = 1/FALL_DEGREE to the end, with mu = 1 and X = z. The end speed -dz/dt' is the limit
+ * h*^5 of beta^5 eps. */
 static void fall_build(arb_t end_speed)
 {
     LOCAL(arb, r, p);
@@ -389,10 +391,10 @@ static long double cell_value(enum quantity quantity, long double beta)
     return (cell->c[0] + (cell->low + sum * x)) * (in_root && is_loss((int)quantity) ? beta : 1);
 }
 
-/* For beta = 8^k b with b in the last binades, value = 2^(power k) (value at b + log k ln 2 x). x = b for the duration
- * at zero overlap, otherwise the largest overlap at b. Later terms are negligible. The leading terms are beta^(-5/3),
- * beta (const + (10/3) ln beta) and X beta^(-2/3), X = (3/2)^(2/3). The times of zero force and of the largest overlap
- * are beta^(-2/3) (const + (5/3) ln beta/sqrt(X)), with twice the logarithm at zero force. */
+/* For beta = 8^k b with b in the last binades, the value at beta is 2^(power k) (the value at b + log k ln 2 x). x is b
+ * for the duration at zero overlap, otherwise the largest overlap at b. Later terms are negligible. The leading terms
+ * are beta^(-5/3), beta (const + (10/3) ln beta) and X beta^(-2/3), X = (3/2)^(2/3). The times of zero force and of the
+ * largest overlap are beta^(-2/3) (const + (5/3) ln beta/sqrt(X)), with twice the logarithm at zero force. */
 static const struct {
     int power, thirds; /* log = thirds/3 */
     long double limit; /* at infinity */

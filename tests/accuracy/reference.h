@@ -2,8 +2,8 @@
 /* Computes the sphere functions in long double at every beta >= 0, fast enough for 10^9 points and accurate to a few
  * 2^-64 if long double has 64 bits. They are the reference for the library's doubles.
  *
- *     beta < 1/8           Chebyshev interpolation in sqrt(beta), of a loss over beta, from integrated values
- *     1/8 <= beta < 2^48   the same in beta within binades
+ *     beta < 1/8           Chebyshev interpolation of integrated values in sqrt(beta); losses are divided by beta
+ *     1/8 <= beta < 2^48   Chebyshev interpolation of integrated values in beta, in each binade
  *     2^48 <= beta         powers of beta and ln(beta); the next terms are below 2^-70
  *     zero overlap, 8 <= beta: eps = h*^5/beta^5, exact to exp(-73)
  *
@@ -21,7 +21,8 @@ enum quantity {
     MAX_OVERLAP,
     TIME_OF_MAX_OVERLAP,
     QUANTITIES,
-    /* computed from the largest overlap and its time; the enumerator of a loss is two after its eps */
+    /* computed from the largest overlap and its time; the enumerator of a loss is two after the enumerator of its
+     * eps */
     EPS_APPROACH_ONLY = QUANTITIES,
     DURATION_APPROACH_ONLY,
     LOSS_APPROACH_ONLY,

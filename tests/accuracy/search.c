@@ -10,13 +10,14 @@
 
 /* ---- the error at a point ---- */
 
-/* Returns the error of eps at the computed number (of 1 - eps if this is small) over the slope, in ulp. */
+/* Returns the error of a computed inverse in ulp: the error of eps there (of 1 - eps if this is small), divided by the
+ * slope. */
 static double inverse_error(const struct search_function *f, const struct search_options *o, double computed, double x)
 {
     const bool of_loss = f->shape == INVERSE_OF_LOSS;
     if (!(x >= 0 && x <= 1))
         return isnan(computed) ? 0 : HUGE_VAL;
-    if (x == 0 || x == 1) { /* the beta of eps = 0 is infinity, or 1 if eps is 0 there */
+    if (x == 0 || x == 1) { /* eps is 0 at beta = infinity, or at 1 if eps(1) is 0 */
         const double last = o->exact(f, EPS, 1) == 0 ? 1 : HUGE_VAL;
         return computed == ((x == 1) != of_loss ? 0 : last) ? 0 : HUGE_VAL;
     }

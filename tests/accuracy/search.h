@@ -9,7 +9,8 @@
 
 #include "random.h"
 
-/* The shape of a function: eps, which decreases from 1 to 0; 1 - eps; the inverse of each; any other function */
+/* The shape of a function. EPS: an eps, which decreases from 1 to 0. LOSS: 1 - eps. INVERSE and INVERSE_OF_LOSS: the
+ * inverse of an eps and of a loss. OTHER: any other function. */
 enum search_shape { EPS, LOSS, OTHER, INVERSE, INVERSE_OF_LOSS };
 
 struct search_function {
@@ -17,7 +18,7 @@ struct search_function {
     double (*value)(double);
     enum search_shape shape;
     double max_ulp;
-    int law, end, quantity; /* select the exact value; their meaning is the program's */
+    int law, end, quantity; /* select the exact value; the program defines their meaning */
     double exponent;
     uint64_t share; /* test one in this number of points; 0: all */
 };
@@ -28,11 +29,12 @@ struct worst {
 };
 
 struct search_options {
-    uint64_t points, seed, stride, times; /* 0: the program has no option --stride or --times */
+    uint64_t points, seed, stride, times; /* stride, times: 0 if the program has no such option */
     int threads;
     const char *only; /* part of the names of the selected functions; NULL: all */
 
-    /* From the program: the exact value; for an inverse, of the eps or the loss that it inverts */
+    /* From the program. exact: the exact value; for an inverse, the exact value of the eps or the loss that it
+     * inverts */
     long double (*exact)(const struct search_function *f, enum search_shape shape, long double x);
     double (*random_argument)(struct random_state *r, const struct search_function *f);
     void (*boundaries)(struct worst *worst, const struct search_function *f, const struct search_options *o);

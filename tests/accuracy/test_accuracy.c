@@ -12,8 +12,8 @@
 
 #include <stdio.h>
 
-/* Functions with damping during the approach only get a tenth of the points: they are short formulas of the largest
- * overlap, which has its own search. */
+/* A tenth of the points suffices for functions with damping during the approach only: they are short formulas of the
+ * largest overlap, which has its own search. */
 #define ROW(name, shape, quantity, max_ulp)                                                                            \
     {#name, cor_sphere_##name, shape, max_ulp, quantity, .share = (quantity) >= QUANTITIES ? 10 : 0},
 static const struct search_function functions[] = {SPHERE_FUNCTIONS(ROW)};
@@ -54,11 +54,12 @@ static double random_argument(struct random_state *r, const struct search_functi
 
 /* ---- boundaries ---- */
 
-/* Cells of width 1/16 around i/16, in beta at zero overlap and in sqrt(beta) at zero force. Tests their edges and
- * middles up to these numbers of cells. */
+/* The tables have cells of width 1/16 around i/16, in beta at zero overlap and in sqrt(beta) at zero force. The program
+ * tests the edges and middles of the first cells, up to these numbers of cells. */
 enum { CELLS_IN_BETA = 16 * 16, CELLS_IN_ROOT = 16 * 16 };
 
-/* Edges of regions, ends of the number formats, and arguments with results at these ends. Powers of two are added. */
+/* Edges of regions, ends of the number formats, and arguments whose results are at these ends. Powers of two are
+ * added. */
 static const double region_boundaries[] = {
     0x1p-1074, 0x1p-1022, 0x1p-149, 0x1p-126, 7.0, 0x1.fffffep+127, 0x1.fffffffffffffp+1023, 1.39e62, 1.01e65, 7.6e304,
 };

@@ -42,7 +42,7 @@ static double random_nu(void)
 
 /* ---- the law in balls ---- */
 
-/* (57), and the energy */
+/* The compression by equation (57), and the energy */
 #define COMPRESSION "load/pi*(log(4*pi/load) + b)"
 #define ENERGY "load^2/(2*pi)*(log(4*pi/load) + b - 1/2)"
 
@@ -78,7 +78,7 @@ static void disk_minus_w(arb_t w, const arb_t z, slong prec)
     arb_neg(w, w);
 }
 
-/* Computes the exact value of a function. Returns false if inserting it into (57) gives a contradiction. */
+/* Computes the exact value of a function. Returns false if this value contradicts equation (57). */
 static bool disk_value(arb_t y, const struct disk_function *f, double argument, double nu, enum cor_disk_datum datum,
                        slong prec)
 {
@@ -123,7 +123,7 @@ static double ball_error(double computed, const arb_t exact)
 /* Arguments at which the code changes its units */
 static const double unit_boundary[] = {0x1p-900, 0x1p-200, DBL_MIN};
 
-/* Values of ln(limit/argument) at which the code branches; half of them for functions of a speed */
+/* Values of ln(limit/argument) at which the code branches. Those for functions of a speed are half as large. */
 static const double boundary[] = {0.5, 0.1, 3, 0.25, 128, 0.05, 1.5, 0.125, 64};
 enum { BOUNDARIES = sizeof boundary / sizeof *boundary };
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Tests fractions of single modes against their integral along the real axis (the library uses another path) and
- * against the motion behind it. Tests sums and tails of the library's tables against three times the modes. */
+ * against a step-by-step motion. Tests sums and tails of the library's tables against tables with three times the
+ * number of modes. */
 #include "check.h"
 
 #include <cor/disk.h>
@@ -12,7 +13,7 @@
 
 enum { FREQUENCIES = 10, MANY = 6000 };
 
-/* Speed at which the integral of the lowest mode of nu = 0.33 vanishes, centre of mass */
+/* Speed at which the integral of the lowest mode vanishes, for nu = 0.33 and the datum centre of mass */
 #define QUADRUPOLE_ZERO 0x1.64014a0b3a0b3p-7
 
 static const enum cor_disk_datum datums[3] = {COR_DISK_DATUM_CENTRE_OF_MASS, COR_DISK_DATUM_DIAMETER,
@@ -20,7 +21,7 @@ static const enum cor_disk_datum datums[3] = {COR_DISK_DATUM_CENTRE_OF_MASS, COR
 
 static double worst; /* largest error, relative to the allowed error */
 
-/* Compares modes of strength 2, as in a disk: the lowest frequency contributes most of the sum. */
+/* Compares modes of strength 2 with the reference. As in a disk, the lowest frequency contributes most of the sum. */
 static void compare(double nu, enum cor_disk_datum datum, double v, const double *omega)
 {
     long double exact[FREQUENCIES];
@@ -107,7 +108,7 @@ TEST(test_random_points)
 enum { MOST_SPEEDS = 10000, FEW = 1800, TAKEN = 1000 };
 
 /* Compares `table` with MANY modes of the same nu, whose tail is far more accurate and has an error estimate. Checks
- * that the sum plus tail from TAKEN of its modes agrees within `bound` for v = 1e-9 and above. */
+ * that the sum plus tail from TAKEN modes of `table` agrees within `bound` for v = 1e-9 and above. */
 static void compare_tails(const struct cor_disk_modes *many, const struct cor_disk_modes *table, double bound)
 {
     static double errors[MOST_SPEEDS], ratios[MOST_SPEEDS];
