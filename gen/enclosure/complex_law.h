@@ -25,7 +25,8 @@
 #include "enclosure/complex_ball.h"
 #include "series/law.h"
 
-/* The path of a domain of beta. All its collisions must have the same path, so that it defines one function. */
+/* The path of integration for a domain of beta. All collisions of the domain must use the same path, so that eps is one
+ * function of beta. */
 struct complex_law_path {
     double approach_end; /* x at the end of the approach */
     bool strong;         /* strong damping: k starts at 0, and the departure begins after the creep */
@@ -45,7 +46,8 @@ struct complex_law_pressing {
 bool complex_law_zero_overlap(struct complex_ball *log_eps, const struct cor_exponents *law, struct complex_ball beta,
                               const struct complex_law_pressing *pressing, const struct complex_law_path *path);
 
-/* Enclose ln(eps) for all ln(beta) in a ball: at zero force, a > b; at zero overlap by the path that creeps, n > 0. */
+/* Enclose ln(eps) for all ln(beta) in a ball. The first function does so at zero force and requires a > b. The second
+ * does so at zero overlap, by the path that creeps, and requires n > 0. */
 bool complex_law_zero_force(struct complex_ball *log_eps, const struct cor_exponents *law, struct complex_ball log_beta,
                             const struct complex_law_pressing *pressing, const struct complex_law_path *path);
 bool complex_law_creep(struct complex_ball *log_eps, const struct cor_exponents *law, struct complex_ball log_beta,

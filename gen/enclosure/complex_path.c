@@ -3,8 +3,8 @@
 
 #define MAX_STEPS 20000.0 /* at resolution 1 */
 
-/* Limits of the residual that a step adds to the residual of its ball: relative to that residual, to the slope and to
- * the value. The last two limits are multiplied by the resolution. */
+/* The residual of a step may exceed the residual of its ball by a sum of fractions: of the ball's residual, of the
+ * slope and of the value. The last two fractions are multiplied by the resolution. */
 #define MORE_OF_RESIDUAL 0.25
 #define MORE_OF_SLOPE 0.004
 #define MORE_OF_VALUE 0.002
@@ -71,7 +71,7 @@ static enum step_outcome try_step(struct path *p, struct path_state *y, double s
     const struct slopes within = path_slopes(p, places, ball_widened(line, tube));
     const double rate =
         within.derivative.re + 0x1p-40 * fabs(within.derivative.re) + raise_bound(within.derivative.radius);
-    /* |e| <= start if rate <= 0, and exp(rate h) start otherwise */
+    /* |e| is at most `start` if rate <= 0, and otherwise at most exp(rate h) times `start` */
     const double growth = raise_bound(exp(rate * h) * (1 + 0x1p-40));
     if (!ball_is_finite(within.derivative) || !ball_is_finite(within.time) || (rate > 0 && !(growth * start <= tube)))
         return STEP_TOO_LONG;

@@ -13,8 +13,8 @@ enum {
 
 /* ---- the formal time Theta_n(r, k) = -2 ln(r) + sum_j r^j q_j(k) ---- */
 
-/* Polynomials in e = k - 1, 1 <= j <= CREEP_SERIES_ORDER: q_j, and s_j = (1 + j/2) q_j' + k q_j'', which bounds the
- * error of Theta_j. */
+/* Polynomials in e = k - 1 for 1 <= j <= CREEP_SERIES_ORDER. q[j] is q_j. source[j] is s_j = (1 + j/2) q_j' + k q_j'',
+ * which bounds the error of Theta_j. */
 struct formal_time {
     fmpq_poly_struct q[CREEP_SERIES_ORDER + 1], source[CREEP_SERIES_ORDER + 1];
 };

@@ -6,8 +6,8 @@
 #include "support/console.h"
 #include "support/local.h"
 
-/* The motion ends as imprecise if w or t has fewer bits than this. More steps of stiff motion under a constant force
- * would take minutes. */
+/* LEAST_BITS: the motion ends as imprecise if w or t has fewer bits. PRESSED_STEPS: more steps of a stiff motion under
+ * a constant force would take minutes. */
 enum { LEAST_BITS = 8, PRESSED_STEPS = 2000 };
 
 void collision_init(struct collision *c)
@@ -29,7 +29,7 @@ struct pressing {
     bool has_release; /* 2 (a - b) > 1: only bodies released at w >= release reach the surface */
     bool cut;         /* the last step ended at the overlap of release */
     arb_t release;    /* w of the release */
-    arb_t least;      /* energy of a release there; with less the bodies never reach the surface */
+    arb_t least;      /* energy of a release there; with less energy the bodies never reach the surface */
 };
 
 struct motion {
@@ -39,7 +39,7 @@ struct motion {
     bool force_ends; /* true if the force vanishes before the overlap; never without damping or for a <= b */
     bool turned, released, parted;
     struct pressing pressing;
-    arb_t begin; /* begin of the part of the current step after the turning point */
+    arb_t begin; /* the part of the current step after the turning point begins here */
 };
 
 /* Weak scales have length = 1, c1 = beta and c2 = 1. Strong scales have length = beta^(-1/(b+1)), c1 = 1 and c2 = mu.
@@ -155,14 +155,14 @@ static bool record_release(struct motion *m, const arb_t root)
     return true;
 }
 
-/* Searches before `end`. Does not separate the event from a zero of the overlap in the same step if both are too
- * close. */
+/* Searches the step before `end` for a zero of the force. If a zero of the overlap in the same step is too close, the
+ * function does not separate the two. */
 static bool find_zero_force(struct motion *m, arb_t end)
 {
     LOCAL(arb, root);
     const bool passed = m->pressing.cut;
     if (m->pressing.any && !cut_at_release(m, end) && passed)
-        return false; /* the step starts at the overlap of release, where the energy has not decided */
+        return false; /* the step starts at the overlap of release, and the energy there does not decide */
     const enum taylor_crossing crossing = taylor_crosses(root, &m->y, TAYLOR_FORCE, m->begin, end);
     m->released = crossing == TAYLOR_CROSSED;
     if (m->released && !record_release(m, root))
@@ -228,8 +228,9 @@ static void set_pressing(struct motion *m, const arb_t force)
         return;
     p->has_release = power > 0;
     if (power <= 0)
-        return; /* the least energy is E = 0 */
-    /* (c2/c1)^2 X^(2(a-b)-1) = 2 c3: v^2 = 2 c3 X */
+        return; /* the least energy of a release is 0 */
+    /* At the release the contact force vanishes, so v = (c2/c1) X^(a-b). The flight just reaches the surface if v^2 = 2
+     * c3 X. Together: (c2/c1)^2 X^(2(a-b)-1) = 2 c3. */
     arb_div(ratio, y->c1, y->c2, y->prec);
     LET(p->release, y->prec, "(2*ratio^2*y->c3)^(1/power)", ratio, y->c3, power);
     LET(p->least, y->prec, "p->release^(ad + d)*y->c2*d/(ad + d)", p->release, ad, d, y->c2);
@@ -256,7 +257,7 @@ static void set_stay(arb_t eps, arb_t time)
     arb_pos_inf(time);
 }
 
-/* True if everything that the goal requires is known, because the energy is low enough. */
+/* True if the events that the goal requires are known, because the energy is too low for bodies to part. */
 static bool proves_stay(struct motion *m, enum motion_goal goal)
 {
     struct collision *const c = m->c;
@@ -284,7 +285,7 @@ static bool proves_stay(struct motion *m, enum motion_goal goal)
     return force_known && (p->stuck || goal == MOTION_ZERO_FORCE);
 }
 
-/* Computes y = mu X^-n and p = -X'/(mu X^(a-b)) of slow_manifold.h for a state in strong scales, w^d = X. */
+/* Computes y = mu X^-n and p = -X'/(mu X^(a-b)) of slow_manifold.h for a state in strong scales, where X = w^d. */
 static void manifold_state(arb_t place, arb_t slope, const struct taylor *y)
 {
     const slong difference = y->law.elastic - y->law.damping, n = y->law.damping - difference + y->law.denominator;
@@ -362,7 +363,8 @@ enum motion_outcome motion_solve_pressed(struct collision *c, const arb_t beta, 
     return motion_follow(&m, goal, NULL, 0);
 }
 
-/* Adds the motion on the slow manifold, in units x = beta^(-2/n) z, speed beta^(-1/q), time beta^((a-1)/n). */
+/* Adds the motion on the slow manifold. Its unit of length is beta^(-2/n), of speed beta^(-1/q), of time
+ * beta^((a-1)/n). */
 static bool add_fall(struct collision *c, const struct motion *m, const struct slow_manifold *manifold,
                      const arb_t beta, slong bits)
 {

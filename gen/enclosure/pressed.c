@@ -4,8 +4,9 @@
  *   X'' + B X^b X' + X^a = 1,   B = beta f^(n/(2a)),   impact speed V = f^(-(a+1)/(2a)).
  *
  * At the threshold of zero overlap the motion reaches X = 0 with speed 0. At the threshold of the surface, if 2 (a - b)
- * > 1, a flight does. The flight begins where the contact force vanishes, at X_s^(2(a-b)-1) = 2 B^2. Backward in time
- * from there the motion arrives at X = 0 with the speed V(B). Hence f = V^(-2a/(a+1)) and beta = B V^q. */
+ * > 1, a flight reaches it with speed 0. The flight begins where the contact force vanishes, at X_s^(2(a-b)-1) = 2 B^2.
+ * Backward in time from there the motion arrives at X = 0 with the speed V(B). Hence f = V^(-2a/(a+1)) and beta = B
+ * V^q. */
 #include <math.h>
 
 #include "enclosure/collision.h"
@@ -27,7 +28,8 @@ enum {
 };
 
 /* Sets the state in which the backward motion begins. From rest at X = 0, u = v^2/2 obeys du/dX = 1 - X^a + B X^b v.
- * With u/X = 1 + r, |r| < R up to X = delta, one more integration gives r with an error of R times its first terms. */
+ * With u/X = 1 + r, |r| < R up to X = delta, one more integration gives r with an error of R times the first terms of
+ * r. */
 static void set_start(struct taylor *y, const arb_t damping, bool flies)
 {
     const struct cor_exponents *const law = &y->law;
@@ -47,7 +49,7 @@ static void set_start(struct taylor *y, const arb_t damping, bool flies)
     LET(x, prec, "y->w^d", y->w, d);
     LET(lost, prec, "x^law_a/(law_a + 1)", x, law_a);
     arb_set_ui(ball, 3);
-    arb_mul_2exp_si(ball, ball, -(slong)k); /* R >= 2 2^-k + 2^-k */
+    arb_mul_2exp_si(ball, ball, -(slong)k); /* R >= gained + lost, which are below 2 2^-k and 2^-k */
     arb_one(root);
     arb_add_error(root, ball);
     LET(gained, prec, "x^(law_b + 1/2)*damping/(law_b + 3/2)*sqrt(2*root)", x, law_b, damping, root);
@@ -115,7 +117,8 @@ int collision_sticking_speed(arb_t speed, const arb_t damping, const struct cor_
 
 /* ---- the threshold at a given beta ---- */
 
-/* Computes ln(beta) - ln(B V^q), and f. An escaping motion has infinite V, and its result has the sign of -q. */
+/* Computes rest = ln(beta) - ln(B V^q), and the force f. If the motion escapes, V is infinite, and `rest` gets the sign
+ * of -q. */
 static bool follow_curve(arb_t rest, arb_t force, const arb_t beta, const arb_t damping,
                          const struct cor_exponents *law, int end, slong prec)
 {
@@ -228,7 +231,7 @@ int collision_sticking_force(arb_t force, const arb_t beta, const struct cor_exp
 {
     LOCAL(arb, damping, found, low, high, f_low, f_high, other, at);
     slong prec = bits + GUARD_BITS, width = 30, narrowest = bits + GUARD_BITS / 3;
-    if (law->elastic == 0) { /* x'' + beta x^b x' = force - 1 */
+    if (law->elastic == 0) { /* a = 0: x'' + beta x^b x' = force - 1, so the threshold is 1 */
         arb_one(force);
         return STATUS_OK;
     }

@@ -39,7 +39,8 @@ static void abs_tail(arb_t sum, const arb_poly_t f, slong first, const arb_t y, 
     mag_zero(arb_radref(sum));
 }
 
-/* Computes p_0 = 1, p_m = (p^2)_(m-1) (a - b - n (m-1)/2). It is order y^m of N(p) = 0, because p p' = (p^2)'/2. */
+/* Computes p_0 = 1, p_m = (p^2)_(m-1) (a - b - n (m-1)/2). This recurrence is order y^m of N(p) = 0, because p p' =
+ * (p^2)'/2. */
 static void formal_sum(arb_poly_t p, const struct cor_exponents *law, slong degree, slong prec)
 {
     const struct ratio n = law_fall_power(law), a = law_elastic(law), b = law_damping(law);
@@ -55,7 +56,7 @@ static void formal_sum(arb_poly_t p, const struct cor_exponents *law, slong degr
     _arb_poly_normalise(p);
 }
 
-/* Bounds N(P) = 1 - P + (a-b) y P^2 - (n/2) y^2 (P^2)'. N(P) starts at y^(degree+1): P is the formal sum up to
+/* Bounds N(P) = 1 - P + (a-b) y P^2 - (n/2) y^2 (P^2)'. N(P) starts at y^(degree+1), because P is the formal sum up to
  * y^degree. */
 static void bound_defect(struct slow_manifold *m, slong degree)
 {
@@ -76,8 +77,8 @@ static void eta_of(arb_t eta, const struct slow_manifold *m, slong bits)
     LET(eta, m->prec, "2^-bits + 4*m->nu", bits, m->nu);
 }
 
-/* True if the field points inwards at p = P +- eta: |N(P)| < eta |1 - 2 (a-b) y P - (a-b) y eta + n y^2 P'|. Proves
- * that the last factor is above 1/2, with sums of absolute values for |P| and |P'|, and that P > 3/4. */
+/* True if the field points inwards at p = P +- eta, that is if |N(P)| < eta |1 - 2 (a-b) y P - (a-b) y eta + n y^2 P'|.
+ * Proves that the factor of eta is above 1/2, with sums of absolute values for |P| and |P'|, and that P > 3/4. */
 static bool tube_is_closed(const struct slow_manifold *m, const arb_t eta)
 {
     const struct ratio a = law_elastic(&m->law), b = law_damping(&m->law);
@@ -100,7 +101,8 @@ static void time_power(arb_t x, const struct slow_manifold *m, slong power, cons
         LET(x, m->prec, "y^(power - m->kappa)/(power - m->kappa)", y, power, m->kappa);
 }
 
-/* Bounds the integral of 1/P - inverse = (1 - P inverse)/P with |1/P| < 4/3. The numerator starts at y^(degree+1). */
+/* Bounds the integral of 1/P - inverse, which equals (1 - P inverse)/P, where |1/P| < 4/3. The numerator starts at
+ * y^(degree+1). */
 static void bound_time_error(struct slow_manifold *m, slong degree)
 {
     LOCAL(arb_poly, product);

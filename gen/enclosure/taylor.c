@@ -216,7 +216,7 @@ static void residuals_at(arb_t residual_v, arb_t residual_t, const struct taylor
     LOCAL(mag, R);
     LOCAL(arb, w, v);
     mag_set_d(R, ratio);
-    mag_mul(R, R, h); /* rounded up: at least ratio h */
+    mag_mul(R, R, h); /* rounded up, so R is at least ratio h */
     component_norm(w, y->w, 0, y, R);
     component_norm(v, y->v, 0, y, R);
     LET(residual_t, NORM_BITS, "w^(d - 1)/ratio^N", w, d, ratio, N);

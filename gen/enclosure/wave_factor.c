@@ -91,7 +91,7 @@ static void rayleigh_share(acb_t y, const acb_t gamma2, slong prec)
 
 /* ---- J along a path ---- */
 
-/* x a/R along a straight line. If x is large, a and b are sqrt(x^2 - gamma^2) and sqrt(x^2 - 1). If it is small, they
+/* x a/R along a straight line. If x is large, a and b are sqrt(x^2 - gamma^2) and sqrt(x^2 - 1). If x is small, they
  * are i sqrt(gamma^2 - x^2) and i sqrt(1 - x^2), which have no cut there. Both pairs are equal on the path. */
 struct path_parameters {
     acb_srcptr from, step, gamma2;

@@ -24,8 +24,8 @@ static const struct {
                 {3600, 56, SOME}, {300, 11, MUCH},  {300, 22, MUCH},
                 {1800, 11, MUCH}, {1800, 22, MUCH}, {940, 0, "higher modes; the wall is too soft for slow disks"}};
 #define PAPER_ALPHA 500.0
-/* Rigid wall: tolerance of 1 - eps^2, and nanoseconds of a collision with the computation of its modes: median of 60
- * scenes of bench/run, measured once (docs/speed) */
+/* Rigid wall. tolerance: of 1 - eps^2. cost: nanoseconds of a collision, which include the computation of its modes;
+ * the median of 60 scenes of bench/run, measured once (docs/speed) */
 static const struct {
     double tolerance, cost;
 } rigid[] = {{1e-3, 7.3e6}, {1e-4, 1e7}, {1e-5, 3.9e7}, {1e-6, 9.8e8}};
@@ -40,8 +40,8 @@ enum {
 #define FINEST_TRUTH 1e-6
 #define COARSEST_TRUTH 1e-4
 #define COARSEST_TRUTH_OF_OTHERS 1e-5 /* for contact time and compression; finer than COARSE_TOLERANCE */
-/* The uncertainty of the contact time and of the largest compression is twice their change from a rigid wall with this
- * tolerance, because the contact time converges like 1/Omega. */
+/* The uncertainty of the contact time and of the largest compression is twice their difference from a rigid wall with
+ * this tolerance, because the contact time converges like 1/Omega. */
 #define COARSE_TOLERANCE 1e-3
 #define LEAST_TOLERANCE 1e-6
 #define MIN_SPEED 1e-3 /* a little below this speed, alpha v = 56 would need alpha > COR_DISK_COLLISION_MAX_ALPHA */
@@ -190,7 +190,8 @@ static void add_rayleigh(const struct disks *d)
             struct cor_disk_rayleigh out;
             const int status =
                 cor_disk_rayleigh(&cut, taken[k], COR_DISK_DATUM_CENTRE_OF_MASS, plan->speed[i], &out, NULL);
-            /* beyond the contact law no value exists; beyond the theory it is NaN if the collision creates energy */
+            /* beyond the contact law no value exists; beyond the theory the value is NaN if the collision creates
+             * energy */
             if (status == COR_OK || status == COR_BEYOND_THEORY)
                 m->value[i] = sqrt(1 - (out.fraction + out.tail));
             m->outside = m->outside || status != COR_OK;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Compares models of eps for viscoelastic spheres and bodies of other laws, from published formulas to corgen's
- * headers, with enclosed collisions. */
+ * headers. Enclosed collisions are the reference. */
 #include <float.h>
 #include <limits.h>
 #include <math.h>
@@ -214,7 +214,8 @@ static void add_constants(const struct spheres *s)
 }
 
 /* Adds eps = a g^-b, where b is the slope of ln eps between the ends: the best slope, because ln eps is a concave
- * function of ln g. eps g^b is from e^low to e^high; their harmonic mean a gives the smallest relative error. */
+ * function of ln g. eps g^b ranges from e^low to e^high, and a is the harmonic mean of these two numbers, which gives
+ * the smallest relative error. */
 static void add_power_law(const struct spheres *s)
 {
     struct plan *const plan = s->plan;

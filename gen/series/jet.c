@@ -31,7 +31,7 @@ void jet_compose(arb_poly_t y, const arb_poly_struct *f, slong count, const arb_
 {
     LOCAL(arb_poly, sum);
     for (slong m = FLINT_MIN(count, n) - 1; m >= 0; m--) {
-        /* delta^m = O(beta^m), so a factor of delta^m is needed only up to beta^(n-1-m). */
+        /* delta^m = O(beta^m), so the factor of delta^m is needed only up to beta^(n-1-m). */
         arb_poly_mullow(sum, sum, delta, n - m, prec);
         arb_poly_add_series(sum, sum, f + m, n - m, prec);
     }

@@ -72,7 +72,7 @@ static void inverse_rows(arb_poly_struct *v, const arb_poly_struct *f, slong row
 void power_evidence_init(struct power_evidence *e, const struct trajectory *t, slong block_rows, slong block_length)
 {
     const slong rows = FLINT_MIN(block_rows, t->order + 1), length = FLINT_MIN(block_length, t->terms + 1);
-    const slong products = FLINT_MIN(2 * rows - 1, t->order + 1); /* 1 - B V has no more rows */
+    const slong products = FLINT_MIN(2 * rows - 1, t->order + 1); /* 1 - B V has no more rows than this */
     arb_poly_struct *block = jet_new(products);
     *e = (struct power_evidence){.t = t,
                                  .J = t->terms,
@@ -129,7 +129,7 @@ static void columns_of(mag_ptr column, slong length, const arb_poly_struct *f, s
     }
 }
 
-/* Computes |f|, or |th(f)| with theta = 1, from the norms of the columns of f. */
+/* Computes |f|, or |th(f)| if `theta` is 1, from the norms of the columns of f. */
 static void columns_norm(arb_t y, mag_srcptr column, slong length, int theta)
 {
     LOCAL(mag, sum, term);
@@ -140,7 +140,7 @@ static void columns_norm(arb_t y, mag_srcptr column, slong length, int theta)
     arb_set_upper(y, sum);
 }
 
-/* (3.1): computes nu = |V|/(1 - |1 - B V| - |Z - B| |V|). `column` is work space. Returns false if the divisor is not
+/* Computes nu = |V|/(1 - |1 - B V| - |Z - B| |V|) of (3.1). `column` is work space. Returns false if the divisor is not
  * above 1/2, because the bound would be useless. */
 static bool bound_inverse(arb_t nu, mag_ptr column, const struct power_evidence *e, const mag_t U, const mag_t rho)
 {
@@ -156,11 +156,11 @@ static bool bound_inverse(arb_t nu, mag_ptr column, const struct power_evidence 
     return HOLDS(NORM_BITS, "2*divisor > 1", divisor);
 }
 
-/* (3.2): computes |N| <= sum over i + j > J of (j + p i) |Z^(i)| |P^(j)|. The coefficients of N up to s^J vanish, and
- * the factor of Z^(i) P^(j) in N is j - p i. */
+/* Computes the bound of |N| in (3.2), the sum of (j + p i) |Z^(i)| |P^(j)| over i + j > J. The coefficients of N up to
+ * s^J vanish, and the factor of Z^(i) P^(j) in N is j - p i. */
 static void bound_defect(arb_t y, mag_srcptr z, mag_srcptr power, slong J, struct ratio p)
 {
-    LOCAL(mag, exponent, sum, theta_sum, term, norm); /* sum of |P^(j)| and of j |P^(j)| over j > J - i */
+    LOCAL(mag, exponent, sum, theta_sum, term, norm); /* sum, theta_sum: of |P^(j)|, of j |P^(j)| over j > J - i */
     LOCAL(arb, ratio);
     LET(ratio, NORM_BITS, "p", p);
     arb_get_mag(exponent, ratio);
@@ -178,7 +178,7 @@ static void bound_defect(arb_t y, mag_srcptr z, mag_srcptr power, slong J, struc
     arb_set_upper(y, norm);
 }
 
-/* (3.2): computes |E| <= nu |N|/(J + 1 - p nu |th(Z)|) and |Z^p| <= |P| + |E| for power i. */
+/* Computes the bounds of (3.2), |E| <= nu |N|/(J + 1 - p nu |th(Z)|) and |Z^p| <= |P| + |E| for power i. */
 static bool bound_power(struct power_bounds *b, int i, const struct power_evidence *e, mag_srcptr z, mag_srcptr power)
 {
     const struct ratio p = e->exponent[i];

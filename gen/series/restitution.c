@@ -13,7 +13,7 @@ static void series_pow(arb_poly_t z, const arb_poly_t x, struct ratio e, slong n
     arb_poly_pow_arb_series(z, x, exponent, n, prec);
 }
 
-/* beta -> -h is an involution. Residues before and after it give (docs/theory.md, 4)
+/* The map beta -> -h is an involution. The residues before and after this substitution give (docs/theory.md, 4)
  *
  *     [beta^k] (h/beta)^p = (-1)^k p/(k+p) [beta^k] (h/beta)^(-k-p),      eps^power = (h/beta)^p, p = power/q,
  *
@@ -74,8 +74,9 @@ void restitution_zero_overlap(arb_poly_t c, const arb_poly_t y, slong order, con
 }
 
 /* Computes sum_(k,j) c[k][j] A^k B^j with A = -w T^(b+1), B = w T^(a+1), up to w^(n-1). The sum is X in backward time.
- * With velocity, the weights e + 1, e = k (b+1) + j (a+1), turn it into V = X + D X. Horner's rule sums each row in B,
- * and all rows in A. A and B are O(w), so inner sums, which are multiplied by them more often, need fewer terms. */
+ * If `velocity` is true, the weights e + 1, e = k (b+1) + j (a+1), turn the sum into V = X + D X. Horner's rule sums
+ * each row in B, and all rows in A. A and B are O(w), so inner sums, which are multiplied by A and B more often, need
+ * fewer terms. */
 static void backward_sum(fmpq_poly_t f, const fmpq_poly_struct *row, bool velocity, const fmpq_poly_t T, slong n,
                          const struct cor_exponents *law)
 {
@@ -111,8 +112,8 @@ static void backward_sum(fmpq_poly_t f, const fmpq_poly_struct *row, bool veloci
 
 void restitution_zero_force_exact(fmpq_poly_t G, fmpq_poly_t T, slong order, const struct cor_exponents *law)
 {
-    /* In backward time, beta -> -h, x = t X and x' = V. The force vanishes where x^(a-b) = h x', that is at
-     * T = (V/X^(a-b))^(1/(a-b)). T enters V and X with a factor w, so each pass makes one more coefficient correct. */
+    /* In backward time -h replaces beta, x = t X and x' = V. The force vanishes where x^(a-b) = h x', that is at T =
+     * (V/X^(a-b))^(1/(a-b)). T enters V and X with a factor w, so each pass makes one more coefficient correct. */
     const slong n = order + 1;
     const struct ratio m = RATIO("law->a - law->b", law);
     fmpq_poly_one(G);

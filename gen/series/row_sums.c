@@ -201,7 +201,7 @@ static double *bounds_of(slong *exponent, mag_ptr m, slong length)
     return y;
 }
 
-/* Cuts the midpoints of row k to integers. Bounds the row, and its radii plus the cut digits. */
+/* Cuts the midpoints of row k to integers. Bounds the row, and the sum of its radii and the cut digits. */
 static void row_store(struct row_sums *s, int f, const arb_poly_struct *row, slong k)
 {
     fmpz *integer = s->integer[f] + k * s->length;
@@ -258,7 +258,7 @@ static void error_block(struct row_sums *s, slong start, slong end)
                 s->error[n] += x_radius * y->size[n - j] + x_size * y->radius[n - j];
         }
     }
-    /* the factor exceeds the rounding errors of this sum, and its underflows */
+    /* the factor covers the rounding errors of this sum, and the last term its underflows */
     for (slong n = start; n < end; n++)
         s->error[n] = s->error[n] * (1 + 1e-6) + 0x1p-900;
 }

@@ -59,7 +59,8 @@ static slong reached_bits(const arb_poly_t f, slong order)
 }
 
 /* Bits and terms of the first attempt, fitted with a margin to the needs of the sphere for orders up to 100 and 300
- * bits. A term adds (a+1) log2 R bits, for the sphere 5/2. Only the computing time depends on this choice. */
+ * bits. A term adds (a+1) log2 R bits, where R is law_elastic_radius; for the sphere these are 5/2 bits. Only the
+ * computing time depends on this choice. */
 struct start {
     slong prec, terms;
 };

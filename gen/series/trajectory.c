@@ -104,8 +104,9 @@ static void set_coefficient(void *row, slong i, const void *x, const struct ring
         fmpq_poly_set_coeff_fmpq(row, i, x);
 }
 
-/* Computes sum = sum_i p_i q_(n-i) over all i. With a power, computes sum_(i>0) ((p+1) i - n) p_i q_(n-i) times the
- * denominator of its exponent. Rationals are added as integers over the product of the two common denominators. */
+/* Computes sum = sum_i p_i q_(n-i) over all i. If `power` is not NULL, computes sum_(i>0) ((p+1) i - n) p_i q_(n-i)
+ * times the denominator of its exponent. Rationals are added as integers over the product of the two common
+ * denominators. */
 static void set_convolution(void *sum, const void *p, const void *q, slong n, const struct ratio *power,
                             const struct ring *ring)
 {

@@ -153,8 +153,8 @@ bool trajectory_tail_prove(struct trajectory_tail *tail, const struct trajectory
 void trajectory_tail_jet(mag_t bound, const struct trajectory_tail *tail, const struct trajectory *t, slong k, slong m,
                          const arb_t t0)
 {
-    /* For any r > 0 with s = (t0 + r)^(a+1)/2^shift <= rho, the sum over m of the jets times r^m is x_k's tail at
-     * t0 + r: at most (t0 + r)^(k(b+1)+1) delta U^-k (s/rho)^(terms+1). */
+    /* For any r > 0 with s = (t0 + r)^(a+1)/2^shift <= rho, the sum over m of the jets times r^m is the tail of x_k at
+     * t0 + r, which is at most (t0 + r)^(k(b+1)+1) delta U^-k (s/rho)^(terms+1). */
     const struct ratio a = law_elastic(&t->law), b = law_damping(&t->law);
     const slong shift = t->shift, terms = t->terms;
     LOCAL(arb, r, room, reach, ratio);

@@ -27,7 +27,7 @@ struct step {
 };
 
 static pthread_mutex_t line_lock = PTHREAD_MUTEX_INITIALIZER; /* protects the variables below */
-static struct step whole, part;                               /* part is shown if it has a name */
+static struct step whole, part;                               /* `part` is shown if it has a name */
 static bool line_shown, line_held = true;
 
 static void line_erase(void)
@@ -37,7 +37,7 @@ static void line_erase(void)
     line_shown = false;
 }
 
-/* Returns the length of the first character in bytes, 0 if not UTF-8, a control character or a noncharacter. */
+/* Returns the bytes of the first character, or 0 if it is a control character, a noncharacter or not UTF-8. */
 static size_t character_length(const char *text)
 {
     static const unsigned least[] = {0x20, 0xa0, 0x800, 0x10000};

@@ -52,7 +52,7 @@ void *xmalloc(size_t size);
 void *xrealloc(void *old, size_t size);
 void *xgrow(void *old, size_t count, size_t size); /* makes room for element `count`, one more in each call */
 char *xstrdup(const char *text);
-/* Returns a printable copy: \xNN replaces each byte of a control character or outside UTF-8. */
+/* Returns a printable copy: \xNN replaces each byte that belongs to a control character or is not UTF-8. */
 char *xprintable(const char *text);
 char *xprintf(const char *format, ...) __attribute__((format(printf, 1, 2)));
 char *xvprintf(const char *format, va_list arguments) __attribute__((format(printf, 1, 0)));

@@ -12,8 +12,9 @@
 
 enum { ENCLOSED_BITS = 160 };
 
-/* LET_FUNCTION(y, "mu/sqrt(1 - x^2)", mu, x) is LET of formula.h for functions too: + - * /, whole powers > 0, exp,
- * log, sqrt. It returns false, and a function that is not finite, if an operation is not proved to be defined. */
+/* LET_FUNCTION(y, "mu/sqrt(1 - x^2)", mu, x) is LET of formula.h for operands that may be functions. The operations are
+ * + - * /, whole powers > 0, exp, log and sqrt. LET_FUNCTION returns false, and y is not finite, if an operation is not
+ * proved to be defined. */
 extern const struct formula_algebra enclosed_algebra;
 #define LET_FUNCTION(y, ...) formula_function(y, &enclosed_algebra, FORMULA(__VA_ARGS__))
 
@@ -31,7 +32,7 @@ void enclosed_range(arb_t range, const arb_poly_t p);
 /* Computes p(middle + half t). */
 void enclosed_rescale(arb_poly_t y, const arb_poly_t p, const arb_t middle, const arb_t half, slong prec);
 
-/* Computes the variable on lo <= x <= hi. */
+/* Computes the variable x itself as a function of t, on lo <= x <= hi. */
 void enclosed_variable(arb_poly_t x, double lo, double hi);
 
 /* Computes exp(p). The radius is small if p differs by less than 1 from its value at t = 0. Returns true. */

@@ -19,7 +19,7 @@ FILE *gnuplot_begin(int width, int height);
  * message. */
 int gnuplot_run(FILE *script, FILE *out, const char *path);
 
-/* Writes any text as a string of gnuplot, "...", which prints as xprintable(text). */
+/* Writes any text as a string of gnuplot, "...", which appears in the picture as xprintable(text). */
 void gnuplot_quote(FILE *script, const char *text);
 
 /* A curve eps(speed). Speeds are positive and rise; an eps of NaN is omitted. */

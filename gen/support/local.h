@@ -25,7 +25,8 @@
     __attribute__((cleanup(arb_vector_clear))) const struct arb_vector x##_vector = {_arb_vec_init(n), n};             \
     arb_ptr x = x##_vector.entry
 
-/* Declares a struct name, from name_init(arguments) to name_clear: LOCAL_INIT(taylor, y, (&y, law, prec)) */
+/* Declares x as a struct `name`, which name_init(arguments) initialises and name_clear clears: LOCAL_INIT(taylor, y,
+ * (&y, law, prec)) */
 #define LOCAL_INIT(name, x, arguments)                                                                                 \
     __attribute__((cleanup(name##_clear))) struct name x;                                                              \
     name##_init arguments
@@ -65,7 +66,7 @@
             type##_##action(*one_);                                                                                    \
     } while (0)
 
-/* Makes LOCAL(name, x) of a struct name with name_init and name_clear. */
+/* Defines LOCAL(name, x) for a struct `name` that has name_init and name_clear. */
 #define LOCAL_STRUCT(name)                                                                                             \
     typedef struct name name##_t[1];                                                                                   \
     LOCAL_TYPE(name, struct name)

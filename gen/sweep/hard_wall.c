@@ -27,7 +27,7 @@ void hard_wall_tables_set(struct hard_wall_tables *tables, double nu)
 static int make_table(struct cor_disk_modes *table, double nu, int level_count)
 {
     const double omega = COR_DISK_HARD_WALL_FIRST_OMEGA * pow(2, 0.5 * (level_count - 1));
-    /* all modes below the last Omega, and the next one, as proof that no mode below it is missing */
+    /* all modes below the last Omega, and the next one, which proves that no mode below the last Omega is missing */
     const size_t count = cor_disk_modes_below(nu, omega * (1 + 1e-9)) + 1;
     struct cor_disk_mode *const mode = xmalloc(count * sizeof *mode);
     const int status = cor_disk_modes_compute(nu, count, mode, table);

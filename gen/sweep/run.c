@@ -24,7 +24,7 @@ enum { MOST_CURVES = 12, CURVE_TITLE = 3 * DECIMAL_TEXT };
 struct collide {
     struct sweep sweep;
     struct cor_disk_modes modes;    /* soft walls: modes of the current material */
-    struct hard_wall_tables tables; /* hard wall: modes of the current material, the number that the rows need */
+    struct hard_wall_tables tables; /* hard wall: the modes of the current material that the rows need */
 
     struct journal journal; /* lines go there if it has a path, otherwise to the printer */
     struct sweep_printer printer;
@@ -130,7 +130,7 @@ static int row_finished(void *context, slong i)
     return ferror(run->printer.file) ? STATUS_FAILED : STATUS_OK; /* output_commit reports the reason */
 }
 
-/* Prints the remaining time, from the time of the previous rows of this run; unknown before the first row. */
+/* Prints the remaining time, estimated from the previous rows of this run. It is unknown before the first row. */
 static void sweep_tick(void *context)
 {
     const struct collide *const run = context;
@@ -203,7 +203,8 @@ static char *title_of_whole(const struct sweep *s)
                    s->poisson.text, s->alpha.text, s->modes.text, tolerance, (long)s->phi_points);
 }
 
-/* Returns the title of the whole sweep, followed by the part and, as a comment, the checksum of the files of lists. */
+/* Returns the title of the whole sweep, followed by the part and, as a comment, the checksum of the files that contain
+ * lists. */
 static char *title_of(const struct sweep *s, const struct sweep_request *request)
 {
     const uint32_t check = s->speed.check ^ 3 * s->poisson.check ^ 5 * s->alpha.check ^ 7 * s->modes.check;

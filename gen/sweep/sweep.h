@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Computes collisions of elastic disks for every combination of the values of lists, and their lines of output. A sweep
  * of soft walls (cor_disk_collision) has four lists. A sweep of the rigid wall (cor_disk_hard_wall) has no alpha and
- * all modes: the lists of alpha and modes are then empty, count 0. A sweep of Rayleigh's energy (cor_disk_rayleigh) has
- * no alpha. */
+ * uses all modes. Its lists of alpha and modes are empty, with count 0. A sweep of Rayleigh's energy
+ * (cor_disk_rayleigh) has no alpha. */
 #ifndef COR_GEN_SWEEP_SWEEP_H
 #define COR_GEN_SWEEP_SWEEP_H
 
@@ -23,7 +23,7 @@ enum { SWEEP_COLUMNS = 12, SWEEP_LINE = SWEEP_COLUMNS * DECIMAL_TEXT };
 struct sweep {
     struct values speed, poisson, alpha, modes;
     bool hard_wall, rayleigh;
-    double tolerance;  /* error of eps; for the hard wall of 1 - eps^2 */
+    double tolerance;  /* allowed error of eps, or of 1 - eps^2 for the hard wall */
     slong phi_points;  /* 0: the number that the tolerance needs */
     slong part, parts; /* computes the rows part - 1, part - 1 + parts, ...; 1 of 1: all */
     uint64_t rows;

@@ -21,7 +21,7 @@ struct values_rule {
 struct values {
     const char *text; /* text of the list as the user wrote it; not copied */
     size_t count;
-    fmpq *exact;     /* inside a log range: the nearest double */
+    fmpq *exact;     /* exact values; inside a log range, nearest doubles */
     double *nearest; /* the double nearest to each */
     double least, largest;
     uint32_t check; /* checksum of the file of a list @FILE; 0: the list is on the command line */

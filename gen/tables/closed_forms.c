@@ -64,8 +64,9 @@ static void crossley_approach_only(arb_t L, const arb_t beta)
 
 /* ---- laws ---- */
 
-/* A law with its tables. eps: rows of (1 - eps)/x on a grid up to x = near_end, and of eps by octaves up to `end`.
- * Inverse: rows of x/(1 - eps) up to 1 - eps = 1/2, and of x by octaves of eps from 2^least_octave to 1/2. */
+/* A law with its tables. The tables of eps have rows of (1 - eps)/x on a grid up to x = near_end, and rows of eps by
+ * octaves up to `end`. The tables of the inverse have rows of x/(1 - eps) up to 1 - eps = 1/2, and rows of x by octaves
+ * of eps from 2^least_octave to 1/2. */
 struct closed_form {
     const char *stem, *title;
     bool is_crossley;

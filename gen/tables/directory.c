@@ -198,7 +198,7 @@ static int check_all(const struct content *c, int n, const char *directory)
     return status;
 }
 
-/* Makes the file of the collisions in memory: from a new computation, from corgen or from the directory. */
+/* Makes the file of the collisions in memory, from a new computation, the copy in corgen or the directory. */
 static int limits_make(struct content *c, const struct tables_request *request, const char *directory)
 {
     const struct generated row = {DISK_LIMITS_FILE, disk_limits_write, NULL};

@@ -81,7 +81,8 @@ struct cor_disk_limit_piece;
 /* These functions return STATUS_OK, or STATUS_FAILED after reporting the reason. */
 int disk_limits_collide(void); /* computes all collisions */
 /* True if a table is in memory: the table of disk_limits_collide, otherwise the table with which corgen was built. If
- * `piece` is not NULL, these pieces replace its own. A corgen of COR_BOOTSTRAP is built without a table. */
+ * `piece` is not NULL, the pieces at `piece` replace the table's own pieces. A corgen of COR_BOOTSTRAP is built without
+ * a table. */
 bool disk_limits_known(const struct cor_disk_limit_piece *piece);
 
 /* Writes the table in memory. */

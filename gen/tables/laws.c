@@ -118,8 +118,9 @@ static void tsuji_duration_zero_overlap(arb_t t, bool proved, const arb_t zeta, 
     LET(t, prec, "t*exp(2*pi*y)*(1 - zeta^2)^(-2/5)", t, y, zeta);
 }
 
-/* For zeta < 0.7 the singularity of the integrand at om s = pi is near. The integral therefore runs from the other end:
- * t_0 - exp(pi zeta/(5 om)) times the integral with -zeta up to 2 asin(zeta)/om. */
+/* For zeta < 0.7 the singularity of the integrand at om s = pi is near. The integral therefore runs from the other end.
+ * The duration is t_0, the one at zero overlap, minus exp(pi zeta/(5 om)) times the integral with -zeta up to 2
+ * asin(zeta)/om. */
 static void tsuji_duration_zero_force(arb_t t, bool proved, const arb_t zeta, slong prec)
 {
     LOCAL(arb, end, minus, part);
@@ -138,8 +139,9 @@ static void tsuji_duration_zero_force(arb_t t, bool proved, const arb_t zeta, sl
 }
 
 /* The force is twice the elastic force for a time (5/8)^(2/5) (2/5) B(m; 2/5, 1/2), m = 8 zeta^2/(1 + 8 zeta^2). After
- * phase phi = atan2(2 zeta om, 1 + 2 zeta^2) the law without limit holds: exp(-zeta phi/(5 om)) (t_F - (5/4)^(-3/5)
- * G(phi/om)). Here phi/om = k 2F1(1/2, 1; 3/2; -(k om)^2), k = 2 zeta/(1 + 2 zeta^2). */
+ * phase phi = atan2(2 zeta om, 1 + 2 zeta^2) the law without limit holds. Its part of the duration is exp(-zeta phi/(5
+ * om)) (t_F - (5/4)^(-3/5) G(phi/om)). Here t_F is the duration at zero force, and phi/om = k 2F1(1/2, 1; 3/2; -(k
+ * om)^2), k = 2 zeta/(1 + 2 zeta^2). */
 static void tsuji_duration_limited(arb_t t, bool proved, const arb_t zeta, slong prec)
 {
     const slong more = prec + 2 * GUARD_BITS;
@@ -378,7 +380,7 @@ static const struct time_rows disk_rows[] = {
 struct far_form {
     const char *name;
     const char *comment; /* comment above this form and the following ones */
-    /* sum_k c_k basis_k = value, equation i of `terms` */
+    /* sets equation i of `terms`: sum_k c_k basis_k = value */
     void (*equation)(arb_ptr basis, arb_t value, const struct far_form *f, slong i);
     slong known, terms, split;
     /* for tsuji_equation */
@@ -429,7 +431,7 @@ static slong far_row(arb_ptr row, const struct far_form *f)
     return columns;
 }
 
-/* Expands t zeta^power, at u = ln(zeta) = 13, 13.75, ..., in mu^j u^k. */
+/* Sets an equation of the expansion of t zeta^power in mu^j u^k, at u = ln(zeta) = 13, 13.75, ... */
 static void tsuji_equation(arb_ptr basis, arb_t value, const struct far_form *f, slong i)
 {
     LOCAL(arb, u, zeta);
@@ -507,8 +509,9 @@ static const struct far_form tsuji_far[] = {
 
 /* ---- Hunt and Crossley beyond the rows ---- */
 
-/* The time of the largest overlap, s = ln(1 + beta) >= 26.25, in units of beta^(2k - 1) ((a + 1)(1 + beta))^-k:
- * s + K + (k_0 + k_1 s + k_2 s^2)/(1 + beta), K = -psi(1 - k) - gamma. Gives k_j, multiplied by 1 + beta. */
+/* Sets an equation of the time of the largest overlap, s = ln(1 + beta) >= 26.25. In units of beta^(2k - 1) ((a + 1)(1
+ * + beta))^-k this time is s + K + (k_0 + k_1 s + k_2 s^2)/(1 + beta), K = -psi(1 - k) - gamma. The equation,
+ * multiplied by 1 + beta, gives k_j. */
 static void crossley_equation(arb_ptr basis, arb_t t, const struct far_form *f, slong i)
 {
     LOCAL(arb, s, beta, K);
@@ -527,7 +530,8 @@ static void loading_constant(arb_ptr K, const struct far_form *f)
     LET(K, FAR_BITS, "digamma(1) - digamma(1 - f->k)", f->k);
 }
 
-/* Computes the rebound, beta > 64. With U = beta + 1 - ln(1 + beta), in units of beta^(2k - 1) ((a + 1))^-k, it is
+/* Computes the c_p of the time of the rebound, beta > 64. With U = beta + 1 - ln(1 + beta), in units of beta^(2k - 1)
+ * ((a + 1))^-k, this time is
  *
  *     (a + 1) U^(1 - k) + U^-k sum_p c_p U^-p,   c_p = sum_(j=1..p) binom(k+j-1, j) binom(k+p-1, p-j) (p-j)!/j^(p-j+1)
  *

@@ -24,8 +24,8 @@
 #define NU_STEP 0.1375
 enum { X_ROOTS = 20, NU_ROOTS = 5, ROOTS = X_ROOTS * NU_ROOTS };
 #define LAST_NU (FIRST_NU + (double)NU_ROOTS * NU_STEP)
-/* MOST_CUTS: largest number of divisions of a cell; a fifth helps little (docs/disks.md). The unit of coordinates is a
- * sixth of the side of a cell after FINEST divisions, so coordinates do not depend on MOST_CUTS. */
+/* MOST_CUTS: largest number of divisions of a cell; a fifth division helps little (docs/disks.md). The unit of
+ * coordinates is a sixth of the side of a cell after FINEST divisions, so coordinates do not depend on MOST_CUTS. */
 enum { MOST_CUTS = 4, FINEST = 8, SIXTHS = 6, ROOT_SIDE = SIXTHS << FINEST };
 /* The side of a root cell has PER_ROOT of the smallest cells and pieces. */
 enum {
@@ -236,7 +236,8 @@ static int find_scenes(struct scenes *scenes, const struct cell *cell, int cells
     return status;
 }
 
-/* Computes the weights at a of Lagrange's interpolation through 0, 1, 2, 3. They are exact if a has few bits. */
+/* Computes the weights of Lagrange's interpolation through 0, 1, 2, 3 at the place `a`. They are exact if `a` has few
+ * bits. */
 static void set_weights(double a, double weight[SIDE])
 {
     const double b = a - 1, c = a - 2, d = a - 3;
@@ -324,7 +325,7 @@ static int cell_refine(struct scenes *scenes, struct cell **cell, int *cells)
 
 /* ---- pieces ---- */
 
-/* A part of a cell, in sides of the smallest piece: [0] in x, [1] in nu */
+/* A part of a cell. Lengths are in sides of the smallest piece; [0] is in x, [1] in nu. */
 struct part {
     const struct cell *cell;
     int first[2], side[2];
@@ -674,7 +675,8 @@ static uint64_t sample_draw(uint64_t *state, uint64_t below)
     return (*state * UINT64_C(2685821657736338717) >> 33) % below;
 }
 
-/* Checks one row of one cell, which needs only one material: the modes of a material take as long as a collision. */
+/* Checks one row of one cell. This needs the modes of only one material, whose computation takes as long as a
+ * collision. */
 int disk_limits_check_sample(uint64_t seed)
 {
     uint64_t state = 2 * seed + 1;

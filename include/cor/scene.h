@@ -365,7 +365,7 @@ enum cor_scene_number {
     COR_SCENE_GRAVITY,          /* m/s^2, presses body 1 to a wall or a plate */
     COR_SCENE_ADHESION,         /* work of adhesion w, J/m^2, with an adhesion model */
     COR_SCENE_YIELD_STRESS,     /* Pa, of the body that yields first */
-    COR_SCENE_LIQUID_VISCOSITY, /* Pa s, of a liquid between the bodies, with both gaps */
+    COR_SCENE_LIQUID_VISCOSITY, /* Pa s, of a liquid between the bodies; needs both gaps */
     COR_SCENE_GAP_OUTER,        /* m, distance of the surfaces at which the liquid begins to act */
     COR_SCENE_GAP_INNER,        /* m, distance at which the bodies touch: their roughness */
     COR_SCENE_DURATION, /* s, of the contact at the speed COR_SCENE_AT, instead of the stiffness or the damping */
@@ -413,12 +413,12 @@ enum cor_fault {
     COR_FAULT_NONE,           /* COR_OK */
     COR_FAULT_SOLVER,         /* the law needs a solver */
     COR_FAULT_NO_DAMPING,     /* no damping gives this restitution */
-    COR_FAULT_MISSING,        /* number is missing */
-    COR_FAULT_ONE_OF,         /* give one of number and other */
-    COR_FAULT_EXCLUDED,       /* number and other exclude each other */
+    COR_FAULT_MISSING,        /* `number` is missing */
+    COR_FAULT_ONE_OF,         /* give one of `number` and `other` */
+    COR_FAULT_EXCLUDED,       /* `number` and `other` exclude each other */
     COR_FAULT_WALL,           /* a wall has no radius, density or mass */
     COR_FAULT_MATERIAL,       /* `status` of cor_sphere_contact_init or cor_plate_contact_init */
-    COR_FAULT_VISCOSITY,      /* number is negative or infinite */
+    COR_FAULT_VISCOSITY,      /* `number` is negative or infinite */
     COR_FAULT_PLATE_LAW,      /* a thickness is given, but the law is not the plate's */
     COR_FAULT_PLATE_END,      /* a plate has only the end zero overlap */
     COR_FAULT_PLATE_BODIES,   /* a plate needs a sphere and a plate */
@@ -426,30 +426,30 @@ enum cor_fault {
     COR_FAULT_PLATE_DENSITY,  /* the density of the plate is missing */
     COR_FAULT_PLATE_DAMPING,  /* a plate has no damping except the dissipation of its sphere */
     COR_FAULT_TWO_CONTACTS,   /* bodies are given, and also a stiffness or an effective mass */
-    COR_FAULT_SPRING,         /* number is missing: stiffness and effective mass go together */
+    COR_FAULT_SPRING,         /* `number` is missing: stiffness and effective mass go together */
     COR_FAULT_NOT_HERTZ,      /* bodies are given, but the law does not have Hertz's force */
     COR_FAULT_NO_WAY,         /* nothing gives the damping */
-    COR_FAULT_TWO_WAYS,       /* number and other both give the damping */
+    COR_FAULT_TWO_WAYS,       /* `number` and `other` both give the damping */
     COR_FAULT_NOT_SPHERE,     /* only viscoelastic spheres have `number`; `other` is COR_SCENE_AT if q is not 0 */
     COR_FAULT_CONSTANT,       /* g* is given, but q = 0 */
     COR_FAULT_NOT_CONSTANT,   /* zeta is given, but q is not 0 */
-    COR_FAULT_NO_BODIES,      /* number needs bodies */
-    COR_FAULT_NO_SCALES,      /* number needs bodies, or stiffness and effective mass */
-    COR_FAULT_NO_SPEED,       /* number needs COR_SCENE_AT */
+    COR_FAULT_NO_BODIES,      /* `number` needs bodies */
+    COR_FAULT_NO_SCALES,      /* `number` needs bodies, or stiffness and effective mass */
+    COR_FAULT_NO_SPEED,       /* `number` needs COR_SCENE_AT */
     COR_FAULT_SPEED_ALONE,    /* COR_SCENE_AT is given, but no number that needs it */
-    COR_FAULT_FIRST_MISSING,  /* number of body 2 needs other, the same number of body 1 */
-    COR_FAULT_NO_SECOND_BODY, /* number belongs to a second viscoelastic body, which is absent */
-    COR_FAULT_RANGE,          /* number, a number of the contact, or the speed is out of range */
+    COR_FAULT_FIRST_MISSING,  /* `number`, of body 2, needs `other`, the same quantity of body 1 */
+    COR_FAULT_NO_SECOND_BODY, /* `number` belongs to a second viscoelastic body, which is absent */
+    COR_FAULT_RANGE,          /* `number`, a number of the contact, or the speed is out of range */
     COR_FAULT_STEP,           /* cor_scene_step_error lists the causes */
     COR_FAULT_NO_STIFFNESS,   /* no stiffness gives this damping and this duration, C or A */
     COR_FAULT_PRESSED,        /* under a constant force the damping is too strong to be integrated */
     COR_FAULT_GRAVITY,        /* gravity needs a wall or a plate: it does not press free bodies together */
     COR_FAULT_ADHESION,       /* adhesion and an adhesion model go together */
     COR_FAULT_ADHESION_MODEL, /* the adhesion model is absent, or has no contact of this law */
-    COR_FAULT_PRESSED_LAW,    /* gravity or adhesion, with elastic-plastic spheres or a liquid (number) */
+    COR_FAULT_PRESSED_LAW,    /* gravity or adhesion, with elastic-plastic spheres or a liquid (`number`) */
     COR_FAULT_NO_YIELD,       /* elastic-plastic spheres need a yield stress or a restitution */
-    COR_FAULT_YIELD_DAMPING,  /* elastic-plastic spheres do not accept number */
-    COR_FAULT_LIQUID,         /* number is missing: viscosity and both gaps go together */
+    COR_FAULT_YIELD_DAMPING,  /* elastic-plastic spheres do not accept `number` */
+    COR_FAULT_LIQUID,         /* `number` is missing: viscosity and both gaps go together */
     COR_FAULT_GAPS,           /* the outer gap is not larger than the inner one */
     COR_FAULT_NO_DURATION,    /* no damping gives this duration and this stiffness, C or A */
     COR_FAULT_TWO_DURATIONS,  /* two contacts may have this dissipation time and this duration at zero overlap */
@@ -478,8 +478,8 @@ int cor_scene_mass_is_given(const struct cor_scene *scene, int body); /* otherwi
  * COR_OK, or the fault. */
 enum { COR_SCENE_DISSIPATES = 1, COR_SCENE_DENSE_WALL = 2 };
 int cor_scene_check_bodies(struct cor_scene_fault *fault, const struct cor_scene *scene, int options);
-/* Returns body 1 or 2 of a scene without such a fault. Walls have infinite radius and mass. Unknown dissipation times
- * are 0. */
+/* Returns body 1 or 2 of a scene in which cor_scene_check_bodies finds no fault. Walls have infinite radius and mass.
+ * Unknown dissipation times are 0. */
 struct cor_body cor_scene_body(const struct cor_scene *scene, int body);
 
 /* Replaces the bodies of a scene with the linear law by a linear spring. At the speed V, COR_SCENE_AT, the spring has
@@ -603,7 +603,7 @@ struct cor_simulator_model {
     const char *lines, *wall_lines, *many;
     enum cor_simulator_pairs pairs;
     enum cor_simulator_mass mass;
-    int any_spring;    /* e also holds for a linear spring */
+    int any_spring;    /* the model's e also holds for a linear spring */
     int has_function;  /* the lines call a function of the speed and contain no number */
     long since, until; /* versions with the model, by cor_simulator_version; 0: no known limit */
 };
@@ -628,7 +628,8 @@ struct cor_simulator {
     const char *density; /* a sentence, if the density of the bodies is not known; NULL: none */
     int one_wall;        /* all walls are of one material */
 
-    /* For spheres that yield: a sentence; the name of Luding's model with a template of its lines; or NULL */
+    /* For spheres that yield. yielding: a sentence. luding: the name of Luding's model. luding_lines: a template of its
+     * lines. NULL: none. */
     const char *yielding, *luding, *luding_lines;
     unsigned tangential; /* the tangential models, bits 1 << id of enum cor_tangential_id; 0: not known */
 };
@@ -722,10 +723,10 @@ struct cor_simulator_request {
     const struct cor_material_pair *pairs; /* the measured pairs */
     size_t material_count, pair_count;
     struct cor_material_contact *memory;
-    /* Friction of two bodies of one material, at a wall, or of pairs of materials that have none of their own; 0: none.
-     * tangential: a model that the simulator must have; with materials COR_TANGENTIAL_DISPLACEMENT selects its first
-     * model. Spring and damper are as in cor_scene_tangential_scaled; with materials the spring is Mindlin's. oblique:
-     * angles in degrees, or tangential speeds in m/s, for which the text states the tangential restitution */
+    /* friction: of two bodies of one material, at a wall, or of pairs of materials that have no friction of their own;
+     * 0: none. tangential: a model that the simulator must have; with materials COR_TANGENTIAL_DISPLACEMENT selects its
+     * first model. Spring and damper are as in cor_scene_tangential_scaled; with materials the spring is Mindlin's.
+     * oblique: angles in degrees, or tangential speeds in m/s, for which the text states the tangential restitution */
     double friction, tangential_stiffness, tangential_damping;
     enum cor_tangential_id tangential;
     const double *oblique;
