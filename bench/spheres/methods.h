@@ -10,7 +10,7 @@
 #include "scene.h"
 
 enum {
-    ARRAY = 1,      /* one call for all; the arrays fit the first-level cache */
+    ARRAY = 1,      /* one call computes all eps; the arrays fit the first-level cache */
     LARGE = 2,      /* also timed on arrays larger than the last-level cache */
     INTEGRATES = 4, /* takes microseconds for each eps, so it is timed at fewer speeds */
     FLOAT = 8       /* `in` and `out` are arrays of float; error at the given float */

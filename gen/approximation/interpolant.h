@@ -18,7 +18,7 @@
 /* Returns point j of the n Chebyshev points on [-1, 1] in ascending order, with the accuracy of a double. */
 double chebyshev_point(slong j, slong n);
 
-/* Computes t, linear in x: -1 at x = lo, 1 at x = hi. */
+/* Computes t, which is linear in x, -1 at x = lo and 1 at x = hi. */
 void unit_place(arb_t t, const arb_t x, double lo, double hi, slong prec);
 
 /* Rounds a sample to `bits` bits; the result counts as exact. Returns false if the interval does not determine it. */
@@ -67,7 +67,7 @@ enum interval_form {
     FORM_VALUE,
     FORM_QUOTIENT, /* (1 - eps)/beta for eps */
     FORM_LOG,      /* ln(eps) for eps, which may fall by many powers of ten */
-    FORM_POWER     /* the quantity over its power of beta, interpolant_tail_power */
+    FORM_POWER     /* the quantity divided by its power of beta, interpolant_tail_power */
 };
 
 struct interval {
@@ -163,10 +163,10 @@ void interpolant_at(arb_t y, const struct interpolant *f, enum quantity quantity
 /* Computes the quantity at beta, in any variable that has an interval for it. */
 void interpolant_at_beta(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t beta, slong prec);
 
-/* Computes the number that an interval of FORM_POWER stores, otherwise the quantity. In u it is the quantity divided by
- * its power of beta. For spheres 2 <= u <= 10, and eps at zero overlap is h*^5 beta^-5 there. In v, for q = 0, it is
- * the duration at zero overlap times eps^((a-1)/(a+1)), which is regular at beta_c. interpolant_tail_power returns the
- * power. */
+/* Computes the number that an interval of FORM_POWER stores; in an interval of another form, computes the quantity. In
+ * u this number is the quantity divided by its power of beta, interpolant_tail_power. For spheres 2 <= u <= 10, and eps
+ * at zero overlap is h*^5 beta^-5 there. In v, for q = 0, the number is the duration at zero overlap times
+ * eps^((a-1)/(a+1)), which is regular at beta_c. */
 void interpolant_tail(arb_t y, const struct interpolant *f, enum quantity quantity, enum interval_variable variable,
                       const arb_t x, slong prec);
 struct ratio interpolant_tail_power(const struct cor_exponents *law, enum quantity quantity);

@@ -198,8 +198,9 @@ static double octave_of(double x)
     return floor(log2(x));
 }
 
-/* The parts of the layout. holds: the quantity, at zero overlap, that a table of eps contains instead of eps, or -1.
- * Next: stem and title of a table of eps, with `%s` for the end of contact; stem of other tables; variable */
+/* The parts of the layout. holds: the quantity that a table of eps at zero overlap contains instead of eps, or -1. The
+ * next fields are the stem and the title of a table of eps, with `%s` for the end of contact, the stem of other tables,
+ * and the variable. */
 static const struct part {
     int holds;
     const char *stem_of_eps, *title_of_eps, *stem;

@@ -72,8 +72,9 @@ int law_tables_emit(struct emit *e, const struct law_tables *t, bool floats)
 
 /* ---- damping during the approach only ---- */
 
-/* Rows in beta from 0 to 8; in 1 - eps up to 1/2; then in eps down to 1/64, with 16 cells to an octave. In a row whose
- * value is multiplied by the argument, c_0 has HEAD_BITS bits, so its products with halves of a double are exact. */
+/* The rows are in beta from 0 to 8, in 1 - eps up to 1/2, and in eps from there down to 1/64, with 16 cells to an
+ * octave. In a row whose value is multiplied by the argument, c_0 has HEAD_BITS bits, so its products with halves of a
+ * double are exact. */
 enum { HEAD_BITS = 26, BETA_ROWS = 65, LOSS_ROWS = 17, EPS_FIRST = -6, EPS_ROWS = 80 };
 #define IN_BETA(of, head)                                                                                              \
     .quantity = (of), .variable = VARIABLE_BETA, .step = 0.125, .end = 8, .rows = BETA_ROWS, .head_bits = (head)

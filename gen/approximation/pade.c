@@ -15,8 +15,8 @@
 enum {
     TAIL_POWER = 5,      /* power of beta in eps -> h*^5/beta^5 at zero overlap; docs/theory.md, 4 */
     GUARD_BITS = 64,     /* more bits than requested */
-    LOSS_PER_DEGREE = 5, /* bits that the solution of the system loses per degree, start value */
-    MOST_TIMES = 8,      /* bits of the last attempt, relative to the first */
+    LOSS_PER_DEGREE = 5, /* first estimate of the bits that the solution of the system loses per degree */
+    MOST_TIMES = 8,      /* ratio of the bits of the last attempt to the bits of the first */
     ROOT_BITS = 40,      /* relative bits of a printed root */
     PLACE_DIGITS = 8
 };

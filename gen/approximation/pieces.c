@@ -433,8 +433,8 @@ void pieces_clear(struct pieces *p)
     p->value = p->bits = NULL;
 }
 
-/* The variable y of a table, and the range in its title. Octaves print 2^first and the end or, if `log`, its log2.
- * Other tables print one number. */
+/* The variable y of a table, and the range in its title. Tables by octaves print 2^first and the end of the table,
+ * as a power of 2 if `log`. Other tables print one number. */
 static const struct {
     const char *y, *range;
     bool log;

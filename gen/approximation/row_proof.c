@@ -127,8 +127,9 @@ void interpolant_on(arb_poly_t y, const struct interpolant *f, int i, enum quant
 
 /* ---- the constant of the creep ---- */
 
-/* Computes C from collision j of an interval in ln(beta): the time from zero force to zero overlap, without the series.
- * Returns false if the motion from zero force begins where the series has no bound. */
+/* Computes C from collision j of an interval in ln(beta). C is the time from zero force to zero overlap, divided by
+ * beta, minus the other terms of the creep. Returns false if the motion from zero force begins where the series has no
+ * bound. */
 static bool creep_constant_of(arb_t constant, const struct interpolant_proof *proof, int i, slong j)
 {
     const slong bits = proof->f->layout->interval[i].bits;

@@ -160,7 +160,7 @@ static int print_tables(const struct contact_arguments *o, const struct contacts
 
 enum { CURVE_POINTS = 201 };
 
-/* Draws eps at speeds that are equally spaced in their logarithm, for a single speed over two decades around it. */
+/* Draws eps at speeds that are equally spaced in their logarithm. For a single speed, draws two decades around it. */
 static int draw_eps(const struct contact_arguments *o, const struct contacts *contacts)
 {
     char title[COR_SCENE_ENDS][64];

@@ -9,7 +9,8 @@
 
 /* Let N = n + 1, u = a_{n+1}/(2N) and A = 1/(1 - u). Then a_n = (z/(2N)) A, and x = n - a_n. A = h/d and A - 1 = k/d
  * are stored, because computing 1 - A from A cancels for n > kappa. If |A| > 1, h = 1, so that nothing overflows where
- * J_n vanishes; otherwise d = 1. Capital letters are for kappa'; b_n = (g/N) B and y = n - b_n. In these variables
+ * J_n vanishes; otherwise d = 1. For kappa', B, H, D and K correspond to A, h, d and k; b_n = (g/N) B and
+ * y = n - b_n. In these variables
  *
  *     -n(n-1)/2 T0 + (g/N) ((n-1)(T1 - s T2/2) + T0/2) = 0        n >= 1
  *     e d - s k = 0                                              n = 0

@@ -42,10 +42,10 @@ enum {
 };
 
 /* Growth of intervals relative to the contraction of the motion: slightly above the growth measured in 20 laws. If a
- * motion loses more bits, the code tries again with more. */
+ * motion loses more bits than this, the code tries again with higher precision. */
 #define GROWTH_LOADING 2.0
 #define GROWTH_UNLOADING 1.13
-/* Growth for each halving of the distance from beta to the threshold, for Hertz's law with a dashpot */
+/* Growth of intervals for each halving of the distance from beta to the threshold, for Hertz's law with a dashpot */
 #define GROWTH_BELOW 2.7
 
 /* Chooses the route. The logarithm of the motion's contraction is ln(1/mu) for loading, again ln(1/mu) for release
@@ -96,7 +96,7 @@ static enum motion_outcome try_precision(struct collision *c, const arb_t beta, 
     return outcome;
 }
 
-/* Solves for some ends. below: the distance from beta up to the threshold of zero overlap, if known */
+/* Solves for the requested ends. below: the distance from beta up to the threshold of zero overlap, if known */
 static int ends_solve(struct collision *c, const arb_t beta, double below, const struct cor_exponents *law,
                       enum ends ends, slong bits)
 {

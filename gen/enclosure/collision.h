@@ -25,12 +25,14 @@ int collision_solve_force(struct collision *c, const arb_t beta, const struct co
 /* Solves x'' + beta x^b x' + x^a = force >= 0 (docs/theory.md, 24) at one end, an enum cor_end, or at both, -1. The
  * fields of the other end are undefined. Under a force > 0, eps_zero_force and t_zero_force are values at the surface:
  * the bodies fly from zero force to x = 0. Bodies that are proved to stay together have eps exactly 0 and t = +inf.
- * Under a force > 0 it fails very close to the threshold, and if the damping is too strong for the integration. */
+ * Under a force > 0 the function fails very close to the threshold, and if the damping is too strong for the
+ * integration. */
 int collision_solve_pressed(struct collision *c, const arb_t beta, const arb_t force, const struct cor_exponents *law,
                             int end, slong bits);
 
 /* Encloses the smallest force with which the bodies stay together, for beta > 0. For q >= 0 they also stay together
- * with any larger force, and it decreases with beta. Fails if the bodies stay together even without a force. */
+ * with any larger force, and the smallest force decreases with beta. Fails if the bodies stay together even without a
+ * force. */
 int collision_sticking_force(arb_t force, const arb_t beta, const struct cor_exponents *law, int end, slong bits);
 
 /* Encloses the largest impact speed at which the bodies stay together in x'' + damping x^b x' + x^a = 1. Fails if they
@@ -46,7 +48,8 @@ int collision_final_speed(arb_t v_f, const struct cor_exponents *law, slong bits
 /* Encloses h* = v_f^q for spheres: for large beta, eps_zero_overlap tends to (h_star/beta)^5. */
 int collision_h_star(arb_t h_star, slong bits);
 
-/* Encloses beta_c, q <= 0: bodies part at zero overlap only below it. If q < 0, also C* = beta_c^(2/n) x_max. */
+/* Encloses beta_c, for q <= 0. At zero overlap, bodies part only if beta is below beta_c. If q < 0, also encloses C* =
+ * beta_c^(2/n) x_max. */
 int collision_threshold(arb_t beta_c, arb_t c_star, const struct cor_exponents *law, slong bits);
 
 #endif

@@ -22,8 +22,8 @@ static struct complex_ball add_number(struct complex_ball x, double number)
     return ball_add(x, ball_of(number, 0));
 }
 
-/* dg/dzeta = -zeta^2 C g^2/(1 + q), its g-derivative -zeta^2 C g (2 + q)/(1 + q)^2, q = g zeta^3 C, dt/dzeta = +-2
- * zeta/(1 + q) */
+/* With q = g zeta^3 C, returns dg/dzeta = -zeta^2 C g^2/(1 + q), its derivative by g, -zeta^2 C g (2 + q)/(1 + q)^2,
+ * and dt/dzeta = +-2 zeta/(1 + q). */
 static struct slopes zeta_slopes(const struct path *p, struct complex_ball zeta, struct complex_ball g, double sign)
 {
     const struct complex_ball square = ball_sqr(zeta);
@@ -44,7 +44,7 @@ static struct slopes unloading_slopes(const struct path *p, struct complex_ball 
     return zeta_slopes(p, zeta, g, -1);
 }
 
-/* dy/dkappa = -kappa y/(2 N), its y-derivative -kappa^3/(2 N^2), dt/dkappa = 1/N */
+/* Returns dy/dkappa = -kappa y/(2 N), its derivative by y, -kappa^3/(2 N^2), and dt/dkappa = 1/N. */
 static struct slopes turning_slopes(const struct path *p, struct complex_ball kappa, struct complex_ball y)
 {
     const struct complex_ball square = ball_sqr(kappa);
@@ -54,8 +54,8 @@ static struct slopes turning_slopes(const struct path *p, struct complex_ball ka
     return (struct slopes){ball_mul(part, y), ball_mul(part, ball_mul(square, inverse)), inverse};
 }
 
-/* As turning_slopes in k = c1 kappa with c2 = 1, M = c1^2 y (1 - k) + k^2: dy/dk = -k y/(2 M), its y-derivative -k^3/(2
- * M^2), dt/dk = c1/M */
+/* Like turning_slopes, in k = c1 kappa with c2 = 1. With M = c1^2 y (1 - k) + k^2, returns dy/dk = -k y/(2 M), its
+ * derivative by y, -k^3/(2 M^2), and dt/dk = c1/M. */
 static struct slopes force_slopes(const struct path *p, struct complex_ball k, struct complex_ball y)
 {
     const struct complex_ball square = ball_sqr(k);
@@ -65,7 +65,7 @@ static struct slopes force_slopes(const struct path *p, struct complex_ball k, s
     return (struct slopes){ball_mul(part, y), ball_mul(part, ball_mul(square, inverse)), ball_mul(p->c1, inverse)};
 }
 
-/* r = 1/Y: dk/dr = 2 (1/k - 1 + k r)/r^2, its k-derivative 2 (r - 1/k^2)/r^2, dt/dr = 2/(k r) */
+/* With r = 1/Y, returns dk/dr = 2 (1/k - 1 + k r)/r^2, its derivative by k, 2 (r - 1/k^2)/r^2, and dt/dr = 2/(k r). */
 static struct slopes falling_force_slopes(const struct path *p, struct complex_ball r, struct complex_ball k)
 {
     (void)p;
@@ -80,8 +80,8 @@ static struct complex_ball rest_of(const struct path *p)
     return ball_neg(ball_mul(p->length, add_number(p->s, -1)));
 }
 
-/* kappa = -q, q = exp(L), r = mu/q = exp(rest), M = y (1 + r) + q: dy/dL = -q y/(2 M), its y-derivative -q^2/(2 M^2),
- * dt/dL = -1/M */
+/* With q = exp(L), kappa = -q, r = mu/q = exp(rest) and M = y (1 + r) + q, returns dy/dL = -q y/(2 M), its derivative
+ * by y, -q^2/(2 M^2), and dt/dL = -1/M. */
 static struct slopes before_turn_slopes(const struct path *p, struct complex_ball L, struct complex_ball y)
 {
     (void)p;
@@ -91,8 +91,8 @@ static struct slopes before_turn_slopes(const struct path *p, struct complex_bal
     return (struct slopes){ball_times(ball_mul(part, y), -0.5), ball_times(ball_sqr(part), -0.5), ball_neg(inverse)};
 }
 
-/* kappa = -mu delta, M = y (1 + delta) + mu delta^2: dy/ddelta = -mu delta y/(2 M), its y-derivative -mu^2 delta^3/(2
- * M^2), dt/ddelta = -1/M */
+/* With kappa = -mu delta and M = y (1 + delta) + mu delta^2, returns dy/ddelta = -mu delta y/(2 M), its derivative by
+ * y, -mu^2 delta^3/(2 M^2), and dt/ddelta = -1/M. */
 static struct slopes last_force_slopes(const struct path *p, struct complex_ball delta, struct complex_ball y)
 {
     const struct complex_ball size = ball_mul(p->c2, delta);
@@ -102,8 +102,8 @@ static struct slopes last_force_slopes(const struct path *p, struct complex_ball
                            ball_neg(inverse)};
 }
 
-/* kappa = mu - q, q = exp(L), r = mu^2/q = exp(rest), M = y - 2 mu + q + r: dy/dL = kappa y/(2 M), its y-derivative
- * kappa (M - y)/(2 M^2), dt/dL = -1/M */
+/* With q = exp(L), kappa = mu - q, r = mu^2/q = exp(rest) and M = y - 2 mu + q + r, returns dy/dL = kappa y/(2 M), its
+ * derivative by y, kappa (M - y)/(2 M^2), and dt/dL = -1/M. */
 static struct slopes after_turn_slopes(const struct path *p, struct complex_ball L, struct complex_ball y)
 {
     const struct complex_ball q = ball_exp(L), r = ball_exp(rest_of(p)), kappa = ball_sub(p->c2, q);
@@ -113,8 +113,8 @@ static struct slopes after_turn_slopes(const struct path *p, struct complex_ball
     return (struct slopes){ball_mul(part, y), ball_mul(part, ball_mul(others, inverse)), ball_neg(inverse)};
 }
 
-/* kappa = mu e, e = 1 - mu delta, M = y delta + e^2: dy/ddelta = y mu e/(2 M), its y-derivative mu e^3/(2 M^2),
- * dt/ddelta = -1/M */
+/* With e = 1 - mu delta, kappa = mu e and M = y delta + e^2, returns dy/ddelta = y mu e/(2 M), its derivative by y, mu
+ * e^3/(2 M^2), and dt/ddelta = -1/M. */
 static struct slopes last_of_fall(const struct path *p, struct complex_ball delta, struct complex_ball y)
 {
     const struct complex_ball e = add_number(ball_neg(ball_mul(p->c2, delta)), 1), square = ball_sqr(e);

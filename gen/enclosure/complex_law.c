@@ -8,7 +8,7 @@
 #define APPROACH_MOST 0.3
 /* The approach ends at x = s^POWER, so that the equation is smooth at s = 0 for every exponent of the law. */
 #define POWER 4.0
-/* F at the end of the creep */
+/* Value of F = beta^2 x^n at the end of the creep */
 #define CREEP_END 2.0
 
 static const struct complex_ball zero = {0, 0, 0}, one = {1, 0, 0};
@@ -46,7 +46,7 @@ static bool set_log(struct complex_ball *log_x, struct complex_ball x)
 
 /* ---- the equation along a path; the comment above each function defines its slopes and its c1, c2 and c3 ---- */
 
-/* dv/ds, c1 = beta, c3 = f */
+/* Returns dv/ds. c1 = beta, c3 = f */
 static struct slopes approach_slopes(const struct path *p, struct complex_ball s, struct complex_ball v)
 {
     const struct complex_ball damping = ball_mul(p->c1, real_power(s, POWER * p->b + POWER - 1));
@@ -59,7 +59,7 @@ static struct slopes approach_slopes(const struct path *p, struct complex_ball s
                            ball_times(ball_mul(elastic, inverse), POWER), zero};
 }
 
-/* dL/dkappa = -kappa/D, its L-derivative kappa D_L/D^2; c1 = beta, c3 = f */
+/* Returns dL/dkappa = -kappa/D and its derivative by L, kappa D_L/D^2. c1 = beta, c3 = f */
 static struct slopes turning_slopes(const struct path *p, struct complex_ball kappa, struct complex_ball L)
 {
     const struct complex_ball elastic = exp_of_power(L, p->a - 1);
@@ -76,7 +76,7 @@ static struct slopes turning_slopes(const struct path *p, struct complex_ball ka
     return (struct slopes){part, ball_mul(ball_mul(part, inverse), derivative), zero};
 }
 
-/* dl/ds, which is often a small difference; c1 = beta X^(b+1)/W, c2 = X^(a+1)/W^2 and c3 = f X/W^2 */
+/* Returns dl/ds, which is often a small difference. c1 = beta X^(b+1)/W, c2 = X^(a+1)/W^2 and c3 = f X/W^2 */
 static struct slopes departure_slopes(const struct path *p, struct complex_ball s, struct complex_ball l)
 {
     const double common = fmin(p->a, p->b);
@@ -94,7 +94,7 @@ static struct slopes departure_slopes(const struct path *p, struct complex_ball 
     return (struct slopes){ball_times(slope, POWER), ball_times(derivative, POWER), zero};
 }
 
-/* dL/dk = -k/N, F = c1 x^n, c1 = beta^2, c3 = f beta^2; its L-derivative k N_L/N^2 */
+/* Returns dL/dk = -k/N and its derivative by L, k N_L/N^2. F = c1 x^n, c1 = beta^2, c3 = f beta^2 */
 static struct slopes force_slopes(const struct path *p, struct complex_ball k, struct complex_ball L)
 {
     const struct complex_ball damping = ball_mul(ball_mul(p->c1, exp_of_power(L, p->n)), ball_add(one, ball_neg(k)));
@@ -109,7 +109,7 @@ static struct slopes force_slopes(const struct path *p, struct complex_ball k, s
     return (struct slopes){part, ball_neg(ball_mul(ball_mul(part, inverse), N_L)), zero};
 }
 
-/* force_slopes with q = ln(k): dL/dq = -k^2/N */
+/* Returns dL/dq = -k^2/N, q = ln(k), from force_slopes. */
 static struct slopes force_by_log(const struct path *p, struct complex_ball q, struct complex_ball L)
 {
     const struct complex_ball k = ball_exp(q);
@@ -117,7 +117,7 @@ static struct slopes force_by_log(const struct path *p, struct complex_ball q, s
     return (struct slopes){ball_mul(k, f.slope), ball_mul(k, f.derivative), zero};
 }
 
-/* n dk/dln(F) = -N/k = -(F (1/k - 1) + (a-b) k); its k-derivative F/k^2 - (a-b) */
+/* Returns dk/dln(F) = -N/(n k), where N/k = F (1/k - 1) + (a-b) k, and its derivative by k, (F/k^2 - (a-b))/n. */
 static struct slopes slow_slopes(const struct path *p, struct complex_ball log_F, struct complex_ball k)
 {
     const struct complex_ball inverse = ball_inv(k), F = ball_exp(log_F);
