@@ -21,7 +21,7 @@ enum { BALL_BITS = 256 };
 /* Up to this L, the formulas with exp and expm1 in long double have the digits that a double needs. */
 static const long double far_exponent = 16;
 
-/* Returns exp(-share L), L by acos, acosh and logarithms, in balls; with limited damping only for zeta > 1. */
+/* Returns exp(-share L) in balls, where L comes from acos, acosh and logarithms. Limited damping requires zeta > 1. */
 static long double eps_far(enum cor_end end, double zeta, struct ratio share)
 {
     LOCAL(arb, l, om, phase);
@@ -150,7 +150,7 @@ static long double exact(const struct search_function *f, enum search_shape shap
 
 /* ---- the functions ---- */
 
-enum { SLOW_SHARE = 400, MOST_FUNCTIONS = 100 }; /* SLOW_SHARE: for references that take 0.1 ms */
+enum { SLOW_SHARE = 400, MOST_FUNCTIONS = 100 }; /* SLOW_SHARE: `share` of functions whose reference takes 0.1 ms */
 
 #define AT_EXPONENT(name, function, exponent)                                                                          \
     static double crossley_##name(double beta)                                                                         \

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Tests guarantees that every public function (from the list of the bindings) gives for any arguments. */
+/* Tests the guarantees that every public function in the list of the bindings gives for any arguments. */
 #include <errno.h>
 #include <fenv.h>
 

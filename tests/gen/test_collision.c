@@ -271,7 +271,8 @@ TEST(test_angle)
     }
 }
 
-/* The slow manifold agrees with the full motion in hundreds of bits: a - b below, at and above 1, a < b and a = b. */
+/* The slow manifold agrees with the full motion in hundreds of bits, for laws with a - b below 1, equal to 1 and above
+ * 1, a < b and a = b. */
 TEST(test_slow_manifold)
 {
     leave_to_turn(0, 3);
@@ -341,8 +342,8 @@ TEST(test_forgetting)
     }
 }
 
-/* (3/2, 1/3) at beta = 4.1 and 12 bits: the estimate of the contraction neglects beta^P, P = 41, so the motion misses
- * the manifold. More bits never help, so the unloading is integrated. */
+/* For the law (3/2, 1/3) at beta = 4.1 and 12 bits, the estimate of the contraction neglects beta^P with P = 41, so the
+ * motion misses the manifold. More bits never help, so the unloading is integrated. */
 TEST(test_missed_manifold)
 {
     leave_to_turn(1, 3);
@@ -362,8 +363,8 @@ TEST(test_missed_manifold)
     assert_overlap(one->eps_zero_overlap, other->eps_zero_overlap, "eps", 1);
 }
 
-/* Just below the threshold of (3/2, 0): eps = s d (1 + pi sqrt(s d/beta_c^5) + O(d ln d)), beta t + ln(eps) -> 3.06410.
- * Just above it eps is exactly 0. */
+/* At the distance d below the threshold beta_c of the law (3/2, 0), eps = s d (1 + pi sqrt(s d/beta_c^5) + O(d ln d)),
+ * and beta t + ln(eps) approaches 3.06410. Just above it eps is exactly 0. */
 TEST(test_below_threshold)
 {
     leave_to_turn(2, 3);
@@ -426,7 +427,8 @@ TEST(test_strong_force)
     }
 }
 
-/* (1, 0), beta = 5/2, f = 9/20: the overlap rises beyond its value at rest and turns once, at t = 2 ln(31)/3. */
+/* For the law (1, 0) with beta = 5/2 under the force 9/20, the overlap rises beyond its value at rest and turns once,
+ * at t = 2 ln(31)/3. */
 TEST(test_turns_beyond_rest)
 {
     const struct cor_exponents law = law_of("1", "0");

@@ -21,7 +21,7 @@ struct law_of_force {
     long double elastic, damping; /* elastic force at a unit of length; damping force there at 1 m/s */
 };
 
-enum { ROOT = 4 /* exponents are multiples of 1/4: x = w^4 units of length */ };
+enum { ROOT = 4 /* x = w^4 units of length, so exponents of x may be multiples of 1/4 */ };
 
 static struct law_of_force force_law(double mass, double stiffness, double coefficient, double a, double b,
                                      double speed)
@@ -303,7 +303,7 @@ TEST(other_laws)
     const struct cor_scene_impact impact = scene_impact(&plate, 1);
     assert_true(isnan(impact.eps[COR_END_ZERO_FORCE]) && isnan(impact.duration_s[COR_END_ZERO_FORCE]));
     check_near(cor_scene_force_max_n(&plate, 1), plate.stiffness * pow(impact.max_overlap_m, 1.5), 1e-13);
-    /* the inverse for a law that needs enclosed collisions; without a solver it is refused */
+    /* the inverse for a law that needs enclosed collisions; without a solver the request is refused */
     struct cor_scene_contact power = {.law = {2, 1, 1}, .mass_kg = 1e-3, .stiffness = 1e5, .solver = contact_enclosed};
     assert_int_equal(cor_scene_set_damping(&power, COR_SCENE_RESTITUTION, 0.3, 0.5, COR_END_ZERO_FORCE), 0);
     check_near(scene_eps(&power, 0.5, COR_END_ZERO_FORCE), 0.3, 1e-14);

@@ -40,7 +40,8 @@ TEST(test_spelling)
     }
 }
 
-/* Balls that are too wide for the digits, or beyond the range of MPFR, give no digits; with 16 digits, no double. */
+/* Balls that are too wide for the digits, or beyond the range of MPFR, give no digits. Cases with 16 digits give no
+ * double either. */
 TEST(test_undecided)
 {
     static const struct {

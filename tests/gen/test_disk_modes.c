@@ -487,8 +487,8 @@ TEST(test_corners_of_nu)
     LOCAL(disk_modes, modes, other);
     static const ulong margins[] = {6, 30, 99};
     for (size_t i = 0; i < COUNT_OF(margins); i++) {
-        /* nu -> -1: conformal maps z^(n+1), whose only energy is compression: omega^2 = (n+1)(n+2)/2, C = S =
-         * sqrt(n+2). The breathing mode has omega = C = sqrt(2). */
+        /* As nu approaches -1, the modes become conformal maps z^(n+1), whose only energy is compression. They have
+         * omega^2 = (n+1)(n+2)/2 and C = S = sqrt(n+2). The breathing mode has omega = C = sqrt(2). */
         near_end(nu, -1, margins[i]);
         assert_int_equal(disk_modes_solve(modes, nu, 300, 20), 0);
         for (slong n = 0; n < modes->count && margins[i] > 14; n++) {
@@ -502,7 +502,7 @@ TEST(test_corners_of_nu)
         }
         for (slong k = 0; k < modes->count; k += 59)
             assert_root(&modes->mode[k], nu, 50, 1500);
-        /* nu -> 1: no compression */
+        /* as nu approaches 1, the compression of the modes vanishes */
         near_end(nu, 1, margins[i]);
         assert_int_equal(disk_modes_solve(other, nu, 300, 20), 0);
         for (slong k = 0; k < other->count; k += 59)

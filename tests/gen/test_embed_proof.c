@@ -203,7 +203,7 @@ TEST(test_counts)
     } form[] = {
         {SPEED, 1, 0, 1 + 2 * x / (3 + 2 * x), {3, 2}, "3 + 2 x"}, /* 2 x once and the sum once; largest at x = 16 */
         {SPEED, 2, 0, 1 + 2 * x * x / (1 + x * x), {1, 0, 1}, "1 + x^2 by Horner's rule: two products and the sum"},
-        /* (1 + x^4) + x (0): x^2, x^2 1, x^2 x^2, the even sum, the whole sum: 4 x^4 + 2 (1 + x^4) */
+        /* (1 + x^4) + x (0): x^2, x^2 1 and x^2 x^2 together add 4 x^4, and the two sums add 2 (1 + x^4) */
         {SPEED, 4, 0, 2 + 4 * x4 / (1 + x4), {1, 0, 0, 0, 1}, "1 + x^4, split"},
         /* largest at x = 16: each sum, each product by 1, and the quotient round once */
         {SPEED, 1, 1, (1 + x / (1 + x)) + (1 + x / (5 + x)) + 1, {1, 1, 5, 1}, "(1 + x)/(5 + x)"},
@@ -259,8 +259,9 @@ TEST(test_root)
         }
 }
 
-/* A polynomial with a zero and one that overflows have no bound. The place in a table also has the error of a product
- * and of a sum. A table that is too short is refused, even if it is too short only by the error of a rough root. */
+/* A polynomial with a zero has no bound, nor does a polynomial that overflows. The place in a table also has the error
+ * of a product and of a sum. A table that is too short is refused, even if it is too short only by the error of a rough
+ * root. */
 TEST(test_limits)
 {
     struct embed_rounding bound;

@@ -256,8 +256,8 @@ TEST(test_spurious_pair)
     assert_false(pade_analyse(a, f, PREC));
 }
 
-/* z is rounded, and each degree has a product and a sum: 3 n u for a polynomial without cancellation. Rounding 1 adds
- * u, the quotient 1 u, and the root in the loss 2 u. */
+/* For each degree, the rounding of z, a product and a sum add u each: 3 n u for a polynomial without cancellation.
+ * Rounding 1 adds u, the quotient 1 u, and the root in the loss 2 u. */
 TEST(test_evaluation_error)
 {
     const double u = 0x1p-53;
@@ -275,7 +275,7 @@ TEST(test_evaluation_error)
     }
 }
 
-/* 1/(1 + z) + d/(1 - z/2): its [1/2] has a pole at 2. Its zero is at 2 (1 + d)/(1 - 2 d), which is 6 d/(1 - 2 d)
+/* The [1/2] of 1/(1 + z) + d/(1 - z/2) has a pole at 2. Its zero is at 2 (1 + d)/(1 - 2 d), which is 6 d/(1 - 2 d)
  * further out. The distance of a pair is relative to its size. */
 TEST(test_near_pair)
 {
@@ -354,7 +354,7 @@ TEST(test_degenerate)
     struct pade_block b;
     LOCAL(arb_poly, c);
 
-    /* 1/(1 - z/3), a fraction: its block is infinite */
+    /* 1/(1 - z/3) is itself a fraction, so its block is infinite */
     LOCAL(arb, x);
     arb_one(x);
     for (slong k = 0; k <= 12; k++) {

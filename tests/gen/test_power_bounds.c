@@ -120,7 +120,7 @@ TEST(test_trajectories)
     }
 }
 
-/* Z = 1 - c s^20: 1/Z has the norm 1/(1 - c rho^20). The block 1 of 10 columns does not contain c. */
+/* For Z = 1 - c s^20, the norm of 1/Z is 1/(1 - c rho^20). A block of 10 columns contains the 1, but not c. */
 TEST(test_one_term)
 {
     enum { TERMS = 25, POWER = 20, BLOCK = 10 };
@@ -146,7 +146,7 @@ TEST(test_one_term)
     jet_free(t.x_to_a, 1);
 }
 
-/* Z = 1 + U, with V = 1 - U from a block of two rows: 1 - Z V is U^2, and the bound is 1/(1 - U). */
+/* For Z = 1 + U, a block of two rows gives V = 1 - U. Therefore 1 - Z V is U^2, and the bound is 1/(1 - U). */
 TEST(test_rest_of_block)
 {
     enum { ORDER = 2, TERMS = 3 };

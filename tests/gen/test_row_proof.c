@@ -283,8 +283,8 @@ TEST(test_unknown)
 
 /* ---- the creep from zero force to zero overlap ---- */
 
-/* Computes t' - 2 ln(Y) - a_1/Y - ... - a_n/Y^n of an enclosed collision, Y, and the bound of the remainder. Without
- * `last` the sum ends at n - 1. */
+/* Computes Y of an enclosed collision, rest = t' - 2 ln(Y) - a_1/Y - ... - a_n/Y^n, and the bound of the remainder.
+ * Without `last` the sum ends at n - 1. */
 static void creep_rest(arb_t rest, arb_t Y, arb_t bound, const struct creep_series *s, const arb_t beta, bool last)
 {
     enum { PREC = 200, BITS = 110 };

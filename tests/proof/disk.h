@@ -339,7 +339,7 @@ struct law_formula {
     bool inverse; /* t of q, or t = q */
     int multiple; /* multiple of the logarithm */
     formula *of;
-    const struct cor_logarithm *constant; /* the function of a leading logarithm */
+    const struct cor_logarithm *constant; /* NULL, or a of a leading logarithm ln(a/x) */
 };
 
 /* Checks that the function, without rounding, is its formula in t. x = 0.75 2^exponent is far from the limit, so q =
@@ -361,7 +361,7 @@ static void check_law_at(const law_formula &f, enum cor_disk_datum datum, int ex
     assignment known;
     known[x.node()] = arbitrary();
     known[nu.node()] = arbitrary();
-    mpq_class root; /* the last one belongs to the law */
+    mpq_class root; /* the last root in the list belongs to the law */
     for (std::size_t i = 0; i < nodes.size(); i++) {
         const operation what = nodes[i].what;
         if (what == HEAD || what == SEED || what == LOG)
@@ -369,7 +369,7 @@ static void check_law_at(const law_formula &f, enum cor_disk_datum datum, int ex
         if (what == SQRT)
             known[(int)i] = root = arbitrary();
     }
-    if (f.law == law_load_of_energy && exponent < -900) /* the root of the argument times 2^200 */
+    if (f.law == law_load_of_energy && exponent < -900) /* the source takes the root of 2^200 times the argument */
         root /= rational(0x1p100);
     const mpq_class slope = datum == COR_DISK_DATUM_DIAMETER  ? mpq_class(0)
                             : datum == COR_DISK_DATUM_PRINTED ? mpq_class(-1)

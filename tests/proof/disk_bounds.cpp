@@ -518,7 +518,7 @@ static const struct {
     const char *name;
     double constant, power;
     int square;
-    double factor; /* for a leading logarithm: value = factor exp(-argument q) q^power */
+    double factor; /* leading logarithms: value = factor exp(-(1 + square) q) q^power */
     double least;  /* least q */
 } q_laws[] = {{"compression of a load", 1, 1, 0, 0, least_depth},
               {"energy of a load", 0.5, 1, 1, 0, least_depth},

@@ -22,7 +22,7 @@
 #include "cor/contact.h"
 #include "errors.h"
 
-/* The evaluator's source, with numbers that record their operations. cor/contact.h, before it, has real doubles. */
+/* The evaluator's source, with numbers that record their operations. Included above, cor/contact.h has real doubles. */
 namespace trace
 {
 #define double Real
@@ -60,7 +60,7 @@ static std::string within(number low, number high)
     return "[" + hex(low) + ", " + hex(high) + "]";
 }
 
-/* at_most: the interval of an error's absolute value; the next function: the interval of an error */
+/* at_most gives the interval of an error's absolute value, and `units` the interval of the error itself */
 static std::string at_most(number error)
 {
     return " in [0, " + hex(error) + "]";

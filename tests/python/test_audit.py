@@ -362,7 +362,7 @@ def test_hostile(tmp_path):
 @pytest.mark.parametrize("key", ["solref", "solimp", "solmix", "priority", "condim", "contype", "size", "density"])
 @pytest.mark.parametrize("wrong", ["{0} 1", "{1}"])
 def test_attributes_that_are_not_numbers(tmp_path, key, wrong):
-    """MuJoCo refuses them on either geom and in defaults, also if the other geom has the number."""
+    """MuJoCo refuses such attributes on either geom and in defaults, also if the other geom has the number."""
     text = f'{key}="{wrong.format("high", "1 x" if key in ("solref", "solimp", "size") else "nan")}"'
     for geoms in ((text, ""), ("", text)):
         floor, ball = (f'<geom type="{t}" {g}/>' for t, g in zip(("plane", "sphere"), geoms))
@@ -491,7 +491,8 @@ PROGRAMS = {"lammps": os.environ.get("LMP", "lmp"), "liggghts": os.environ.get("
 
 @pytest.mark.parametrize("name,settings", [(n, line) for n, text in SETTINGS.items() for line in text.split("\n")])
 def test_simulators_agree(tmp_path, name, settings):
-    """The script's collision has one phase of the time step, so its eps may differ by four standard deviations."""
+    """eps depends on the phase of the first contact within a time step. The script has only one phase, so its eps may
+    differ by four standard deviations."""
     if not shutil.which(PROGRAMS[name]):
         pytest.skip(f"no program {PROGRAMS[name]}; Debian calls its package {name}")
     text = (ROOT / "tests" / "audit" / f"{name}.in").read_text(encoding="utf-8")

@@ -16,7 +16,8 @@ LONG = np.longdouble
 
 
 def laws(folder):
-    """Returns options, range and eps of each law. The table has unequal distances, and eps rises, falls and stays."""
+    """Returns options, range and eps of each law. The table has unequal distances, and eps rises, falls and is
+    constant."""
     rng = np.random.default_rng(SEED)
     rows = int(rng.integers(2, 40))
     speed = np.cumsum(rng.uniform(0.01, 1, rows)) * 10 ** rng.uniform(-3, 0)

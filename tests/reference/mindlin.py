@@ -24,12 +24,13 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[2]
 MODELS = ("displacement", "force", "rescaled", "rescaled-force")
 FRICTION = 0.1
-# tan(angle) over 7 mu/(2 kappa), with which u'/u does not depend on mu
+# tan(angle) divided by 7 mu/(2 kappa); as a function of this quotient, u'/u does not depend on mu
 ANGLES = np.concatenate([np.arange(0.05, 2, 0.05), np.arange(2, 10.5, 0.25)])
 
 
-# Alumina on glass: the angle in degrees, and the centre's tangential speed after over before. From A. H. Kharaz, D. A.
-# Gorham, A. D. Salman, Powder Technology 120, 281 (2001), as Kratos reads the figure for its benchmark 4
+# Alumina on glass: the angle in degrees, and the ratio of the centre's tangential speeds after and before impact. From
+# A. H. Kharaz, D. A. Gorham, A. D. Salman, Powder Technology 120, 281 (2001), as Kratos reads the figure for its
+# benchmark 4
 MEASURED = np.array([[2.238, 0.7965], [4.218, 0.7463], [9.842, 0.6755], [20.218, 0.5988], [30.356, 0.6903],
                      [39.545, 0.7743], [49.604, 0.8476], [71.069, 0.9366], [79.228, 0.9695], [85.168, 0.9794]])
 

@@ -40,7 +40,7 @@ COARSE = 12  # time steps in the shortest contact, at 4 sqrt(2 T/m)
 STAGES = 20  # 1 + t/t_1 grows by 1.1 in each; t_1 is `unit` of in.gas
 SHORT_STAGES = 12
 
-# The gases whose scatter gives the statistical error, and their scatter of ln T times sqrt(N)
+# The gases whose scatter gives the statistical error, and the scatter of their ln T, multiplied by sqrt(N)
 SCATTER_LATTICE, SCATTER_SEEDS = "20x10x10", range(101, 109)
 SCATTER = 0.45
 ALLOWED = 4.5  # standard errors
@@ -196,8 +196,8 @@ class Predictor:
                    os.path.join(HERE, "theory.c"), library, "-lgsl", "-lgslcblas", "-lm"])
 
     def __call__(self, states, model="zero_overlap", factor=1.0, loss=1.0):
-        """Returns theory at the times of the states, starting at the first temperature. factor multiplies A; loss
-        multiplies 1 - eps^2."""
+        """Returns theory at the times of the states, starting at the first temperature. `factor` multiplies A, and
+        `loss` multiplies 1 - eps^2."""
         command = [self.program, model, "%.17g" % loss, YOUNG, POISSON, RADIUS, DENSITY,
                    "%.17g" % (float(self.time) * factor), FRACTION, "%.17g" % states[0].temperature]
         text = output_of(command, input="\n".join("%.17g" % state.time for state in states))
