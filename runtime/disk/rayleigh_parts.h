@@ -152,10 +152,10 @@ enum { COR_PIECE_NODES = 24 };
 
 struct cor_spectrum_piece {
     const struct cor_rayleigh_set *set;
-    double low, first; /* q0 from low to 4 low; the first octave of all spectra */
+    double low, first; /* q0 is from low to 4 low. first: where the first octave of all spectra begins */
     int octaves, edges;
     double decay[COR_PIECE_NODES];
-    double *node[COR_PIECE_NODES]; /* octaves of a_re, a_im, and edges of b, COR_SPECTRUM_TERMS each */
+    double *node[COR_PIECE_NODES]; /* COR_SPECTRUM_TERMS numbers for each octave of a_re, a_im and b */
 };
 
 /* Returns the number of doubles that the nodes of a piece need. */

@@ -13,7 +13,8 @@
 #include "runtime/table/law.h"
 #include "runtime/table/row_loops.h"
 
-/* Each table serves the scalar and the array function. `..._beyond` computes numbers without a row. */
+/* Each table serves the scalar and the array function. The functions ..._beyond serve the arguments for which a table
+ * has no row. */
 struct cor_closed_form {
     struct cor_row_table eps, loss, damping_of_eps, damping_of_loss;
     double (*eps_beyond)(double x), (*loss_beyond)(double x), (*damping_beyond)(double eps);
@@ -95,7 +96,7 @@ COR_KERNEL double closed_formula(const struct cor_closed_form *form, enum cor_qu
                                             : closed_damping_of_loss(form, x);
 }
 
-/* Attribute of functions for numbers that are not ordinary: one copy in each source */
+/* Attribute of functions for numbers that are not ordinary; each source has one copy of them */
 #ifdef __GNUC__
 #define CLOSED_COLD static __attribute__((noinline, unused))
 #else

@@ -6,9 +6,9 @@
  *     L = 2 zeta A(zeta) at zero force, zeta A(zeta) with damping during the approach only, pi zeta/sqrt(1 - zeta^2) at
  *     zero overlap; L of the limited damper is below
  *
- * This file has zero overlap, times, and all numbers without a row in closed_form.h. Kernels, named ..._near, are valid
- * on an interval and have neither jumps nor calls; the array loops consist of them. The other functions accept every
- * double and give the same bits. */
+ * This file has zero overlap, times, and all values for which closed_form.h has no row. Kernels, named ..._near, are
+ * valid on an interval and have neither jumps nor calls; the array loops consist of them. The other functions accept
+ * every double and give the same bits. */
 #ifndef COR_RUNTIME_LAW_DAMPING_RATIO_H
 #define COR_RUNTIME_LAW_DAMPING_RATIO_H
 
@@ -94,7 +94,7 @@ COR_INLINE struct cor_ratio_far cor_ratio_far(struct cor_inline_pair zeta)
     return far;
 }
 
-/* Numbers without a row: the functions ..._beyond accept every other double. */
+/* The functions ..._beyond accept every double for which the tables of closed_form.h have no row. */
 
 /* Returns eps at zero force, zeta >= 3. Beyond 2^540 it is below half the smallest double. */
 COR_INLINE double cor_ratio_eps_force_far(double zeta)

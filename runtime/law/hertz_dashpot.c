@@ -45,7 +45,7 @@ COR_INLINE struct cor_row_table table_of_quantity(struct cor_inline_law_quantity
 }
 
 static const struct cor_row_table beta_rows_zero_overlap = DASHPOT_INVERSE(beta_zero_overlap, BETA_ZERO_OVERLAP),
-                                  /* without the rows in a cube root, for eps >= 1/2 */
+                                  /* this table omits the rows in a cube root, which serve eps >= 1/2 */
     beta_rows_zero_force = COR_ROW_TABLE_OF_OCTAVES(cor_rows_hertz_dashpot_beta_zero_force,
                                                     COR_ROWS_HERTZ_DASHPOT_BETA_ZERO_FORCE, COR_ROW_SUM);
 

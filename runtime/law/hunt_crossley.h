@@ -4,7 +4,7 @@
  *     f(beta) = f(-h),  f(z) = z - ln(1 + z),  h = beta eps
  *     beta = y + c, h = y - c, c = y coth(y) - 1;   eps = h/beta, 1 - eps = 2 c/beta
  *
- * This file has the numbers without a row in closed_form.h: strong and negative damping. The functions ..._beyond
+ * This file has the values for which closed_form.h has no row: strong and negative damping. The functions ..._beyond
  * accept every double without a row. */
 #ifndef COR_RUNTIME_LAW_HUNT_CROSSLEY_H
 #define COR_RUNTIME_LAW_HUNT_CROSSLEY_H

@@ -82,7 +82,7 @@ static double tangential_no_slip(double kappa, double elastic_exponent)
     const int n = (int)(sqrt((a - 1) * (a - 1) + 8 * plus.hi * kappa) / (2 * plus.hi));
     const double half = n + 0.5;
     const struct cor_inline_pair share = cor_pair_over(tangential_polynomial(kappa, a, (double)n * (n + 1)), square);
-    /* D is as accurate as its square requires: for D below 2^-50 the cosine is 1 to 2^-98 */
+    /* The cosine depends on the square of D. For D below 2^-50 it is 1 to 2^-98, so D may be 0. */
     const struct cor_inline_pair d2 = cor_pair_plus(cor_pair(half * half, 0), share);
     const struct cor_inline_pair d = d2.hi > COR_INLINE_2_M60 * COR_INLINE_2_M40 ? cor_pair_root(d2) : cor_pair(0, 0);
     const struct cor_inline_pair rest = cor_pair_over(share, cor_pair_plus(cor_pair(half, 0), d));

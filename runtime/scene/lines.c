@@ -1065,7 +1065,8 @@ static int put_block(struct text *t, const struct block *block, const struct tas
 /* ---- spheres that yield ---- */
 
 /* Writes Luding's contact. It loads with k_1 and unloads with k_2(x) = k_1 + (k_p - k_1) x/x_p, x being the largest
- * overlap, so that eps = sqrt(k_1/k_2). k_1 gives the contact's largest overlap at its speed; x_p is twice as large. */
+ * overlap, so that eps = sqrt(k_1/k_2). k_1 gives the same largest overlap as the request's contact at speed_m_s; x_p
+ * is twice this overlap. */
 static void put_luding(struct text *t, struct task *task, double speed_m_s, double eps)
 {
     const struct cor_scene_contact *const contact = task->request->contacts;
@@ -1100,7 +1101,7 @@ static void put_yielding(struct text *t, struct task *task)
         put_comment(t, "%s", task->simulator->yielding);
     else if (task->simulator->luding)
         put_luding(t, task, task->target[PAIR].speed_m_s, task->target[PAIR].eps);
-    else if (!task->has_law) /* the lines call a function of the speed */
+    else if (!task->has_law) /* with the law, the lines call a function of the speed */
         put_comment(t, "cor knows no model of %s for spheres that yield.", task->simulator->title);
 }
 

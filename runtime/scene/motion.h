@@ -121,7 +121,7 @@ double cor_pressed_sticking_speed(const struct cor_exponents *law, double dampin
  *     time  T = (m c_0^2/(pi w R^2))^(1/2)                   speed  V = c_0^2/(R T)
  *
  * With x = u^4 - u the force is f = (8/3) u^6 - 4 u^3, and x'' + kappa u^power x' + f = 0. The bodies touch at x = 0
- * with the impact speed over V, where the contact jumps to u = 1. */
+ * with the impact speed divided by V, where the contact jumps to u = 1. */
 
 /* Computes the collision of a contact with adhesion_j_m2 > 0 and the damping coefficient C, in SI units, at a speed >
  * 0. Returns COR_OK, or COR_FAULT_PRESSED if the motion needs too many steps. */

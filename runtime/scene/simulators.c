@@ -298,7 +298,7 @@ static double damping_of_yade_en(const struct cor_simulator_model *model, double
 /* The density of a material. The mixed species of two materials has no density. */
 #define MERCURYDPM_DENSITY "?species->setDensity({rho});\n"
 
-/* Source of a model: file, "run" or "source", version */
+/* Source of a model: its file, how it is known ("run" or "source"), its version */
 #define OF(of_file, how, of_version) .file = of_file, .known = how, .version = of_version
 #define OF_LAMMPS_RUN OF("src/GRANULAR/gran_sub_mod_damping.cpp", "run", "29 Sep 2021 to 4 Feb 2025")
 #define OF_LAMMPS_SOURCE OF("src/GRANULAR/gran_sub_mod_damping.cpp", "source", "source 07b704ca, 2026")

@@ -23,7 +23,8 @@ static void eps_before(void *context, const double *in, double *x, size_t m)
         x[j] = scale * choose_double(is_between(in[j], COR_SI_LEAST, limit), in[j], -1);
 }
 
-/* Computes numbers beyond the rows in x from rows in the fifth root of x, and numbers beyond these rows one by one. */
+/* Where x is beyond its rows, uses the rows in the fifth root of x. Values beyond these rows are computed one by one.
+ * */
 static void eps_after(void *context, const struct cor_row_block *block, double *value)
 {
     const struct call *const call = context;

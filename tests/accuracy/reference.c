@@ -261,7 +261,8 @@ static void first_split(long double *c, long double *low, const arb_t x)
     *low = ball_value(less);
 }
 
-/* Computes all quantities at one beta > 0, except one duration, and eps at zero overlap if the manifold gives it. */
+/* Computes all quantities at one beta > 0, except DURATION_APPROACH_ONLY, and except eps at zero overlap if the motion
+ * ends on the manifold. */
 static void collide(arb_ptr value, const arb_t beta)
 {
     static const enum quantity scaled[] = {DURATION_ZERO_OVERLAP, DURATION_ZERO_FORCE, MAX_OVERLAP,
