@@ -35,7 +35,8 @@ static struct cor_disk_rayleigh rayleigh(const struct cor_disk_modes *modes, siz
     return out;
 }
 
-/* Values for nu = 0.33 in arbitrary precision; COR_DISK_DATUM_PRINTED, in the last row COR_DISK_DATUM_CENTRE_OF_MASS */
+/* Values for nu = 0.33 in arbitrary precision. The datum is COR_DISK_DATUM_PRINTED, in the last row
+ * COR_DISK_DATUM_CENTRE_OF_MASS. */
 TEST(test_values)
 {
     static const struct {
@@ -61,8 +62,8 @@ TEST(test_values)
     check(fabs(fractions[0] / 2.0424708e-4 - 1) < 3e-8, "%.15g", fractions[0]);
 }
 
-/* Sums over all modes, from the 20 000 lowest modes and the tail after them; relative error below `error`. In the
- * fourth row a reflected wave is in phase with the motion, in the sixth row the surface wave. */
+/* Sums over all modes: `all` is from the 20 000 lowest modes and the tail after them, with a relative error below
+ * `error`. In the fourth row a reflected wave is in phase with the motion, in the sixth row the surface wave. */
 static const struct {
     int table, datum;
     double speed, all, error;

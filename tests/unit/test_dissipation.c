@@ -26,7 +26,8 @@ static double time_of(struct material m)
     return cor_dissipation_time_viscous_s(m.eta1, m.eta2, m.young, m.nu);
 }
 
-/* A is d ln(E*)/ds at 0 with mu + s eta_1/2 and k + s eta_2: six digits by a central difference */
+/* A is d ln(E*)/ds at s = 0, where mu + s eta_1/2 and k + s eta_2 replace the moduli mu and k. A central difference
+ * gives six digits. */
 TEST(derivative_of_the_modulus)
 {
     for (size_t i = 0; i < points(20000); i++) {
@@ -71,7 +72,7 @@ static long double hereditary_force(const struct material *m, long double rate, 
 {
     const long double mu = m->young / (2 * (1 + (long double)m->nu)), k = m->young / (3 * (1 - 2 * (long double)m->nu));
     const long double a = m->eta1 / 2, b = m->eta2;
-    /* 4 M (M + 3 K)/(4 M + 3 K), M = mu + a s, K = k + b s: divide by q = 4 a + 3 b */
+    /* E* is 4 M (M + 3 K)/(4 M + 3 K) with M = mu + a s and K = k + b s; the denominator is q (s + pole) */
     const long double q = 4 * a + 3 * b, pole = (4 * mu + 3 * k) / q;
     const long double top2 = 4 * a * (a + 3 * b), top1 = 4 * (mu * (a + 3 * b) + a * (mu + 3 * k)),
                       top0 = 4 * mu * (mu + 3 * k);
@@ -109,7 +110,7 @@ TEST(finite_rates)
 
 TEST(limits)
 {
-    /* incompressible: shear viscosity over shear modulus, Y = 3 mu; (4) gives 0 */
+    /* an incompressible solid has Y = 3 mu, and A is the shear viscosity over the shear modulus mu; (4) gives 0 */
     check_near(cor_dissipation_time_viscous_s(2e3, 7, 3e6, 0.5), 1e3 / 1e6L, 1e-15);
     assert_true(cor_dissipation_time_s(2e3, 7e3, 3e6, 0.5) == 0);
     /* nu = 0: (4) is singular */

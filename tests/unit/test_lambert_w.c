@@ -43,7 +43,7 @@ TEST(t_of_q)
                           relative = fabsl(off) / (1 + whole) * 0x1p53L;
         check(rounded <= 2 + slack, "t(%a) = %a: %Lg ulp", hi, cor_lambert_t(hi), rounded);
         check(relative <= 1 + slack, "1 + t(%a + %a): %Lg 2^-53", hi, lo, relative);
-        /* at the beginning of the series only its rest is rounded, which is below t/60 */
+        /* where the series begins, only the terms after the first are rounded; their sum is below t/60 */
         const long double bound = hi < 1e-3 ? 0x1p-57L : 1.5L * 0x1p-52L;
         check(hi < 1e-30 || hi > 1e3 || fabsl(off) <= (bound + slack * 0x1p-53L) * whole, "t(%a + %a): %Lg", hi, lo,
               off / whole);
@@ -53,7 +53,7 @@ TEST(t_of_q)
 TEST(series)
 {
     assert_true(cor_lambert_t(0) == 0);
-    /* sqrt(2 q) (1 + sqrt(2 q)/3); the next term is negligible */
+    /* t is sqrt(2 q) (1 + sqrt(2 q)/3), because the next term is negligible */
     for (int exponent = -1074; exponent < -120; exponent++) {
         const long double q = ldexpl(1, exponent), p = sqrtl(2 * q);
         check(ulp_error(cor_lambert_t((double)q), p * (1 + p / 3)) <= 0.6L + slack, "2^%d", exponent);
@@ -61,7 +61,7 @@ TEST(series)
     check_nan(cor_lambert_t(-0x1p-1074), cor_lambert_t(-1), cor_lambert_t(NAN));
 }
 
-/* ln(a/x) from a and its logarithm */
+/* Tests ln(a/x), computed from x, a and ln(a). */
 TEST(log_ratios)
 {
     const struct cor_logarithm pi = {{3.14159265358979312, 1.22464679914735321e-16},
@@ -74,7 +74,7 @@ TEST(log_ratios)
         check(fabsl(far.hi + (far.lo - exact)) <= (1 + slack) * (0x1p-54L + 0x1p-62L * exact), "far, %a", x);
         check(fabsl(q.hi + (q.lo - exact)) <= (1 + slack) * 0x1p-52L * exact + 0x1p-64L, "%a", x);
     }
-    /* the number exceeds its double by 1.22e-16 */
+    /* pi exceeds its double by 1.22e-16 */
     const struct cor_inline_pair last = cor_log_ratio(&pi, pi.number.hi);
     assert_true(fabs(last.hi / (1.22464679914735321e-16 / 3.14159265358979312) - 1) < 1e-15);
     check_nan(cor_log_ratio(&pi, nextafter(pi.number.hi, 4)).hi, cor_log_ratio(&pi, INFINITY).hi,

@@ -31,7 +31,7 @@ TEST(special_crossley)
 {
     check_ulp(cor_hunt_crossley_max_overlap(0, 1.5), 1.09336207394327805637L, COR_HUNT_CROSSLEY_MAX_ULP);
     assert_true(cor_hunt_crossley_max_overlap(0, 1) == 1 && cor_hunt_crossley_max_overlap(INFINITY, 1) == 0);
-    /* a constant force, a = 0: 1/2 */
+    /* a constant force (a = 0) gives the largest overlap 1/2 */
     check_ulp(cor_hunt_crossley_max_overlap(0, 0), 0.5L, COR_HUNT_CROSSLEY_MAX_ULP);
     assert_true(cor_hunt_crossley_duration(INFINITY, 1) == INFINITY &&
                 cor_hunt_crossley_duration(INFINITY, 2) == INFINITY);
@@ -45,8 +45,9 @@ TEST(special_crossley)
     assert_true(cor_hunt_crossley_duration_approach_only(INFINITY, 1.5) == INFINITY);
 }
 
-/* Spheres, and Hertz's spring with a dashpot, damped during approach only: eps = sqrt(4/5) Y^(5/4). The rebound lasts
- * half an elastic collision, divided by eps^(1/5). `first`: loss/beta at 0 */
+/* Spheres, and Hertz's spring with a dashpot, damped during approach only. With the largest overlap Y,
+ * eps is sqrt(4/5) Y^(5/4). The rebound lasts half an elastic collision, divided by eps^(1/5).
+ * `first`: loss/beta at 0 */
 static const struct {
     enum cor_law law;
     long double first;
@@ -86,7 +87,8 @@ TEST(damped_approach)
     const double least = cor_sphere_eps_approach_only(DBL_MAX);
     check(isfinite(cor_sphere_beta_approach_only(least * (1 + 0x1p-48))), "beta is finite up to the largest double");
     check(isinf(cor_sphere_beta_approach_only(least * (1 - 0x1p-48))), "beta is infinite beyond the largest double");
-    /* eps = sqrt(4/5) beta^(-5/4), because the factor 1 + (5/4) ln(beta) beta^-5/2... rounds to 1; 1e256: subnormal */
+    /* eps = sqrt(4/5) beta^(-5/4), because the factor 1 + (5/4) ln(beta) beta^-5/2... rounds to 1; at 1e256 eps is
+     * subnormal */
     check_ulp(of(COR_LAW_HERTZ_DASHPOT, COR_END_APPROACH_ONLY, COR_EPS)(1e200), 8.94427190999915878564e-251L, 2);
     check_ulp(of(COR_LAW_HERTZ_DASHPOT, COR_END_APPROACH_ONLY, COR_EPS)(1e256), 8.9442719099991588e-321L, 2);
     check_ulp(of(COR_LAW_HERTZ_DASHPOT, COR_END_APPROACH_ONLY, COR_DURATION)(1e200), half * powl(0.8L, -0.1L) * 1e50L,
@@ -150,10 +152,9 @@ static void check_back(enum cor_law law, int end, int of_loss, double e, double 
     }
 }
 
-/* Returns the allowed error, in units of eps, of the way to the damping and back; L = -ln(eps). A small eps is a power
- * of the damping, so rounding the damping costs no more than two roundings of eps. At zero overlap, with a damping
- * ratio, it costs L (1 + L^2/pi^2) = |d ln(eps)/d ln(zeta)|. Close to the dashpot's beta_c the rounding of beta
- * counts. */
+/* Returns the allowed error of eps -> damping -> eps, in units of eps; L = -ln(eps). A small eps is a power of the
+ * damping, so rounding the damping costs no more than two roundings of eps. At zero overlap, rounding a damping ratio
+ * costs L (1 + L^2/pi^2) = |d ln(eps)/d ln(zeta)|. Close to the dashpot's beta_c the rounding of beta counts. */
 static double cost_of(enum cor_law law, int end, double e)
 {
     const double l = -log(e);
@@ -252,8 +253,8 @@ static struct motion_course course(const struct law *law)
     return motion_course(&(struct motion){4, 0, law_force, law, free, 0});
 }
 
-/* Every function of a damping agrees with the integrated motion, at each end. beta: its value at damping 1. If the
- * damping is above overlaps_until, the bodies part too late at zero overlap to be integrated. */
+/* Every function of a damping agrees with the integrated motion, at each end. `beta`: the beta of damping 1. If the
+ * damping is above `overlaps_until`, the bodies part too late at zero overlap to be integrated. */
 TEST(against_the_equation_of_motion)
 {
     static const struct {
@@ -305,7 +306,7 @@ TEST(against_the_equation_of_motion)
             }
 }
 
-/* Returns beta for Hunt and Crossley's law: all magnitudes and both signs, up to the last doubles at -1. The next
+/* Returns beta for Hunt and Crossley's law: all magnitudes and both signs, down to the doubles next to -1. The next
  * function returns exponents a of all magnitudes, up to the largest. */
 static double random_crossley_beta(void)
 {
@@ -409,7 +410,8 @@ TEST(hertz_dashpot_known)
               "known value %zu", i);
 }
 
-/* Just below beta_c: eps = s d (1 + pi sqrt(s d/beta_c^5) + O(d ln d)), s = 0.206987698804278902 */
+/* Just below beta_c, at beta_c - d, eps is s d (1 + pi sqrt(s d/beta_c^5) + O(d ln d)),
+ * with s = 0.206987698804278902. */
 TEST(hertz_dashpot_threshold)
 {
     const double s = 0.206987698804278902, beta_c = COR_HERTZ_DASHPOT_BETA_C, pi = 3.141592653589793;
@@ -417,7 +419,7 @@ TEST(hertz_dashpot_threshold)
         const double d = ldexp(1, -k), first = s * d * (1 + pi * sqrt(s * d / pow(beta_c, 5)));
         const double eps = dashpot(COR_END_ZERO_OVERLAP, COR_EPS, beta_c - d);
         check(fabs(eps / first - 1) < 20 * d * k + 1e-6, "d = 2^-%d: %.17g and %.17g", k, eps, first);
-        /* beta t + ln(eps) -> 3.06410 */
+        /* beta_c t + ln(eps) tends to 3.06410, where t is the duration */
         check(fabs(beta_c * dashpot(COR_END_ZERO_OVERLAP, COR_DURATION, beta_c - d) + log(eps) - 3.06410) <
                   2 * sqrt(d) + 1e-5,
               "d = 2^-%d: duration %.17g", k, dashpot(COR_END_ZERO_OVERLAP, COR_DURATION, beta_c - d));
@@ -442,7 +444,7 @@ TEST(hertz_dashpot_slowest_speed)
             check(dashpot(COR_END_ZERO_FORCE, COR_EPS, beta) > 0.2, "zero force parts at every speed");
         }
     }
-    /* eps = 1e-6: beta_c - beta = d with s d (1 + pi sqrt(s d/beta_c^5)) = 1e-6, up to a relative error d ln(d) */
+    /* eps is 1e-6 at beta_c - d, where s d (1 + pi sqrt(s d/beta_c^5)) is 1e-6 up to a relative error d ln(d) */
     const double d = COR_HERTZ_DASHPOT_BETA_C - dashpot(COR_END_ZERO_OVERLAP, COR_DAMPING_OF_EPS, 1e-6),
                  x = 0.206987698804278902 * d;
     const double eps = x * (1 + 3.141592653589793 * sqrt(x / pow(COR_HERTZ_DASHPOT_BETA_C, 5)));
@@ -473,11 +475,11 @@ static void oblique_slopes(long double *dy, const long double *y, const void *of
 static void oblique_ratios(long double ratio[2], long double a, long double kappa)
 {
     const long double a_kappa[2] = {a, kappa}, first = powl(reference_crossley_elastic_half(a), 0.25L);
-    /* first values of the solutions: even s = 1, odd s' = 1; even u = 1, whose force is odd, and f = 1 */
+    /* first values: s = 1 of the even solution, s' = 1 of the odd one, and likewise u = 1 and f = 1 */
     long double y[OBLIQUE + 1] = {powl((a + 1) / 2, 1 / (a + 1)), 0, 1, 0, 0, 1, 0, 1, 1, 0, first};
     struct ode o = {.slopes = oblique_slopes, .of = a_kappa, .n = OBLIQUE + 1, .longest = 0.1L};
     ode_advance(&o, y, first);
-    /* the combination of both that vanishes at the start; there the odd solution has minus its value at the end */
+    /* the combination of both solutions that vanishes at the start, where the odd one has minus its value at the end */
     ratio[0] = (y[2] * y[5] + y[4] * y[3]) / (y[2] * y[5] - y[4] * y[3]);
     ratio[1] = (y[8] * y[7] + y[6] * y[9]) / (y[8] * y[7] - y[6] * y[9]);
 }
@@ -499,7 +501,7 @@ TEST(oblique_impacts)
         assert_true(cor_tangential_no_slip(a, a) == -1);
     }
     assert_true(cor_tangential_no_slip(4.5, 1.5) == 1);
-    /* the zeros of cos(pi sqrt(kappa)), and the double next to the first: pi^2 d/(-pi) */
+    /* a = 1 gives cos(pi sqrt(kappa)): its zeros, and its value pi^2 d/(-pi) at the double next to the first zero */
     for (double n = 0.5; n < 900; n++)
         assert_true(cor_tangential_no_slip(n * n, 1) == 0);
     check_ulp(cor_tangential_no_slip(0.25 * (1 + DBL_EPSILON), 1),
@@ -538,7 +540,7 @@ static long double friction_room(const long double *y, const void *of)
     return f->slips ? (y[2] < 0 ? -y[3] : y[3]) - y[1] / f->u : y[0] / f->u - fabsl(y[2]);
 }
 
-/* Returns u'/u. *first is the overlap at which slip begins first, negative during the rebound. */
+/* Returns u'/u. *first: the overlap at which slip begins first, with a minus sign during the rebound. */
 static double slipping_ratio(double kappa, double u, double *first)
 {
     static ode_value *const values[] = {motion_overlap, friction_room};

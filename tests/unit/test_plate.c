@@ -88,8 +88,9 @@ TEST(refused)
 
 /* ---- two bodies ---- */
 
-/* Computes the speed of the sphere after contact in units of the impact speed. In scaled units with Z = 1/lambda, m
- * u' = -F, w' = F/Z, F = K (s - w)^(3/2). With dt = 2 sqrt(s - w) d sigma all of y = {sqrt(s - w), u, t} is smooth. */
+/* Computes the speed of the sphere after contact in units of the impact speed. In scaled units with Z = 1/lambda,
+ * m u' = -F, w' = F/Z, F = K (s - w)^(3/2). As functions of sigma, where dt = 2 sqrt(s - w) d sigma, all elements of
+ * y = {sqrt(s - w), u, t} are smooth. */
 static void two_bodies_slopes(long double *dy, const long double *y, const void *lambda)
 {
     const long double force = motion_power(y[0], 3);
@@ -176,7 +177,7 @@ static double square_plate_eps(double lambda, double side, double dt)
     }
 }
 
-/* The least half width by cor_plate_least_half_width_m, in scaled units: 2 sqrt(pi t_0) (B/(rho h))^(1/4) */
+/* In scaled units, the half width of cor_plate_least_half_width_m is 2 sqrt(pi t_0) (B/(rho h))^(1/4). */
 TEST(a_plate_with_edges)
 {
     static const struct {

@@ -54,9 +54,9 @@ TEST(unlike_bodies)
     }
 }
 
-/* C = beta m (K/m)^((b+1)/(a+1)) g^-q; zeta = beta/sqrt(2 (a + 1)) where q = 0; A = C/(3 K/2); eps at either end; 1 -
- * eps = (g/g*)^q for slow impacts. A liquid removes speed once before the contact and once after it. The contact itself
- * is dry. */
+/* All ways to give the damping give the same C = beta m (K/m)^((b+1)/(a+1)) g^-q. The ways are beta, eps at either end,
+ * zeta = beta/sqrt(2 (a + 1)) if q = 0, A = C/(3 K/2), and g*, where 1 - eps = (g/g*)^q for slow impacts. A liquid
+ * removes speed once before the contact and once after it. The contact itself is dry. */
 TEST(every_law)
 {
     for (int i = 0; i < 40 * COR_LAW_PLATE; i++) {
@@ -145,7 +145,8 @@ TEST(incomplete_bodies)
     }
 }
 
-/* Checks IEEE 754, except that results above 2^1022 may be infinite, powers below 2^-1019 0, and x^NaN is NaN. */
+/* Checks that `quiet` obeys IEEE 754, except that results above 2^1022 may be infinite, powers below 2^-1019 may be 0,
+ * and x^NaN is NaN. */
 static void check_quiet(double quiet, double exact, char operation, double x, double y)
 {
     const int is_power = operation == '^', is_edge = (isinf(quiet) && exact > 0x1p1022) ||

@@ -4,7 +4,8 @@
 #include "../reference/ode.h"
 #include "scene.h"
 
-/* Returns Hunt and Crossley's force by the integral, x^(a+1) = (a+1) (f(beta) - f(beta v))/beta^2, at many speeds v. */
+/* Returns the largest force of Hunt and Crossley's law over many speeds v. The overlap x is from the integral of the
+ * motion, x^(a+1) = (a+1) (f(beta) - f(beta v))/beta^2 with f(z) = z - ln(1 + z). */
 static double crossley_force(double a, double beta)
 {
     const double all = beta - log1p(beta);
@@ -27,7 +28,8 @@ TEST(forces)
     check_near(cor_law_force_max(&tsuji, 0), pow(1.25, 0.6), 1e-15);
     check_near(cor_law_force_max(&crossley, 0), pow(1.25, 0.6), 1e-15);
     check_near(cor_law_force_max(&sphere, 0), pow(1.25, 0.6), 1e-12);
-    /* linear: exp(-zeta (3 phi - pi)/sin(phi)), phi = acos(zeta), up to zeta = 1/2; then 2 zeta at the first moment */
+    /* linear: the largest force is exp(-zeta (3 phi - pi)/sin(phi)), phi = acos(zeta), up to zeta = 1/2; above, it is
+     * 2 zeta, at the first moment */
     for (double zeta = 0.01; zeta < 0.5; zeta += 0.01) {
         const double phi = acos(zeta);
         check_near(cor_law_force_max(&linear, zeta), exp(-zeta * (3 * phi - 3.14159265358979323846) / sin(phi)), 1e-14);
@@ -45,7 +47,7 @@ TEST(forces)
     check_near(cor_law_force_max(&near, 3), cor_law_force_max(&crossley, 3), 1e-15);
     for (double beta = 0.05; beta < 100; beta *= 3)
         check_near(cor_law_force_max(&crossley, beta), crossley_force(1.5, beta), 1e-6);
-    /* small and large damping of Hunt and Crossley's law: f(z) = z - ln(1 + z) for every size of z */
+    /* Hunt and Crossley's law with small and large damping needs f(z) = z - ln(1 + z) for every size of z */
     check_near(cor_law_force_max(&crossley, 1e-9), pow(1.25, 0.6), 1e-8);
     check_near(cor_law_force_max(&crossley, 0.1), cor_law_force_max(&crossley, nextafter(0.1, 1)), 1e-14);
     check_nan(cor_law_force_max(&tsuji, -1), cor_law_force_max(&sphere, NAN), cor_law_force_max(&crossley, INFINITY));
@@ -57,12 +59,12 @@ TEST(forces)
     const struct cor_exponents many = {900000007, 700000001, 999999989};
     const double begin = processor_seconds();
     assert_true(isnan(cor_law_force_max(&many, 0.5)) && processor_seconds() - begin < 0.1);
-    /* a sphere at strong damping: the spring does not affect the loading, F = beta^(2/3) max sqrt(X) V of X'' + sqrt(X)
-     * X' = 0, V = 1 - (2/3) X^(3/2), so that F = beta^(2/3) (3/4) (3/8)^(1/3) */
+    /* at strong damping, the spring does not affect the loading of a sphere: X'' + sqrt(X) X' = 0, and the speed is
+     * V = 1 - (2/3) X^(3/2). The largest force beta^(2/3) sqrt(X) V is beta^(2/3) (3/4) (3/8)^(1/3). */
     check_near(cor_law_force_max(&sphere, 1e9), pow(1e9, 2.0 / 3) * 0.75 * cbrt(0.375), 1e-12);
 }
 
-/* Returns the largest force to first order in mu, x = beta^(-1/(b+1)) X: docs/theory.md, 9. b > 0. */
+/* Returns the largest force to first order in mu, for b > 0 (docs/theory.md, 9). The overlap is beta^(-1/(b+1)) X. */
 static double strongly_damped(double a, double b, double mu)
 {
     enum { STEPS = 400 };

@@ -7,7 +7,8 @@
 
 static const double young = 1e7, poisson = 0.3, radius[] = {5e-3, 2e-2}, mass[] = {2e-3, 8e-3};
 
-/* Returns two spheres of one material; the second one has the sizes at index `second` of the arrays; -1: a wall */
+/* Returns two spheres of one material, or a sphere and a wall if `second` is -1. The second sphere has the sizes at
+ * index `second` of the arrays. */
 static struct cor_scene bodies(enum cor_law law, int second)
 {
     struct cor_scene scene = scene_without_numbers(law);
@@ -127,8 +128,8 @@ TEST(ends)
                      strchr(found(text, "\npair_coeff"), '\n')) == (end == COR_END_ZERO_FORCE));
         found(text, "\n# realises eps = 0.5 at every speed\n");
     }
-    /* Every simulator realises the requested eps at its own end: YADE exp(-2 zeta/sqrt(1 - zeta^2) atan2(sqrt(1 -
-     * zeta^2), zeta)) at zero force, Newton the root of this number. */
+    /* Every simulator realises the requested eps at its own end. In YADE, at zero force, eps is exp(-2 zeta/root
+     * atan2(root, zeta)) with root = sqrt(1 - zeta^2); in Newton, eps is the square root of this number. */
     for (size_t i = 0; i < 3 * cor_simulator_count; i++) {
         scene.end = i % 3 < 2 ? (int)(i % 3) : (int)COR_END_APPROACH_ONLY;
         const char *const text = text_for(cor_simulators[i / 3].name, NULL, &scene, 0), *at = strstr(text, "realises ");
@@ -393,8 +394,8 @@ TEST(unlike_bodies_of_a_constant_law)
 
 /* A wall, two balls and a wall: types 3, 1, 2 and 4. The first ball has a dissipation time. The second has the time of
  * a measured contact of two such balls; the contact of the first ball and the first wall was measured. In LAMMPS and
- * LIGGGHTS F = kn sqrt(R x) (x + (3/2) A x'), eta_n = gamman = (3/2) A kn/m; Chrono with R = 1 m: kn = K, gn = (3/2) A
- * K/m. */
+ * LIGGGHTS F = kn sqrt(R x) (x + (3/2) A x'), eta_n = gamman = (3/2) A kn/m. In Chrono, with R = 1 m,
+ * kn = K and gn = (3/2) A K/m. */
 TEST(several_materials)
 {
     enum { TYPES = 4 };
@@ -458,7 +459,8 @@ TEST(several_materials)
             const char *const at = found(text, words);
             is_near(at, kn[i][j], 1e-10);
             is_near(strchr(at, ' '), eta[i][j], 1e-9);
-            /* 8 G*, 1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2, with G = Y/(2 (1 + nu)); the first wall has no friction */
+            /* the stiffness is 8 G*, 1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2, G = Y/(2 (1 + nu)); the first wall has no
+             * friction */
             const double *const one = n[place[i]], *const two = n[place[j]];
             const int slips = i == 0 && j == 2;
             const char *const slide = found(at, slips ? " linear_nohistory 0 0 damping " : " tangential mindlin ");
@@ -535,13 +537,13 @@ TEST(speeds_in_any_order)
         steps = 0;
         is_near(found(text, " --speed-min "), low, 1e-5);
         is_near(found(text, " --speed-max "), high, 1e-5);
-        /* a simulator without the law, at one speed */
+        /* a simulator without the law gives eps at one speed */
         const struct cor_scene_contact contact = scene_contact(&scene, COR_END_ZERO_FORCE);
         const double eps = scene_eps(&contact, low, COR_END_ZERO_FORCE);
         const char *const at = found(text_for("mfix", NULL, &scene, low), "realises eps = ");
         is_near(at, eps, 1e-5);
         is_near(found(at, " at "), low, 1e-5);
-        /* a simulator with only linear springs: of equal duration, 2.943275 (5m/(4K))^(2/5) g^(-1/5) */
+        /* a simulator with only linear springs gets a spring of equal duration, 2.943275 (5m/(4K))^(2/5) g^(-1/5) */
         const char *const spring = found(text_for("mujoco", NULL, &scene, low), " solref=\"-");
         const double duration = 2.9432750 * pow(1.25 * contact.mass_kg / contact.stiffness, 0.4) * pow(low, -0.2);
         is_near(spring, PI * PI / (duration * duration), 1e-6);

@@ -8,7 +8,7 @@
 struct reference {
     struct cor_exponents law; /* d = law.denominator, which is even */
     long double beta, press, kappa, gamma, cap, side, sign;
-    int memory, in_cap, returns, p, least; /* p: exponent of the stiffness times d. least: the least power in excess */
+    int memory, in_cap, returns, p, least; /* p: d times the stiffness exponent. least: the least power in excess() */
     enum { STICKS, SLIPS, CREEPS } mode;
 };
 
@@ -124,7 +124,8 @@ static long double speed_left(const long double *y, const void *of)
     return ((const struct reference *)of)->returns ? 1 : y[1];
 }
 
-/* Returns the acceleration of the slip (damped: of a damped slip) minus the threshold's, in the slip's direction. */
+/* Returns the acceleration of the slip minus the acceleration of the threshold, in the direction of the slip. damped:
+ * the damper acts on the slip */
 static long double over_threshold(const long double *y, const struct reference *r, int damped)
 {
     const long double f = normal_force(y, r), step = 1e-6L;
@@ -324,7 +325,7 @@ TEST(against_another_method)
     }
 }
 
-/* u'/u of elastic spheres, remembered displacement; u/v = w L, L = 7 mu/(2 kappa) (docs/theory.md, 20) */
+/* u'/u of elastic spheres that remember the displacement, at u/v = w L with L = 7 mu/(2 kappa) (docs/theory.md, 20) */
 TEST(table_of_the_theory)
 {
     static const double nus[] = {0, 0.3, 0.5}, ws[] = {0.1, 0.25, 0.5, 1, 2, 4, 8};
@@ -363,11 +364,11 @@ TEST(limits)
                 continue;
             assert_int_equal(cor_scene_oblique(&o, &c, &t, 0.1, 1, 30, 1), COR_OK);
             assert_true(o.regime == COR_OBLIQUE_SLIPS && fabs(o.rebound_tangent - 30 + 0.7) < 1e-11);
-            /* a damped contact sticks at first, for a time that becomes shorter, with little loss */
+            /* at this tangential speed, a damped contact sticks at first only for a short time, with little loss */
             const double damped = restitution(&l, &t, 0.01, 1e4, 1), eps = scene_eps(&l, 1, 1);
             check(fabs(1e4 * (1 - damped) - 0.035 * (1 + eps)) < 1e-6, "%.12g", damped);
         }
-    /* stuck: the spring holds, and the damper absorbs all energy */
+    /* in a stuck contact the spring holds, and the damper absorbs all energy */
     const struct cor_scene_contact d = scaled_contact(&cor_law_exponents[COR_LAW_LINEAR], 0.5, 0);
     const struct cor_tangential stiff = {.kappa = 1e-3, .damping = 60, .damper_in_cap = 1};
     assert_true(fabs(restitution(&d, &stiff, 1e6, 1, 0)) < 1e-3);
@@ -399,7 +400,7 @@ static double simulated(const struct cor_scene_contact *c, const struct cor_tang
     return w / tangent;
 }
 
-/* The time step that a damper needs which fills the cap at the first touch */
+/* The time step for a damper that fills the cap at the first touch */
 TEST(needed_step)
 {
     struct cor_oblique_impact o;

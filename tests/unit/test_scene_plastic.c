@@ -55,7 +55,7 @@ TEST(onset_and_limits)
     check_nan(cor_elastic_plastic_eps(-1), cor_elastic_plastic_eps(NAN), cor_elastic_plastic_loss(NAN),
               cor_elastic_plastic_speed_ratio(1.1), cor_elastic_plastic_speed_ratio(NAN),
               cor_elastic_plastic_speed_ratio(-0.5));
-    for (double eps = 1; eps > 0.01; eps -= 1.0 / 512) { /* the inverse decreases across the limit of both methods */
+    for (double eps = 1; eps > 0.01; eps -= 1.0 / 512) { /* the inverse decreases where its two methods meet */
         const double x = cor_elastic_plastic_speed_ratio(eps);
         check(fabs(cor_elastic_plastic_eps(x) - eps) < 4e-15 && x < cor_elastic_plastic_speed_ratio(eps - 1.0 / 512),
               "eps %g: x %g", eps, x);
@@ -146,7 +146,7 @@ TEST(piecewise_contact)
             run(short_of_yield, &t, y, h);
         run(motion_speed, &t, y, later);
         const long double overlap = y[0], force = contact_force(&t, overlap), radius = sqrtl(s.radius * overlap);
-        if (*ratios > 1) { /* Hertz's contact of equal force and radius */
+        if (*ratios > 1) { /* unloads as Hertz's contact of equal force and radius */
             t.larger = 4 * s.modulus * radius * radius * radius / (3 * force);
             t.rest = overlap - radius * radius / t.larger;
         }
@@ -181,8 +181,8 @@ TEST(yield_speed_of_a_restitution)
 
 /* ---- Luding's contact ---- */
 
-/* Returns LIGGGHTS's force without adhesion: stiffness k, unloading up to k ratio, plasticity depth; R effective
- * radius. */
+/* Returns LIGGGHTS's force without adhesion. number: stiffness k, ratio of the largest unloading stiffness to k, and
+ * plasticity depth. radius: effective radius */
 static double luding_force(const double number[3], double radius, double x, double largest)
 {
     const double k = number[0], most = k * number[1], limit = most / (most - k) * number[2] * 2 * radius;
@@ -233,8 +233,8 @@ TEST(lines_of_luding)
 
 /* ---- a liquid ---- */
 
-/* Returns the speed that remains of v after the gap has changed from `from` to `to`. Second-order steps in the
- * logarithm of the gap; each is a constant part of the gap. */
+/* Returns the speed that remains of v after the gap has changed from `from` to `to`. Uses second-order steps in the
+ * logarithm of the gap: each step is the same fraction of the gap. */
 static double through_liquid(double v, double drag_over_mass, double from, double to)
 {
     const int steps = 200000;
@@ -278,7 +278,8 @@ TEST(wet_contact)
     }
     const double least = scene_eps(&wet, sticking * (1 + 1e-12), 0);
     assert_true(least > 0 && least < 1e-10);
-    /* constant eps: v_c = s (1 + 1/eps); Hunt and Crossley's rebound is below m/C, so that larger s stick */
+    /* at constant eps, the sticking speed is s (1 + 1/eps), where s is the speed lost in the liquid. Hunt and
+     * Crossley's rebound is slower than m/C, so bodies with a larger s stick at every speed. */
     struct cor_scene_contact tsuji = wet, crossley = wet;
     tsuji.plastic = crossley.plastic = 0;
     tsuji.law = cor_law_exponents[COR_LAW_TSUJI];

@@ -98,7 +98,7 @@ TEST(limits)
         for (int end = 0; end < COR_SCENE_ENDS; end++)
             check_near(scene_impact(&c, 1).eps[end], 1, 1e-14);
         assert_true(cor_scene_sticking_speed(&c, 0) == 0);
-        /* a small force changes little, in proportion */
+        /* a small force changes eps in proportion to the force */
         c = scaled_contact(&cor_law_exponents[law], 0.5, 0);
         struct cor_scene_contact pressed = c;
         double less[2];

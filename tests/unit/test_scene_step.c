@@ -23,7 +23,7 @@ static struct cor_step_error error_of(const struct cor_scene_contact *contact, d
 
 struct mean {
     double eps, scatter;
-    double jump, missed; /* largest difference between adjacent phases, and the largest product of it and its weight */
+    double jump, missed; /* largest difference of adjacent phases; largest product of a difference and its weight */
 };
 
 static double push(const struct cor_scene_contact *c, double damping, int end, double x, double v)
@@ -240,7 +240,7 @@ TEST(pressed)
         check(fabs(e.bias) < (integrator == COR_VERLET_FULL_STEP ? 1e3 / steps : 2) / steps,
               "law %d end %d integrator %d, %g steps: bias %g", k % 5, end, integrator, steps, e.bias);
         const double slow = stays * random_uniform(&r, 0.3, 0.8);
-        /* steps in which the speed changes by at most half of its largest change */
+        /* enough steps: each changes the speed by at most half of the allowed change */
         const double many =
             fmax(steps, contact.force_n * cor_scene_elastic_duration_s(&contact, slow) / (contact.mass_kg * slow));
         e = error_of(&contact, slow, end, many, integrator);
@@ -250,7 +250,7 @@ TEST(pressed)
     }
 }
 
-/* Implicit steps: 100000 phases of the program above, down to contacts of one step. Other laws are refused. */
+/* Compares implicit steps with 100000 phases of simulated(), down to contacts of one step. Other laws are refused. */
 TEST(implicit_steps)
 {
     const double many[][2] = {{0.35, 0.7}, {0.05, 3}, {2, 0.01}};
@@ -289,7 +289,8 @@ TEST(special)
     contact.damping = 30;
     assert_int_equal(cor_scene_step_for(&steps, &contact, 1, COR_END_ZERO_FORCE, 1e-9, COR_LEAPFROG), COR_FAULT_STEP);
     contact.law = cor_law_exponents[COR_LAW_VISCOELASTIC];
-    /* no damping: a symmetric integrator, with errors only from the ends of the contact; nothing to correct */
+    /* without damping the integrator is symmetric, so only the ends of the contact cause errors; nothing is
+     * corrected */
     contact.damping = 0;
     check(fabs(bias_at(&contact, 50, COR_LEAPFROG)) < 1e-5, "elastic: %g", bias_at(&contact, 50, COR_LEAPFROG));
     assert_int_equal(cor_scene_step_corrected(&corrected, &contact, 1, COR_END_ZERO_OVERLAP, 50, COR_LEAPFROG), COR_OK);
@@ -317,7 +318,7 @@ TEST(special)
 
 /* ---- simulators ---- */
 
-/* The number of every model for a coarse step gives a damping whose mean is the requested eps. */
+/* The number of every model, corrected for a coarse step, gives a damping with the requested mean eps. */
 TEST(models)
 {
     static const double eps = 0.7, speed = 0.5;

@@ -53,7 +53,7 @@ TEST(realised)
     /* Thornton's fit at e = 1 */
     check_near(cor_simulator_realised(cor_simulator_model(COR_GRANULARS_EN), 1), 0.98459, 1e-5);
     assert_true(cor_simulator_realised(cor_simulator_model(COR_YADE_EN), 1) == 1);
-    /* beta = sqrt(5) zeta, 0.12 in OpenFOAM's tutorials */
+    /* OpenFOAM's number is beta = sqrt(5) zeta; it is 0.12 in the tutorials */
     const struct cor_scene_contact contact = {.mass_kg = 1, .stiffness = 1, .radius_m = 1};
     const struct cor_simulator_model *const openfoam = cor_simulator_model(COR_OPENFOAM_PAIR);
     const double zeta = openfoam->damping_of_number(openfoam, 0.12, &contact, 1);
@@ -232,8 +232,8 @@ static double integrated_eps(const struct pair *s, enum cor_end end, double damp
     return (double)motion_course(&(struct motion){4, 0, scaled_force, &p, free, 0}).eps[free];
 }
 
-/* A constant impedance d is a linear dashpot: compared with the closed form. Small d under gravity: compared with
- * cor_scene_eps under a constant force. d from 0.9 to 0.95: compared with eps of MuJoCo's own step. */
+/* A constant impedance d is a linear dashpot, which is compared with the closed form. Small d under gravity is compared
+ * with cor_scene_eps under a constant force, and d from 0.9 to 0.95 with eps of MuJoCo's own step. */
 TEST(mujoco)
 {
     const double solimp[5] = {0.9, 0.9, 0.001, 0.5, 2}, grown[5] = {0.9, 0.95, 0.001, 0.5, 2};
@@ -289,7 +289,7 @@ TEST(units)
         }
     }
     /* MercuryDPM computes its dashpot from the mass of one particle, sqrt(2 mass k/(pi^2 + ln(e)^2)) (-ln(e)); two such
-     * particles have half of it as effective mass, and their collision realises e. */
+     * particles have half of this mass as effective mass, and their collision realises e. */
     const struct cor_simulator_model *const m = cor_simulator_model(COR_MERCURYDPM_LINEAR);
     for (int k = 0; k < ASKED; k++) {
         const double mass = 0.3, stiffness = 2e4, l = log(asked[k]), pi = 3.14159265358979323846;

@@ -136,7 +136,8 @@ TEST(against_the_equation_of_motion)
 
 /* If mu = beta^(-5/3) is below the last bit, closed forms exist for everything except the duration at zero overlap
  * (docs/theory.md, 8). With X = (3/2)^(2/3): eps = X beta^(-5/3), x_max = X beta^(-2/3), t_max = beta^(-2/3) (2/3) X
- * (5/3 ln(beta) + ln(3/X) + K), K = ln(3)/2 - sqrt(3) pi/6. At zero force: twice the logarithm, and ln(3/sqrt(X)). */
+ * (5/3 ln(beta) + ln(3/X) + K), K = ln(3)/2 - sqrt(3) pi/6. The duration at zero force has twice the ln(beta), and
+ * ln(3/sqrt(X)) in place of ln(3/X). */
 TEST(infinitely_strong_damping)
 {
     const long double x = cbrtl(2.25L), constant = logl(3) / 2 - sqrtl(3) * acosl(-1) / 6;
@@ -155,7 +156,8 @@ TEST(infinitely_strong_damping)
             check(ulp_error(functions[k].value(beta), exact[k]) <= functions[k].max_ulp + 0.06, "%s(%a)",
                   functions[k].name, beta);
     }
-    /* (10/3) beta ln(beta) + constant beta, with the constant from beta = 1e6: corrections are below mu ln(beta)^2 */
+    /* this duration is (10/3) beta ln(beta) + constant beta, with the constant from beta = 1e6; corrections are below
+     * mu ln(beta)^2 */
     const long double offset = 44460573.4621438107589L / 1e6L - 10 * logl(1e6L) / 3;
     for (double beta = 1e8; beta < 1e300; beta *= 1e7)
         check(fabsl(cor_sphere_duration_zero_overlap(beta) / (beta * (10 * logl(beta) / 3 + offset)) - 1) < 1e-9L, "%g",

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Tests for every function in the list of the bindings how much stack it uses, because simulators call it from threads
- * with a small stack, and if it allocates memory. A thread runs on a stack filled with a pattern; changed bytes were
- * used. */
+/* Tests how much stack each function in the list of the bindings uses, and whether it allocates memory. Simulators call
+ * these functions from threads with a small stack. Each function runs in a thread on a stack filled with a pattern;
+ * changed bytes were used. */
 #define _POSIX_C_SOURCE 200809L
 #include "check.h"
 

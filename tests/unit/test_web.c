@@ -33,7 +33,7 @@ static struct cor_sphere_contact glass(double dissipation_time_s)
     return contact;
 }
 
-/* Under gravity the second end is the surface: its name, its numbers, and the header. */
+/* Under gravity the second end is the surface. Tests the name and the numbers of this end, and the header. */
 TEST(test_gravity)
 {
     double y[8], eps;
@@ -81,8 +81,8 @@ static void options_of(char *options, char *arguments)
             strcat(options, word);
 }
 
-/* Every contact of tests/reference/contacts.csv for which the page has fields gives the numbers at the first speed. It
- * also gives the first line for a simulator, or the reason for its absence. */
+/* For every contact of tests/reference/contacts.csv for which the page has fields, the module gives the numbers of this
+ * file at the first speed. It also gives the first line for a simulator, or the reason for its absence. */
 TEST(test_contacts_of_the_list)
 {
     enum { NUMBERS = 7, COLUMNS = 8 };
@@ -193,7 +193,7 @@ TEST(test_lines_and_own_maps_of_a_simulator)
             models++;
         }
     assert_int_equal(models, 7);
-    /* one speed and no --at: eps there */
+    /* with one speed and no --at, the requested eps is eps at this speed */
     char request[200];
     const double speed = random_log(&draw, 0.1, 10);
     const struct cor_sphere_contact contact = glass(4e-7);
