@@ -144,7 +144,7 @@ static int cut_exact(arb_ptr c, const struct pieces *p, struct pieces_function f
     arb_set_d(node, cell->node);
     int status = f.at(c, f.context, p, cell, node);
     for (slong j = 0; j < n && status == STATUS_OK; j++) {
-        /* slightly off the node, where the quotient would be 0/0 */
+        /* slightly off the node, because the quotient would be 0/0 at the node */
         arb_set_d(y, place_between(p, cell, (1 + chebyshev_point(j, n)) / 2) + ldexp(1, -41));
         const arb_srcptr f_y = quotient + j;
         status = f.at(quotient + j, f.context, p, cell, y);

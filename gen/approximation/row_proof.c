@@ -512,9 +512,9 @@ struct part {
 enum { MOST_PARTS = 16 };
 
 /* Computes the part of interval i that begins at `reached`, a place of the range's variable, and moves `reached` to the
- * end of the part. A range in sqrt(beta) that goes beyond the last such interval ends in intervals of ln(beta). For the
- * duration at zero overlap, a range in ln(beta) begins in intervals of sqrt(beta), up to CREEP_FROM at least. Returns
- * 1, 0 if the interval has no part, or -1 if it begins too late. */
+ * end of the part. A range in sqrt(beta) that goes beyond the last interval of sqrt(beta) ends in intervals of
+ * ln(beta). For the duration at zero overlap, a range in ln(beta) begins in intervals of sqrt(beta), up to CREEP_FROM
+ * at least. Returns 1, 0 if the interval has no part, or -1 if it begins too late. */
 static int part_of(struct part *part, double *reached, const struct range *range, const struct interval *interval,
                    enum quantity stored)
 {

@@ -136,9 +136,10 @@ static void combine_products(arb_t f, arb_t rest, arb_srcptr t0, const struct di
 
 enum { UNDECIDED_SIGN = 3 };
 
-/* Returns the number of negative eigenvalues of the stiffness at the rim, free minus clamped disk, n >= 1. Up to
- * positive factors, the 2 x 2 matrices have det(clamped) = D = x y - n^2, det(free) = F/D and diagonals -y/D and -P/D.
- * F is the left side of the equation, and P = y + D/g. Returns UNDECIDED_SIGN if a sign is undecided. */
+/* Counts the negative eigenvalues of the stiffness at the rim for n >= 1. Returns the count of the free disk minus the
+ * count of the clamped disk. Up to positive factors, the 2 x 2 matrices have det(clamped) = D = x y - n^2, det(free) =
+ * F/D and diagonals -y/D and -P/D. F is the left side of the equation, and P = y + D/g. Returns UNDECIDED_SIGN if a
+ * sign is undecided. */
 static int count_eigenvalues(arb_srcptr t0, const struct disk *disk, const struct waves *v, slong n)
 {
     const slong prec = disk->prec;

@@ -12,7 +12,7 @@ const char *const embed_operation_names[OPERATIONS] = {"mul+add", "mul",  "add",
 
 /* Nanoseconds of an operation, for double and float, in a scalar loop (-O2) and in a vectorised loop (-O3 -mavx2
  * -mfma). Measured once (docs/embed.md, "Costs"). A square root may set errno, so compilers do not vectorise a loop
- * with one without -fno-math-errno. */
+ * with a square root unless -fno-math-errno is given. */
 static const double nanoseconds[2][USES][OPERATIONS] = {
     {{0.27, 0.14, 0.14, 1.11, 1.67, 0.10, 0, 0.51, 0.15}, {0.03, 0.03, 0.03, 0.56, 1.67, 0.07, 0.18, 0.11, 0.14}},
     {{0.27, 0.14, 0.14, 0.84, 0.90, 0.10, 0, 0.51, 0.15}, {0.02, 0.02, 0.01, 0.17, 0.90, 0.02, 0.23, 0.03, 0.02}},
