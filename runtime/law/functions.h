@@ -17,7 +17,7 @@ typedef struct cor_law_function cor_law_functions[COR_END_APPROACH_ONLY + 1][COR
 #define COR_DECLARE_FUNCTIONS(law, array) extern const cor_law_functions array;
 COR_LAWS_WITH_FUNCTIONS(COR_DECLARE_FUNCTIONS)
 
-/* A row of the table, from a function and its array function, without a float form */
+/* A row of the table, made from a function and its array function. The row has no function of floats. */
 #define COR_LAW_ROW(name, function, least, largest, max_ulp)                                                           \
     {                                                                                                                  \
         name, function, function##_array, NULL, least, largest, max_ulp                                                \

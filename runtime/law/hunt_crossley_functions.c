@@ -225,8 +225,8 @@ static double crossley_panel(const struct crossley_side *side, double w)
     return cor_kernel_max(side->rebound ? w - longest / side->end : 0, w / 2.2);
 }
 
-/* Returns (1 - k) int_0^1 w^-k b^-k dw. In the first panel it is the integral of w^-k plus the integral of w^-k
- * (b^-k - 1), which is small where k is near 1. */
+/* Returns (1 - k) int_0^1 w^-k b^-k dw. The integral over the first panel is the integral of w^-k plus the integral of
+ * w^-k (b^-k - 1), which is small where k is near 1. */
 static double crossley_quadrature(const struct crossley_side *side, const struct crossley_rule *rule)
 {
     const double k = rule->k.hi, share = rule->share.hi;

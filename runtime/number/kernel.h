@@ -24,8 +24,8 @@ COR_KERNEL mask mask_of(int condition)
     return -(mask)condition;
 }
 
-/* True if first <= x < end. The bits as integers have the order of nonnegative doubles; for others they are
- * negative. */
+/* True if first <= x < end. The bits of nonnegative doubles, read as integers, have the order of the doubles. The bits
+ * of negative doubles are negative integers. */
 COR_KERNEL mask is_between(double x, double first, double end)
 {
     const int64_t bits = (int64_t)cor_inline_bits(x);

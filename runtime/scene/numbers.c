@@ -103,7 +103,8 @@ int cor_scene_check_bodies(struct cor_scene_fault *fault, const struct cor_scene
     "Give one dissipation: --dissipation-time A (s), --viscosity ETA1,ETA2 (Pa s), --g-star G (m/s), --restitution E " \
     "--at SPEED (such as --restitution 0.9 --at 1), --damping-coefficient C, --beta B --at SPEED or --zeta Z"
 
-/* In braces: names of the fault's numbers, the law, the rule of bodies, the status of libcor, the text of more_of */
+/* Words in braces are replaced. {number}, {other}: names of options. {law}: the law. {bodies}: a rule for bodies.
+ * {status}: the status of libcor. {more}: the text of more_of. */
 static const char *const sentences[] = {
     [COR_FAULT_SOLVER] = "the law {law} has no functions in cor; corgen contact solves it",
     [COR_FAULT_NO_DAMPING] = "found no damping that gives the eps of --restitution",

@@ -1028,7 +1028,7 @@ static double exact_damping(const struct cor_simulator_model *model, const struc
     const int own_end = given && target->scene->end == COR_BOTH_ENDS && !pressed;
     if (model->law == COR_LAW_IMPULSE || (!same_law && !pressed) || (constant && own_end))
         return cor_law_damping(model->law, model->end, target->eps);
-    if (!same_law) { /* eps at the speed, under the force */
+    if (!same_law) { /* this eps is for the speed and under gravity */
         struct cor_scene_contact c = cor_model_contact(*contact, &cor_law_exponents[model->law], 0, 1);
         return has_end && cor_law_has_spring_of(&c.law, &contact->law) &&
                        cor_scene_set_damping(&c, COR_SCENE_RESTITUTION, target->eps, target->speed_m_s, end) == 0

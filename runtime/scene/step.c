@@ -52,7 +52,7 @@ struct stepped {
     double deep;  /* energy below which bodies creep to rest: half of the least energy */
     double most;  /* bound of place and velocity, so that no force overflows */
     double ahead; /* the damping force uses the velocity this number of steps after the last half step */
-    int roots;    /* this number of square roots gives x^(1/denominator); negative: pow */
+    int roots;    /* this number of square roots gives x^(1/denominator); negative: use pow */
     int implicit; /* the force at the end of the step acts */
     int no_pull;  /* the contact force is never negative */
 };
@@ -74,7 +74,7 @@ static double force_at(const struct stepped *m, double x, double v)
     }
     double f = spring + m->beta * damper * v;
     if (m->implicit) {
-        const double each = m->beta + m->step; /* force per unit of velocity */
+        const double each = m->beta + m->step; /* force per unit of velocity, from damper and spring */
         f = (x + each * (v + m->step * m->press)) / (1 + m->step * each);
     }
     return m->no_pull && f < 0 ? 0 : f;

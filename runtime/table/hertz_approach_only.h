@@ -58,7 +58,7 @@ static inline double cor_hertz_eps_beyond(const void *of, double beta)
     const struct cor_hertz_law *const law = of;
     if (cor_inline_is_refused(beta))
         return NAN;
-    if (beta < 1 || isinf(beta)) /* beta below 2^-60, where a row that is rounded upward may exceed 1 */
+    if (beta < 1 || isinf(beta)) /* below beta = 2^-60, a row that is rounded upward may exceed 1 */
         return beta < 1;
     int fourth;
     const struct cor_inline_pair eps = cor_hertz_eps_approach_only(law->overlap(beta, &fourth));
@@ -102,7 +102,7 @@ static inline double cor_hertz_duration_beyond(const void *of, double beta)
         return NAN;
     if (isinf(beta))
         return INFINITY;
-    int fourth; /* exponent of 16 in Y: the duration of the rebound has the factor Y^(-1/4) */
+    int fourth; /* Y = overlap 16^fourth; the duration of the rebound has the factor Y^(-1/4) */
     const struct cor_inline_pair overlap = law->overlap(beta, &fourth);
     const double time = law->time_of_max_overlap(beta);
     return fourth ? ldexp(cor_hertz_duration_approach_only(overlap, ldexp(time, fourth)), -fourth)
