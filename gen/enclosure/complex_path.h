@@ -24,9 +24,9 @@ typedef struct slopes path_equation(const struct path *p, struct complex_ball x,
 struct path {
     path_equation *equation;
     struct complex_ball begin, end, length;
-    struct complex_ball s;          /* the place of path_equation, as a fraction of the path */
+    struct complex_ball s;          /* where path_equation is evaluated, as a fraction of the path */
     struct complex_ball c1, c2, c3; /* coefficients of the equation */
-    double a, b;                    /* exponents of the equation; a - b and 2b + 1 - a, each rounded once */
+    double a, b;                    /* exponents; difference = a - b and n = 2b + 1 - a, each rounded once */
     double difference, n;
     double resolution;         /* 1, or less for smaller radii and more steps */
     bool pressed;              /* a constant force c3 acts */

@@ -137,7 +137,7 @@ void creep_series_init(struct creep_series *s, slong prec)
         arb_set_fmpq(s->a + j, constant, prec);
     }
     start_bound(s->start, &f);
-    /* A r^(n+1) bounds the effect of the source for A = 2 s_n/(2 (1 - 3 r - r^2) - (n + 1) r). */
+    /* With A = 2 s_n/(2 (1 - 3 r - r^2) - (n + 1) r), A r^(n+1) bounds the effect of the source. */
     LET(r, BOUND_BITS, "1/CREEP_SERIES_LEAST_Y", CREEP_SERIES_LEAST_Y);
     least_contraction(least, r);
     largest_in_tube(x, &f.source[CREEP_SERIES_ORDER], r, 0);

@@ -108,8 +108,8 @@ static bool find_zero_overlap(struct motion *m, arb_t end)
 }
 
 /* Shortens a step that passes the overlap of release under a constant force, so that it ends just above that overlap. A
- * contact force that vanishes on the way to x = 0 can grow again only below that overlap. After the cut, its signs at
- * both ends of a step therefore show whether it vanishes in the step. Returns true if `end` moved. */
+ * contact force that vanishes on the way to x = 0 can grow again only below that overlap. After the cut, the signs of
+ * the force at both ends of a step therefore show whether it vanishes in the step. Returns true if `end` moved. */
 static bool cut_at_release(struct motion *m, arb_t end)
 {
     struct taylor *y = &m->y;
@@ -229,8 +229,8 @@ static void set_pressing(struct motion *m, const arb_t force)
     p->has_release = power > 0;
     if (power <= 0)
         return; /* the least energy of a release is 0 */
-    /* At the release the contact force vanishes, so v = (c2/c1) X^(a-b). The flight just reaches the surface if v^2 = 2
-     * c3 X. Together: (c2/c1)^2 X^(2(a-b)-1) = 2 c3. */
+    /* At the release the contact force vanishes, so v = (c2/c1) X^(a-b). The flight just reaches the surface if
+     * v^2 = 2 c3 X. Together: (c2/c1)^2 X^(2(a-b)-1) = 2 c3. */
     arb_div(ratio, y->c1, y->c2, y->prec);
     LET(p->release, y->prec, "(2*ratio^2*y->c3)^(1/power)", ratio, y->c3, power);
     LET(p->least, y->prec, "p->release^(ad + d)*y->c2*d/(ad + d)", p->release, ad, d, y->c2);

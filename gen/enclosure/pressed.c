@@ -5,8 +5,8 @@
  *
  * At the threshold of zero overlap the motion reaches X = 0 with speed 0. At the threshold of the surface, if 2 (a - b)
  * > 1, a flight reaches it with speed 0. The flight begins where the contact force vanishes, at X_s^(2(a-b)-1) = 2 B^2.
- * Backward in time from there the motion arrives at X = 0 with the speed V(B). Hence f = V^(-2a/(a+1)) and beta = B
- * V^q. */
+ * Backward in time from there the motion arrives at X = 0 with the speed V(B). Hence f = V^(-2a/(a+1)) and
+ * beta = B V^q. */
 #include <math.h>
 
 #include "enclosure/collision.h"
@@ -28,8 +28,7 @@ enum {
 };
 
 /* Sets the state in which the backward motion begins. From rest at X = 0, u = v^2/2 obeys du/dX = 1 - X^a + B X^b v.
- * With u/X = 1 + r, |r| < R up to X = delta, one more integration gives r with an error of R times the first terms of
- * r. */
+ * With u/X = 1 + r, |r| < R up to X = delta, one more integration gives r with an error of R times its first terms. */
 static void set_start(struct taylor *y, const arb_t damping, bool flies)
 {
     const struct cor_exponents *const law = &y->law;
@@ -41,7 +40,7 @@ static void set_start(struct taylor *y, const arb_t damping, bool flies)
         LET(y->v, prec, "y->w^n/damping", y->w, n, damping);
         return;
     }
-    /* delta^a and B delta^(b+1/2) are below 2^-k, and so is |r|. The error of size |r| R is far below it. */
+    /* delta^a and B delta^(b+1/2) are below 2^-k, and so is |r|. The error of size |r| R is far below 2^-k. */
     const double size = fmax(arf_get_d(arb_midref(damping), ARF_RND_UP), 1);
     const double k = (double)prec / 2 + 4, a = (double)law->elastic / (double)d, b = (double)law->damping / (double)d;
     const slong small = -(slong)ceil(fmax(k / a, (k + log2(size)) / (b + 0.5)) / (double)d) - 1; /* of w */

@@ -39,8 +39,8 @@ static void abs_tail(arb_t sum, const arb_poly_t f, slong first, const arb_t y, 
     mag_zero(arb_radref(sum));
 }
 
-/* Computes p_0 = 1, p_m = (p^2)_(m-1) (a - b - n (m-1)/2). This recurrence is order y^m of N(p) = 0, because p p' =
- * (p^2)'/2. */
+/* Computes p_0 = 1, p_m = (p^2)_(m-1) (a - b - n (m-1)/2). This recurrence is order y^m of N(p) = 0, because
+ * p p' = (p^2)'/2. */
 static void formal_sum(arb_poly_t p, const struct cor_exponents *law, slong degree, slong prec)
 {
     const struct ratio n = law_fall_power(law), a = law_elastic(law), b = law_damping(law);

@@ -16,7 +16,7 @@ struct taylor {
     slong degree, prec;
     arb_t c1, c2, c3;
     arb_ptr one, w, v, t;                /* arrays of degree + 1 Taylor coefficients */
-    arb_ptr force, whole_force;          /* c1 w^(bd-m) v + c2 w^(ad-m), m = min(ad, bd); this times w^(d-1+m) */
+    arb_ptr force, whole_force;          /* c1 w^(bd-m) v + c2 w^(ad-m), m = min(ad, bd); force times w^(d-1+m) */
     arb_ptr time_slope, elastic, damped; /* w^(d-1), w^(ad-m), w^(bd-m) v */
     struct taylor_product *product;      /* the products in the order of their computation */
     int products;

@@ -41,7 +41,7 @@ static int shear_integrand(acb_ptr y, const acb_t u, void *parameters, slong ord
     LOCAL(acb, x, b, c, width);
     LET_COMPLEX(width, analytic, prec, "1 - p->gamma", p->gamma);
     LET_COMPLEX(x, analytic, prec, "1 - u^2*width", u, width);
-    LET_COMPLEX(b, analytic, prec, "sqrt((1 + x)*width)*u", x, width, u); /* u sqrt((1 - gamma)(1 + x)) */
+    LET_COMPLEX(b, analytic, prec, "sqrt((1 + x)*width)*u", x, width, u); /* b = u sqrt((1 - gamma)(1 + x)) */
     LET_COMPLEX(c, analytic, prec, "4*x^2*(x^2 - p->gamma2)*b", x, p->gamma2,
                 b); /* the denominator is D^2 + 4 x^2 b c */
     LET_COMPLEX(y, analytic, prec, "2*c/((2*x^2 - 1)^4 + 4*c*b*x^2)*x*width*u", c, x, b, width, u);
@@ -79,7 +79,8 @@ static void rayleigh_root(acb_t p, const acb_t gamma2, slong prec)
     _acb_vec_clear(root, DEGREE);
 }
 
-/* Computes - pi x a/R'(x) at the root, with p = 1/x^2, A = sqrt(1 - gamma^2 p), 4 A sqrt(1 - p) = (2 - p)^2:
+/* Computes - pi x a/R'(x) at the root. With p = 1/x^2, A = sqrt(1 - gamma^2 p) and 4 A sqrt(1 - p) = (2 - p)^2 it
+ * equals
  *     - pi A sqrt(p)/(8 ((2 - p) - (2 - p)^2/4 - 2 (2 - (1 + gamma^2) p)/(2 - p)^2)) */
 static void rayleigh_share(acb_t y, const acb_t gamma2, slong prec)
 {

@@ -40,8 +40,8 @@ enum {
 #define FINEST_TRUTH 1e-6
 #define COARSEST_TRUTH 1e-4
 #define COARSEST_TRUTH_OF_OTHERS 1e-5 /* for contact time and compression; finer than COARSE_TOLERANCE */
-/* The uncertainty of the contact time and of the largest compression is twice their difference from a rigid wall with
- * this tolerance, because the contact time converges like 1/Omega. */
+/* The uncertainty of the contact time and of the largest compression is twice the difference from the result with this
+ * tolerance, because the contact time converges like 1/Omega. */
 #define COARSE_TOLERANCE 1e-3
 #define LEAST_TOLERANCE 1e-6
 #define MIN_SPEED 1e-3 /* a little below this speed, alpha v = 56 would need alpha > COR_DISK_COLLISION_MAX_ALPHA */

@@ -42,7 +42,7 @@ struct spheres {
     struct embed_scene scene, pressed_scene; /* for the models, without the constant force; for the header, with it */
     struct embed_form form[FAMILIES];
     arb_t h_star;        /* of spheres */
-    arb_t force, damped; /* at 1 m/s: the force in units of m g/T, and beta under it */
+    arb_t force, damped; /* at 1 m/s: the force in units of m g/T, and beta with this force */
     double *other;       /* eps at the other end of contact, at every point */
     double *bare;        /* eps without the constant force */
     atomic_bool failed;

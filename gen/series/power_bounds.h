@@ -2,8 +2,8 @@
 /* Proves bounds of powers of a truncated trajectory: docs/theory.md, 3, equations (3.1) and (3.2).
  *
  * A is the Banach algebra of power series in s whose coefficients are polynomials in u cut after u^order, with the norm
- * |f| = sum |f_kj| U^k rho^j. Z is X truncated after s^J. P is the truncated row polynomial of X^p, where p is a or b +
- * 1. It agrees with Z^p up to s^J. With E = Z^p - P and th = s d/ds:
+ * |f| = sum |f_kj| U^k rho^j. Z is X truncated after s^J. P is the truncated row polynomial of X^p, where p is a or
+ * b + 1. It agrees with Z^p up to s^J. With E = Z^p - P and th = s d/ds:
  *
  *   1/|1/Z| >= (1 - |1 - Z V|)/|V| for any V in A,
  *   Z th(E) - p E th(Z) = -N,  N = Z th(P) - p P th(Z) = O(s^(J+1)),

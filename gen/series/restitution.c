@@ -112,8 +112,8 @@ static void backward_sum(fmpq_poly_t f, const fmpq_poly_struct *row, bool veloci
 
 void restitution_zero_force_exact(fmpq_poly_t G, fmpq_poly_t T, slong order, const struct cor_exponents *law)
 {
-    /* In backward time -h replaces beta, x = t X and x' = V. The force vanishes where x^(a-b) = h x', that is at T =
-     * (V/X^(a-b))^(1/(a-b)). T enters V and X with a factor w, so each pass makes one more coefficient correct. */
+    /* In backward time -h replaces beta, x = t X and x' = V. The force vanishes where x^(a-b) = h x', that is at
+     * T = (V/X^(a-b))^(1/(a-b)). T enters V and X with a factor w, so each pass makes one more coefficient correct. */
     const slong n = order + 1;
     const struct ratio m = RATIO("law->a - law->b", law);
     fmpq_poly_one(G);

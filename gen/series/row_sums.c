@@ -113,7 +113,7 @@ slong row_sums_weight(struct ratio p, slong i, slong k)
     return (p.num + p.den) * i - p.den * k;
 }
 
-/* Transforms the stored rows that are new to this prime. */
+/* Transforms the stored rows that are not yet transformed modulo this prime. */
 static void row_prime_catch_up(struct row_prime *m, const struct row_sums *s)
 {
     for (; m->known < s->known; m->known++)

@@ -50,7 +50,7 @@ void profile_report(void);
 /* malloc, realloc, strdup and a printf that allocates. They end the program with a message and never return NULL. */
 void *xmalloc(size_t size);
 void *xrealloc(void *old, size_t size);
-void *xgrow(void *old, size_t count, size_t size); /* makes room for element `count`, one more in each call */
+void *xgrow(void *old, size_t count, size_t size); /* makes room for element `count`, which grows by 1 in each call */
 char *xstrdup(const char *text);
 /* Returns a printable copy: \xNN replaces each byte that belongs to a control character or is not UTF-8. */
 char *xprintable(const char *text);

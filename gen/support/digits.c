@@ -17,7 +17,7 @@ slong digits_to_bits(slong digits)
     return (digits * 3322 + 999) / 1000 + GUARD_BITS; /* log2(10) < 3.322 */
 }
 
-/* Returns the shortest text with all digits of "-12345" and the point after the first `point` digits. */
+/* Returns the shortest text with all digits of a mantissa such as "-12345" and the point after `point` of them. */
 static char *digits_spell(const char *mantissa, long point)
 {
     static const char zeros[LEADING_ZEROS_MAX + 1] = "0000";
@@ -39,7 +39,7 @@ char *digits_of_ball(const arb_t x, slong digits)
     if (arf_is_pos_inf(arb_midref(x)))
         return xstrdup("inf");
 
-    /* bits that hold both ends, rounded outwards, and exactly if x is exact */
+    /* enough bits for both ends rounded outwards, or for x itself if it is exact */
     const slong prec = FLINT_MAX(arb_bits(x), digits_to_bits(digits)) + GUARD_BITS;
     mpfr_t lower, upper;
     char *text = NULL;

@@ -62,12 +62,12 @@ void emit_structs_open(struct emit *e, const char *type, const char *name, slong
 int emit_struct(struct emit *e, const slong *whole, slong wholes, arb_srcptr value, slong values);
 void emit_structs_close(struct emit *e);
 
-/* Writes #define TABLE_WHAT: a number of a table's geometry, under the table's name in capitals. Reals are written in
- * decimal and read back to the same bits. */
+/* Writes #define TABLE_WHAT, a number of a table's geometry. TABLE is the table's name in capitals. Reals are written
+ * in decimal and read back to the same bits. */
 void emit_geometry_real(struct emit *e, const char *table, const char *what, double x);
 void emit_geometry_integer(struct emit *e, const char *table, const char *what, slong n);
 
-/* In a function that builds a struct x, sets its field, a pair with hi and lo, from an interval. */
+/* Writes the statement that sets a field of a struct x, a pair with hi and lo, from an interval. */
 int emit_pair_field(struct emit *e, const char *field, const arb_t value);
 
 /* Writes a text. $T becomes the type of real numbers, $B its number of bits, $F the ending of its functions and

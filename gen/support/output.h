@@ -16,7 +16,7 @@ enum output_format { FORMAT_TEXT, FORMAT_CSV, FORMAT_JSON, FORMAT_LATEX };
  * All other paths are written directly: standard output (path NULL or /dev/stdout), a terminal, a pipe, /dev/null. */
 struct output {
     FILE *file;
-    FILE *screen;     /* a terminal that also shows progress: `bytes` are written at once; or NULL */
+    FILE *screen;     /* the terminal, if it also shows progress; `bytes` are then written at once; or NULL */
     const char *path; /* path as given, for messages; NULL: standard output */
     char *target;     /* the file to be replaced, behind all links; NULL = written directly */
     char *temporary;  /* the temporary file with the new text, during a commit */

@@ -98,7 +98,7 @@ int disk_limits_check_all(void);
 /* ---- a Padé approximant in a C header: two functions, their arrays, the bounds, and the origin of the bounds ---- */
 
 struct pade_header {
-    const char *name;  /* prefix of the arrays; in capitals, of the macros */
+    const char *name;  /* prefix of the arrays and, in capitals, of the macros */
     const char *title; /* first line of the header's comment */
     enum cor_end end;
     slong beta_max;                      /* the bounds hold up to this beta */

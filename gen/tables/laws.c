@@ -98,7 +98,8 @@ static void tsuji_time_of_max_overlap(arb_t t, bool proved, const arb_t zeta, sl
     tsuji_integral(t, proved, zeta, end, prec);
 }
 
-/* V(y), y = zeta/(10 sqrt(1 - zeta^2)), zeta < 1, and exp(2 pi y) (1 - zeta^2)^(-2/5) V(y) have closed forms. */
+/* Computes V(y), y = zeta/(10 sqrt(1 - zeta^2)), zeta < 1, in closed form. The duration at zero overlap is exp(2 pi y)
+ * (1 - zeta^2)^(-2/5) V(y). */
 static void tsuji_overlap_factor(arb_t v, bool proved, const arb_t y, slong prec)
 {
     (void)proved;
@@ -119,8 +120,8 @@ static void tsuji_duration_zero_overlap(arb_t t, bool proved, const arb_t zeta, 
 }
 
 /* For zeta < 0.7 the singularity of the integrand at om s = pi is near. The integral therefore runs from the other end.
- * The duration is t_0, the one at zero overlap, minus exp(pi zeta/(5 om)) times the integral with -zeta up to 2
- * asin(zeta)/om. */
+ * The duration is t_0, the one at zero overlap, minus exp(pi zeta/(5 om)) times the integral with -zeta up to
+ * 2 asin(zeta)/om. */
 static void tsuji_duration_zero_force(arb_t t, bool proved, const arb_t zeta, slong prec)
 {
     LOCAL(arb, end, minus, part);
@@ -139,9 +140,9 @@ static void tsuji_duration_zero_force(arb_t t, bool proved, const arb_t zeta, sl
 }
 
 /* The force is twice the elastic force for a time (5/8)^(2/5) (2/5) B(m; 2/5, 1/2), m = 8 zeta^2/(1 + 8 zeta^2). After
- * phase phi = atan2(2 zeta om, 1 + 2 zeta^2) the law without limit holds. Its part of the duration is exp(-zeta phi/(5
- * om)) (t_F - (5/4)^(-3/5) G(phi/om)). Here t_F is the duration at zero force, and phi/om = k 2F1(1/2, 1; 3/2; -(k
- * om)^2), k = 2 zeta/(1 + 2 zeta^2). */
+ * phase phi = atan2(2 zeta om, 1 + 2 zeta^2) the law without limit holds. Its part of the duration is
+ * exp(-zeta phi/(5 om)) (t_F - (5/4)^(-3/5) G(phi/om)). Here t_F is the duration at zero force, and phi/om =
+ * k 2F1(1/2, 1; 3/2; -(k om)^2), k = 2 zeta/(1 + 2 zeta^2). */
 static void tsuji_duration_limited(arb_t t, bool proved, const arb_t zeta, slong prec)
 {
     const slong more = prec + 2 * GUARD_BITS;
@@ -509,9 +510,9 @@ static const struct far_form tsuji_far[] = {
 
 /* ---- Hunt and Crossley beyond the rows ---- */
 
-/* Sets an equation of the time of the largest overlap, s = ln(1 + beta) >= 26.25. In units of beta^(2k - 1) ((a + 1)(1
- * + beta))^-k this time is s + K + (k_0 + k_1 s + k_2 s^2)/(1 + beta), K = -psi(1 - k) - gamma. The equation,
- * multiplied by 1 + beta, gives k_j. */
+/* Sets an equation of the time of the largest overlap, s = ln(1 + beta) >= 26.25. In units of
+ * beta^(2k - 1) ((a + 1)(1 + beta))^-k this time is s + K + (k_0 + k_1 s + k_2 s^2)/(1 + beta), K = -psi(1 - k) -
+ * gamma. The equation, multiplied by 1 + beta, gives k_j. */
 static void crossley_equation(arb_ptr basis, arb_t t, const struct far_form *f, slong i)
 {
     LOCAL(arb, s, beta, K);
@@ -530,8 +531,8 @@ static void loading_constant(arb_ptr K, const struct far_form *f)
     LET(K, FAR_BITS, "digamma(1) - digamma(1 - f->k)", f->k);
 }
 
-/* Computes the c_p of the time of the rebound, beta > 64. With U = beta + 1 - ln(1 + beta), in units of beta^(2k - 1)
- * ((a + 1))^-k, this time is
+/* Computes the c_p of the time of the rebound, beta > 64. With U = beta + 1 - ln(1 + beta), in units of
+ * beta^(2k - 1) ((a + 1))^-k, this time is
  *
  *     (a + 1) U^(1 - k) + U^-k sum_p c_p U^-p,   c_p = sum_(j=1..p) binom(k+j-1, j) binom(k+p-1, p-j) (p-j)!/j^(p-j+1)
  *

@@ -453,7 +453,7 @@ enum cor_fault {
     COR_FAULT_GAPS,           /* the outer gap is not larger than the inner one */
     COR_FAULT_NO_DURATION,    /* no damping gives this duration and this stiffness, C or A */
     COR_FAULT_TWO_DURATIONS,  /* two contacts may have this dissipation time and this duration at zero overlap */
-    COR_FAULT_EQUIVALENT /* cor_scene_equivalent needs bodies, a speed, the law linear, and for some numbers an end */
+    COR_FAULT_EQUIVALENT /* cor_scene_equivalent needs bodies, a speed, the linear law, and for some numbers an end */
 };
 struct cor_scene_fault {
     int fault;         /* enum cor_fault */
@@ -582,8 +582,8 @@ struct cor_simulator_model {
     double (*damping_of_e)(double e);
     double least, most;
 
-    /* Convert the damping at a speed to the number that the user sets, and back; NULL if the user sets e. Both need
-     * only mass, stiffness or radius of the contact. */
+    /* Convert the damping at a speed to the number that the user sets, and back; NULL if the user sets e. Both
+     * functions need only mass, stiffness or radius of the contact. */
     double (*number_of_damping)(const struct cor_simulator_model *model, double damping,
                                 const struct cor_scene_contact *contact, double speed_m_s);
     double (*damping_of_number)(const struct cor_simulator_model *model, double number,
@@ -676,14 +676,14 @@ long cor_simulator_version(const char *text);
 /* One of several materials, of balls or of a wall. name: letters, digits, blanks, and _ - . */
 struct cor_material {
     const char *name;
-    struct cor_body body; /* the smallest ball; infinite radius and mass: a wall; dissipation time NaN: not known */
+    struct cor_body body; /* the smallest ball, or a wall: infinite radius and mass; dissipation time NaN: not known */
     double radius_max_m;  /* radius of the largest ball, of the same density; NaN: all balls have one radius */
-    const char *made_of;  /* the material that gives its elasticity, and a dissipation time that is NaN; NULL: none */
+    const char *made_of; /* the material that gives the elasticity, and the dissipation time if it is NaN; NULL: none */
 };
 
 /* A restitution measured between the smallest balls of materials a and b, counted from 0, or between a ball and a wall;
- * NaN: not measured. at_m_s NaN: at every speed, where q = 0. end: COR_BOTH_ENDS means the end of the scene. friction
- * NaN: as in the request. */
+ * NaN: not measured. at_m_s: NaN means every speed, where q = 0. end: COR_BOTH_ENDS means the end of the scene.
+ * friction: NaN means the friction of the request. */
 struct cor_material_pair {
     size_t a, b;
     double restitution, at_m_s;
