@@ -83,7 +83,8 @@ static real rate(int at_end, real x, real q0)
     return sqrt((1 + lambert(at_end ? q0 - log1p(-sine * sine) : q0 - 2 * log(sine))) / 2);
 }
 
-/* Adds the panel of x from low to high to I of each mode. Towards theta = 0, s grows from *half_time onward. */
+/* Adds the panel of x from low to high to the integral I of each mode. s is *half_time where the panel begins, and
+ * grows towards theta = 0; *half_time becomes s where the panel ends. */
 static void add_panel(real *integral, const struct cor_disk_mode *mode, size_t n, const struct rule *rule, int at_end,
                       real low, real high, real q0, real *half_time)
 {

@@ -93,7 +93,7 @@ static void scene_arguments_draw(struct scene_arguments *s, struct bit_source *r
     const clock_t start = clock();
     cor_scene_step_error(&(struct cor_step_error){0}, &s->contact, s->x[0], s->end, 4, s->number % COR_INTEGRATORS);
     if (clock() - start > CLOCKS_PER_SEC / 1000 || !(cor_scene_beta(&s->contact, s->x[0]) < 1))
-        s->steps = 0; /* no time step: a thousand steps would need milliseconds */
+        s->steps = 0; /* no time step, because a thousand steps would need milliseconds */
 }
 
 /* Draws the scenes that belong to sets[i], whose other arguments are already drawn. */

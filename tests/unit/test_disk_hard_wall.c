@@ -295,8 +295,8 @@ struct watched {
     size_t not_to_return;                /* moments since no part of the rim can return to the wall */
 };
 
-/* Bounds the rim's motion by the sum of the amplitudes of the modes. least: amplitudes near Omega are reduced by the
- * cutoff */
+/* Bounds the rim's motion by the sum of the amplitudes of the modes. *least: the same sum, with amplitudes near Omega
+ * reduced by the cutoff */
 static void swing_of(const struct watched *w, double *most, double *least)
 {
     double omega = 0;

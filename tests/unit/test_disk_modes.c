@@ -136,7 +136,7 @@ TEST(reads_what_was_written)
         size_t line = 77;
         write_modes(count, cor_disk_modes_nu033.mode, count);
         put_file(text.bytes, text.length);
-        /* read their number first, then all modes */
+        /* reads the number of modes first, then all modes */
         assert_int_equal(cor_disk_modes_read(path, NULL, 0, &modes, NULL), COR_ERROR_CAPACITY);
         assert_int_equal(modes.count, count);
         assert_int_equal(cor_disk_modes_read(path, room, count - 1, &modes, &line), COR_ERROR_CAPACITY);

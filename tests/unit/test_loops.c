@@ -10,7 +10,7 @@
 
 #include "runtime/table/row_loops.h"
 
-/* SHORT: all lengths up to it are tested. BLOCKS: parts of the arguments, each of one kind */
+/* SHORT: all lengths up to SHORT are tested. BLOCKS: parts of the arguments, each of one kind */
 enum { MANY = 20000, SHORT = 40, BLOCKS = 40 };
 
 static size_t many; /* MANY, or fewer with COR_TEST_DIVISOR */
@@ -211,7 +211,7 @@ static void fill_contacts(struct cor_sphere_contact contact[CONTACTS])
     assert_int_equal(cor_sphere_contact_init(&contact[5], NULL, NULL), COR_ERROR_NULL); /* all NaN */
 }
 
-/* Lists the functions of laws, each once: linear and Tsuji share some, and so do ends of contact. */
+/* Lists the functions of laws, each once, because linear and Tsuji share some functions, and some ends do as well. */
 static size_t law_loops(struct loop *loops)
 {
     size_t count = 0;

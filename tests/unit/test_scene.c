@@ -112,8 +112,8 @@ TEST(every_law)
     }
 }
 
-/* Each number of two bodies is given or not. The refusal names the first missing number; otherwise density and mass of
- * a body; otherwise the numbers that a wall lacks. */
+/* Each number of two bodies is given or not. The refusal names the first missing number. If no number is missing, it is
+ * about density and mass of one body, otherwise about the numbers that a wall lacks. */
 TEST(incomplete_bodies)
 {
     static const int number[] = {COR_SCENE_YOUNG,   COR_SCENE_POISSON, COR_SCENE_RADIUS,    COR_SCENE_DISSIPATION_TIME,

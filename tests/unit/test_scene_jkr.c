@@ -78,8 +78,8 @@ static double kappa_of(const struct cor_scene_contact *s)
     return cor_scene_damping(s, COR_SCENE_DAMPING_COEFFICIENT) * pow(l, b) * sqrt(l / (force * s->mass_kg));
 }
 
-/* m x'' = -F - d c x' in a variable whose rate is the slope of the overlap over c, 0 at the end of the tail. c: in
- * units of the first radius */
+/* Solves m x'' = -F - d c x' for the contact radius c in units of the first radius, the speed x', and the time. In the
+ * variable of the integration, the slope of the time is dx/dc, which is 0 at the end of the tail. */
 struct moved {
     const struct cor_scene_contact *contact;
     long double damper, unit, last;

@@ -214,7 +214,7 @@ static long double reference_restitution(struct reference *r, long double tangen
         } else if (found == CREEP_ABOVE) {
             stick(y, r);
         } else if (found == FORCE) {
-            const int creeps = r->mode == CREEPS; /* then stick and slip are both possible, and small steps stick */
+            const int creeps = r->mode == CREEPS; /* a creeping contact may stick or slip; small steps stick */
             r->sign = -1;
             r->mode = SLIPS;
             r->side = 1;
@@ -262,7 +262,7 @@ static void compare(const struct impact *i)
                           .p = t.constant_stiffness ? 0 : twice * (e->elastic - e->denominator)};
     struct cor_oblique_impact oblique;
     const int status = cor_scene_oblique(&oblique, &c, &t, i->mu, 1, i->tangent, i->end);
-    if (status == COR_OK && !(oblique.eps >= 1e-3)) /* COR_OBLIQUE_ERROR does not hold there */
+    if (status == COR_OK && !(oblique.eps >= 1e-3)) /* COR_OBLIQUE_ERROR does not hold for such eps */
         return;
     /* A slip shorter than a step can be missed, and roundings may begin a wrong mode, but not with all these steps. */
     static const long double steps[][2] = {{0.02L, 1e-9L}, {0.02L, 1e-7L}, {2e-4L, 1e-8L}};

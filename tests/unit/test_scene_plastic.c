@@ -37,7 +37,7 @@ TEST(eps_of_the_speed)
 }
 
 /* eps has a continuous slope at v_y: to lowest order 1 - eps = 0.24 (x - 1)^2, from (72/108) (1 - t)^2/4 with 1 - t =
- * (6/5) (1 - r). */
+ * (6/5) (1 - r), where r = 1/x, and t is defined in runtime/scene/plastic.c. */
 TEST(onset_and_limits)
 {
     for (double gap = 1e-3; gap > 1e-14; gap /= 10) {

@@ -209,9 +209,9 @@ static void never_rises(int end, double beta, int count)
     }
 }
 
-/* Around every power of two 2^-k, tests every double whose eps is from 2^-k to 2^-k + u/2, u one ulp there. Only for
- * these does the order not follow from a decreasing eps and errors below an ulp (docs/theory.md, 18). The walk begins
- * with a result of 2^-k + 2 u and ends with 2^-k - u, so eps itself is outside at both ends. */
+/* Around every power of two 2^-k, tests every double whose eps is from 2^-k to 2^-k + u/2, where u is one ulp. Only for
+ * these doubles does the order not follow from a decreasing eps and errors below an ulp (docs/theory.md, 18). The walk
+ * begins with a result of 2^-k + 2 u and ends with 2^-k - u, so eps itself is outside at both ends. */
 TEST(falls_at_powers_of_two)
 {
     enum { FARTHEST = 64 };
@@ -274,7 +274,7 @@ TEST(constants)
     const long double c1 = c1_exact(), d = sqrtl(acosl(-1)) * tgammal(0.6L) / (5 * tgammal(2.1L));
     check_ulp(COR_SPHERE_C1, c1, 0.5L + 1e-3L);
     check_ulp(COR_SPHERE_SIMPLE_D, d, 0.5L + 1e-3L);
-    /* 2 delta d = |C_1| beta with (14) */
+    /* with the delta of (14), 2 delta d is |C_1| beta */
     check(fabsl(2 * powl(1.25L, 0.6L) * d + c1) < 1e-17L, "2 (5/4)^(3/5) d = |C_1|");
 }
 

@@ -57,7 +57,7 @@
 #define TURNING (0.8 / 0.50445489426892577)
 #define SHADOW (4.8 * 0.88726381750307528 * 1.3195079107728942)
 #define STORED (1.4 * 4 / 27)
-#define TOLERANCE 1e-10 /* rates of ln T and a2 */
+#define TOLERANCE 1e-10 /* error of a time step in ln T and a2 */
 
 struct gas {
     struct cor_sphere_contact contact;
@@ -119,8 +119,8 @@ static void moments_add(struct collision_moments *sum, const struct gas *gas, do
     const double G = g * g / 2, eps = gas->eps(&gas->contact, g * v_T);
     const double turned = turning(cor_contact_beta(&gas->contact, g * v_T)) * 2 / (g * g) * overlap(gas, g * v_T);
     const double loss = gas->loss * (1 - eps) * (1 + eps) * (1 - turned);
-    /* Means at given g of S = S_2(c_1^2) + S_2(c_2^2), of S (c_1^2 + c_2^2), and of S times the squared normal velocity
-     * of the centre of mass */
+    /* S, SX and SC are means at given g: of S = S_2(c_1^2) + S_2(c_2^2), of S (c_1^2 + c_2^2), and of S times the
+     * squared normal velocity of the centre of mass */
     const double S = 3.0 / 16 + G * (-3.0 / 4 + G / 4);
     const double SX = -13.0 / 32 + G * (1.0 / 16 + G * (-1.0 / 8 + G / 4));
     const double SC = -9.0 / 64 + G * (3.0 / 16 + G / 16);
