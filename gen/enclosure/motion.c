@@ -75,8 +75,8 @@ static void motion_record(arb_t eps, arb_t time, const struct motion *m, const a
     arb_mul(time, time, m->length, m->y.prec);
 }
 
-/* One function for each of the three events. It searches the current step for the event and records it. It returns
- * false if the intervals do not decide. */
+/* Each of the find functions below searches the current step for one of the three events and records it. The function
+ * returns false if the intervals do not decide. */
 
 static bool find_turning_point(struct motion *m)
 {

@@ -183,8 +183,9 @@ static int squeeze_force(arb_t force, arb_t low, arb_t high, const arb_t beta, c
     return fail_accuracy("the threshold of the force", bits);
 }
 
-/* Finds the B that belongs to beta, to some bits: brackets B by factors of 2, halves the bracket in ln(B), and applies
- * the Illinois method. If motions escape above B, it returns only the bracket, low_end and high_end. */
+/* Finds the B that belongs to beta, to some bits. The function brackets B by factors of 2, halves the bracket in ln(B),
+ * and applies the Illinois method. If motions escape above B, the function returns only the bracket, low_end and
+ * high_end. */
 static int find_damping(arb_t damping, arb_t low_end, arb_t high_end, const arb_t beta, const struct cor_exponents *law,
                         int end)
 {

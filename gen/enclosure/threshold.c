@@ -24,8 +24,9 @@ enum { GUARD_BITS = 60, ATTEMPTS = 8, SEARCH_STEPS = 400 };
  *
  *   g_k = -((b+1 + m k/2) R_k + [k = 1])/(1 + m k/(b+1)).
  *
- * The factor of R_k is below b+1, so M = |g_1| z + (b+1) M^2 is a majorant of g - g_0. M converges up to z* = 1/(4
- * (b+1) |g_1|), where it is 1/(2 (b+1)). The terms beyond z^K at z = z* 2^-s are below 2^(-s (K+1))/(2 (b+1)). */
+ * [k = 1] is 1 for k = 1, otherwise 0. The factor of R_k is below b+1, so M = |g_1| z + (b+1) M^2 is a majorant of g -
+ * g_0. M converges up to z* = 1/(4 (b+1) |g_1|), where M is 1/(2 (b+1)). The terms beyond z^K at z = z* 2^-s are below
+ * 2^(-s (K+1))/(2 (b+1)). */
 static void unstable_series(arb_t g, arb_t z, const struct cor_exponents *law, slong prec)
 {
     enum { SHRINK = 3 };

@@ -71,8 +71,8 @@ void plan_clear(struct plan *plan);
 /* Adds a model with values NaN. The name is a format. The pointer is valid until the next call. */
 struct plan_model *plan_add(struct plan *plan, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Sets cost, leaves_out and use and, unless the error is promised, error = |value/truth - 1|, or |value - truth|, at
- * every point. */
+/* Sets cost, leaves_out and use. Unless the error is promised, also sets error = |value/truth - 1|, or |value - truth|,
+ * at every point. */
 void plan_model_is(const struct plan *plan, struct plan_model *model, double cost, const char *leaves_out, char *use);
 
 /* Sets worst and verdict of all models, and `chosen`: the cheapest model whose error plus the uncertainty of the

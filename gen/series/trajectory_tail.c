@@ -27,7 +27,7 @@ enum {
     CIRCLES = 16
 };
 
-/* (3.3): computes the radius of the image under G of the ball |R| <= delta,
+/* Computes (3.3), the radius of the image under G of the ball |R| <= delta,
  *
  *   (U/(b+1) |[X^(b+1)] beyond s^J| + 2^shift rho/e |[X^a] from s^J on|)/(e + 1).
  *
@@ -49,8 +49,8 @@ static bool image_of_ball(arb_t image, const arb_t delta, const struct power_bou
     return HOLDS(NORM_BITS, "eta < 1", eta);
 }
 
-/* (3.4): finds a delta for which G maps the ball |R| <= delta into itself. The image of the point 0 is a lower bound on
- * delta. The first trial is twice that bound, and the second twice the image of the first ball. Returns false if the
+/* Finds delta of (3.4), for which G maps the ball |R| <= delta into itself. The image of the point 0 is a lower bound
+ * on delta. The first trial is twice that bound, and the second twice the image of the first ball. Returns false if the
  * proof does not succeed with these weights. */
 static bool prove_at(struct trajectory_tail *tail, const struct power_evidence *e, const struct trajectory *t)
 {

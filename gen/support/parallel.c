@@ -44,7 +44,7 @@ static const double PROGRESS_SECONDS = 0.2;
 struct loop {
     void (*task)(void *context, slong i);
     void *context;
-    int (*finish)(void *context, slong i); /* NULL without order; then `tick` and `ready` are unused */
+    int (*finish)(void *context, slong i); /* NULL if tasks need no order; then `tick` and `ready` are unused */
     void (*tick)(void *context);
     slong count;
     atomic_long next;

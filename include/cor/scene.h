@@ -241,8 +241,9 @@ int cor_scene_step_error(struct cor_step_error *error, const struct cor_scene_co
 
 /* Finds, to 0.1 % or one step, the least number of steps in an elastic duration above which |bias| and scatter stay
  * within the tolerance. The function scans numbers of steps from 2 upwards by factors of 1.2, up to four times the last
- * number that failed. For each it tests eight values within one step above. Between tested values the scatter may
- * exceed the tolerance by a tenth. Returns COR_FAULT_STEP also if the scan would need more than 1e6 steps. */
+ * number that failed. For each of these numbers it tests eight values within one step above the number. Between tested
+ * values the scatter may exceed the tolerance by a tenth. Returns COR_FAULT_STEP also if the scan would need more than
+ * 1e6 steps. */
 int cor_scene_step_for(double *least_steps, const struct cor_scene_contact *contact, double speed_m_s, int end,
                        double tolerance, int integrator);
 
@@ -258,7 +259,7 @@ enum cor_tangential_memory {
     COR_REMEMBERS_DISPLACEMENT,          /* the force is k x^p s */
     COR_REMEMBERS_FORCE,                 /* the force is the integral of k x^p ds */
     COR_REMEMBERS_DISPLACEMENT_RESCALED, /* likewise, but s shrinks with the contact radius x^(1/2) on the way back */
-    COR_REMEMBERS_FORCE_RESCALED,        /* likewise, but the force shrinks with that radius; p = a - 1 in both */
+    COR_REMEMBERS_FORCE_RESCALED,        /* likewise, but the force shrinks with that radius; rescaled: p = a - 1 */
     COR_REMEMBERS_NOTHING,               /* no spring: only a damper acts */
     COR_TANGENTIAL_MEMORIES
 };
@@ -710,13 +711,14 @@ struct cor_simulator_request {
     int count;
     const double *speed_m_s; /* impact speeds, for which the text states the realised e */
     size_t speeds;
-    double time_step_s; /* 0: the shortest contact at these speeds over `steps` */
+    double time_step_s; /* 0: the duration of the shortest contact at these speeds over `steps` */
     double steps;       /* 0: 50 */
-    /* step_tolerance not 0: use the largest time step at which bias and scatter of eps stay below it. step_errors: the
-     * text states bias and scatter. step_corrected: the damping is corrected by cor_scene_step_corrected. */
+    /* step_tolerance not 0: use the largest time step at which bias and scatter of eps stay below step_tolerance.
+     * step_errors: the text states bias and scatter. step_corrected: the damping is corrected by
+     * cor_scene_step_corrected. */
     double step_tolerance;
     int step_errors, step_corrected;
-    int integrator; /* enum cor_integrator; COR_NO_INTEGRATOR: the simulator's */
+    int integrator; /* enum cor_integrator; COR_NO_INTEGRATOR: the simulator's integrator */
     /* Several materials, instead of contacts. The scene then has no numbers, only law, end and solver. NULL: two
      * bodies. memory: material_count^2 elements for the function */
     const struct cor_material *materials;
