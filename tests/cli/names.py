@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""names.py CORGEN [SEED]: names of random bytes, in messages, which must escape control characters and bytes that are
-not UTF-8."""
+"""names.py CORGEN [SEED]: tests messages that contain names of random bytes. They must escape control characters and
+bytes that are not UTF-8."""
 import os
 import random
 import subprocess

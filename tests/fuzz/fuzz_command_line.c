@@ -107,7 +107,7 @@ static bool solves_nothing(const struct embed_request *scene)
     return !scene->number[COR_SCENE_RESTITUTION].text && !scene->number[COR_SCENE_ZETA].text;
 }
 
-/* Defines the function for a subcommand. cheap: its work is cheap */
+/* Defines the function for a subcommand. cheap: the condition that its work is cheap */
 #define FUZZED(name, cheap)                                                                                            \
     static int fuzz_##name(const void *arguments)                                                                      \
     {                                                                                                                  \

@@ -146,7 +146,7 @@ TEST(test_ritz)
         for (size_t k = 0; k < COUNT_OF(orders); k++) {
             const slong n = orders[k];
             for (int point = 0; point < POINTS; point++) {
-                /* kappa' up to n + 12, for which the degree is high enough for all modes */
+                /* kappa' is at most n + 12, so the degree is high enough for all modes */
                 const double omega = random_uniform(&draw, 0.1, 1) * ((double)n + 12) / sqrt(2 * disk.e_double);
                 LET(w, RITZ_PREC, "omega^2", omega);
                 const slong ritz = ritz_count(nu, n, w, PAIRS), count = disk_count(&disk, n, w);

@@ -210,7 +210,7 @@ TEST(test_counts)
         /* sqrt(x) rounds once; its root contributes one half, and the product rounds once */
         {SQRT_OF_SPEED, 1, 0, 2, {0, 1}, "sqrt(x)"},
         {FOURTH_ROOT_OF_SPEED, 1, 0, 2.5, {0, 1}, "x^(1/4)"},
-        /* float numbers below the smallest normal one: additionally half of the smallest positive one, 2^-150 */
+        /* below the smallest normal float, a result also has an error of half the smallest positive float, 2^-150 */
         {SPEED, 1, 0, (1 + 4) * 0x1p29, {0, 0x1p-127}, "2^-127 x in float"}};
     for (size_t i = 0; i < COUNT_OF(form); i++) {
         double number[5];

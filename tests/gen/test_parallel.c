@@ -125,7 +125,7 @@ static void crowd_tick(void *context)
     ((struct crowd *)context)->ticks++;
 }
 
-/* Every task once and in order, with any number of threads, up to the task that stops them */
+/* Every task runs once and in order, with any number of threads, up to the task that stops them */
 TEST(test_in_order)
 {
     for (int threads = 1; threads <= 3; threads++) {

@@ -103,7 +103,7 @@ TEST(test_bound_missed)
         p.least_bits = 50;
         assert_int_equal(pieces_make(&p, pieces_of_collision(f)), 1);
         pieces_clear(&p);
-        /* used up to the end of the last row, and beyond it */
+        /* a table may be used up to the end of its last row, but not beyond it */
         p = tables[kind];
         p.end = kind == 1 ? 0.5625 * 0.5625 : kind == 3 ? 0x1p-8 : 0.3125;
         assert_int_equal(pieces_make(&p, pieces_of_collision(f)), 0);

@@ -113,7 +113,7 @@ TEST(test_spheres)
     assert_int_equal(last, 8);
     assert_true(plan.speed[0] == 0.01 && plan.speed[last] == 1);
 
-    /* the values, by other formulas and at another precision */
+    /* other formulas, at another precision, give the same values */
     double low = 1, high = 0;
     for (slong i = 0; i <= last; i++) {
         const double beta = beta_of(plan.speed[i]);
@@ -154,7 +154,7 @@ TEST(test_spheres)
               above);
     }
 
-    /* the choice: a header, with the command for this scene, and the error that gen.embed finds between the points */
+    /* the choice is a header, with the command for this scene and the error that gen.embed finds between the points */
     const struct plan_model *m = &plan.model[plan.chosen];
     assert_true(strncmp(m->name, "header: ", 8) == 0);
     assert_true(m->elsewhere > 0 && m->elsewhere <= plan.tolerance && m->worst >= m->elsewhere);

@@ -204,7 +204,8 @@ struct step_cell {
     std::string y, log, q, index;
 };
 
-/* With the double L that log(y) returns in the residual r, y (1 + ...) is within COR_PROOF_STEP, relatively. */
+/* If the residual r contains the double L that log(y) returns, y (1 + ...) has a relative error below
+ * COR_PROOF_STEP. */
 static void write_first_step(gappa g, const step_cell &cell)
 {
     g.cut("y0", cell.y);
@@ -336,7 +337,7 @@ struct law_formula {
     const char *name;
     Real (*law)(Real x, Real nu, enum cor_disk_datum datum);
     enum quantity quantity;
-    bool inverse; /* t of q, or t = q */
+    bool inverse; /* true: t is t(q); false: t = q */
     int multiple; /* multiple of the logarithm */
     formula *of;
     const struct cor_logarithm *constant; /* NULL, or a of a leading logarithm ln(a/x) */

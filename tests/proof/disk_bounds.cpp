@@ -129,7 +129,7 @@ struct library {
     double log, log1p;
 };
 
-/* Computes A and 2 A + p A' of the rest p^2 A(p) of the series, for every p. */
+/* Bounds |A| and |2 A + p A'| for every p, where p^2 A(p) is the rest of the series. */
 static void series_factors(double *factor, double *slope)
 {
     const ball p = from_to(ball(0), ball(COR_PROOF_SERIES_MAX_P));
@@ -247,7 +247,7 @@ static double depth_error(double low, double high, const library &n, double limi
 {
     const double border = COR_LOG_RATIO_NEAR;
     double error = 0;
-    if (high > border * (1 - 1e-12)) /* |ln(m)| < 0.3466 has units of 2^-54 and less */
+    if (high > border * (1 - 1e-12)) /* for |ln(m)| < 0.3466 a unit is at most 2^-54 */
         error = n.log * 0x1p-54 + COR_PROOF_FAR + 0x1p-99;
     if (low < border * (1 + 1e-12)) {
         const ball q = std::min(high, 0.51), d = ball(1) - exp(ball(0) - q);
@@ -354,8 +354,8 @@ static void bound_report(const char *name, const bound &worst, double promised, 
     good = good && holds;
 }
 
-/* Returns the error in ulp of the exact value, after the last rounding, from an error of `units` before it. If exact
- * value and rounded sum are on two sides of a power of two, the sum may have the unit of the higher side. */
+/* Returns the error after the last rounding, in ulp of the exact value, if the error before this rounding is `units`.
+ * If exact value and rounded sum are on two sides of a power of two, the sum may have the unit of the higher side. */
 static double rounded(double units)
 {
     return (units + (units > 1 ? 1 : 0.5)) * (1 + 1e-9);
@@ -487,7 +487,7 @@ static double row_defect(const double *c, double node, int octave, double half, 
 }
 
 /* Adds the errors of the load by cor_inline_row_product. c_0 times both halves of the compression is exact. The row is
- * at most `share` of c_0: 12 roundings of each term, and one of t with at most 10 times a term's size. */
+ * at most `share` of c_0. Each term has 12 roundings, and the rounding of t counts as at most 10 more. */
 static void sum_over_rows(void)
 {
     bound load = {};

@@ -13,11 +13,11 @@
 /* the error of log for which t(q) is within 2 ulp */
 #define COR_PROOF_LOG_NEAR_ULP 0.55
 
-/* ln(limit/x) far from the limit, in addition to the error of log(m); |ln(m)| < 0.3466 */
+/* the error of ln(limit/x) far from the limit, in addition to the error of log(m); |ln(m)| < 0.3466 */
 #define COR_PROOF_FAR 0x1p-80
-/* the remainder of the quotient near the limit, relative to the quotient */
+/* the error of the quotient's remainder near the limit, relative to the quotient */
 #define COR_PROOF_NEAR 0x1p-74
-/* a correction of a square root, relative to the root */
+/* the error of a correction of a square root, relative to the root */
 #define COR_PROOF_ROOT 0x1p-70
 /* rounding in the rest of the series, relative to the rest; p is below COR_PROOF_SERIES_MAX_P */
 #define COR_PROOF_SERIES (5.1 * 0x1p-53)
@@ -34,14 +34,14 @@
 #define COR_PROOF_SECOND_RESIDUAL 0x1p-32
 /* rounding in Newton's step, relative to y */
 #define COR_PROOF_NEWTON 0x1p-82
-/* 1 + t after the series and after Newton's step, and 1/2 + q: absolute */
+/* the absolute errors of 1 + t after the series, of 1 + t after Newton's step, and of 1/2 + q */
 #define COR_PROOF_SUM_SERIES 0x1p-56
 #define COR_PROOF_SUM_NEWTON 0x1p-72
 #define COR_PROOF_SUM_HALF 0x1p-95
 #define COR_PROOF_SERIES_MAX_LOW 0.09
-/* products and quotients of pairs, and products by a double before they are rounded: relative */
+/* the relative error of products and quotients of pairs, and of products by a double before they are rounded */
 #define COR_PROOF_PAIRS 0x1p-68
-/* cor_inline_pair_times of pairs with |lo| <= 2^-53 hi, relative */
+/* the relative error of cor_inline_pair_times for pairs with |lo| <= 2^-53 hi */
 #define COR_PROOF_PAIR_TIMES 0x1p-101
 
 #endif

@@ -541,7 +541,7 @@ struct evaluator {
     function value;
     number first, end;
     shape kind;
-    bool product; /* factor m in value = m (c_0 + row) */
+    bool product; /* the value is m (c_0 + row) with a factor m */
     number ulp;
     table rows;
 };
@@ -571,7 +571,7 @@ struct landmarks {
     int x, root, significand, head, loss, place;
 };
 
-/* Returns the landmarks. place: t of row 0, y - 0 - 0 step or y - 0 */
+/* Returns the landmarks. place: t of row 0, computed as y - 0 - 0 step or y - 0 */
 static landmarks landmarks_of(int result)
 {
     std::vector<bool> needed(nodes.size(), false); /* the nodes on which the result depends */
@@ -960,8 +960,8 @@ static void give_head(gappa &g, term id, const char *of, const std::string &inte
     g.assume("$r in " + interval);
 }
 
-/* beta^(2/3), m = beta 2^-k in [2^i, 2^(i + 1)], i = 0, 1, 2. The pair is within 2^-70 m^(2/3) of r^2 (1 + (2/3) D +
- * (5/9) D^2), where r is the head of cbrt(m) and r^3 = m (1 - D), |D| < 2^-23. */
+/* Writes the goals for beta^(2/3), where m = beta 2^-k is in [2^i, 2^(i + 1)] for i = 0, 1, 2. The pair is within 2^-70
+ * m^(2/3) of r^2 (1 + (2/3) D + (5/9) D^2), where r is the head of cbrt(m) and r^3 = m (1 - D), |D| < 2^-23. */
 static void write_two_thirds(void)
 {
     for (int i = 0; i < 3; i++) {
@@ -992,7 +992,7 @@ static void write_two_thirds(void)
         g.hint("pair - exact -> " + off + " + ($s.b - series) + ($square - $r * $r)");
         g.write("two_thirds_" + std::to_string(i), {}, "|pair - exact| in [0, 1b-70]");
     }
-    /* r and D, where C is root (1 + off), root^3 = m */
+    /* the goal for r and D, where C = root (1 + off) and root^3 = m */
     gappa g;
     const number off = COR_PROOF_CBRT_ULP * 0x1p-52;
     g.say("r = head(C);\ncut = (r - C) / C;");

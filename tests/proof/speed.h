@@ -3,7 +3,8 @@
  * own goals. This file adds the errors; no sum may exceed the public bound. docs/theory.md, 4, bounds the derivatives
  * that multiply the error of beta. The numbers in a contact count as exact. */
 
-/* Errors are relative, in units of 2^-53, half the distance of the doubles above 1. n ulp are at most 2 n units. */
+/* Errors are relative, in units of 2^-53, half the distance between the doubles just above 1. n ulp are at most 2 n
+ * units. */
 static const number units_per_ulp = 2;
 
 /* The proved errors in docs/accuracy.md, rounding and formula together, in ulp */

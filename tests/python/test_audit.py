@@ -544,7 +544,8 @@ linear_nohistory 0.7 0.3"""
 
 @pytest.mark.parametrize("line", OBLIQUE.splitlines())
 def test_oblique_impacts(tmp_path, line):
-    """-u'/u of a deck equals corgen contact's value for the numbers of the deck; empty if other forces act."""
+    """-u'/u of a deck equals corgen contact's value for the numbers of the deck. The cell is empty if other forces
+    act."""
     text = (ROOT / "tests" / "audit" / "lammps.in").read_text(encoding="utf-8")
     text = text.replace("0.5 0.3 damping tsuji", "0.2 0.3 damping velocity").replace("linear_nohistory 0 0", line)
     (name, *stiffness), (ratio, friction) = line.split()[:-2], line.split()[-2:]

@@ -282,7 +282,8 @@ def test_a_grid_has_the_same_minimum_and_intervals(name, given):
 
 @pytest.mark.parametrize("kind", ["times", "drop height", "apexes"])
 def test_an_error_of_a_number_moves_its_bounces(kind):
-    """For exact data with drag, an error of one time or height changes c r by its coefficients."""
+    """For exact data with drag, an error of one time or height changes the residuals c r by the coefficients of this
+    number."""
     kappa, theta = 0.03, np.array([-0.1, -0.05])
     speed, time, at, apexes = likelihood.impact_of_drop(np.array([1.0]), G, kappa), 0.0, [], [1.0]
     for _ in range(5):

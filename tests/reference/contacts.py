@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Provides the contacts of contacts.csv for tests of C, Python and the page: arguments of corgen contact, its answer.
+"""Provides the contacts of contacts.csv for tests of C, Python and the page: options of corgen contact, and its answer.
 
     python3 tests/reference/contacts.py     renews the answers by CORGEN
 

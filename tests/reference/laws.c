@@ -123,8 +123,8 @@ static long double quadrature(long double (*f)(long double x, long double below,
     return sum * step;
 }
 
-/* Returns exp(zeta s/5) (sin(om s)/om)^(-1/5) at s = end x. Parameters: zeta, om, end, 1 for sinh, and pi - om end,
- * which is more accurate if om s is near pi. */
+/* Returns exp(zeta s/5) (sin(om s)/om)^(-1/5) at s = end x. Parameters: zeta, om, end, 1 if sinh replaces sin, and pi -
+ * om end, which is more accurate if om s is near pi. */
 static long double tsuji_integrand(long double x, long double below, const long double *p)
 {
     const long double s = p[2] * x;
@@ -142,7 +142,8 @@ static long double tsuji_integral(long double zeta, long double end, long double
     return powl(1.25L, -0.6L) * end * quadrature(tsuji_integrand, p);
 }
 
-/* Returns the integrand of (5/8)^(2/5) int (1 - X^(5/2))^(-1/2) up to X = m^(2/5); X = x m^(2/5), p: end, 1 - m. */
+/* Returns the integrand of (5/8)^(2/5) int (1 - X^(5/2))^(-1/2) up to X = m^(2/5), where X = x m^(2/5). Parameters: (5
+ * m/8)^(2/5) and 1 - m. */
 static long double limited_integrand(long double x, long double below, const long double *p)
 {
     (void)x;

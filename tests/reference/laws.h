@@ -7,7 +7,7 @@
 
 #include "cor/law.h"
 
-/* Returns L of the linear dashpot and Tsuji's damping, zeta > 0: acos or acosh, and one formula at zeta = 1. */
+/* Returns L of the linear dashpot and Tsuji's damping for zeta > 0, from acos, acosh or, at zeta = 1, one formula. */
 long double reference_ratio_exponent(enum cor_end end, long double zeta);
 
 /* Returns L of Hunt and Crossley's law from f(-h) = f(beta), with f by its series or log1pl; beta > -1, not 0. */
@@ -17,14 +17,14 @@ long double reference_hunt_crossley_eps(long double beta);
 long double reference_hunt_crossley_approach_loss(long double beta);
 long double reference_hunt_crossley_approach_eps(long double beta);
 
-/* Returns a time for Tsuji's damping, zeta > 0: of the largest overlap (COR_END_APPROACH_ONLY) or the duration at an
- * end, with a relative error below 1e-17. Zero overlap: zeta < 0.999. Uses double exponential quadrature of exp(zeta
- * s/5) (sin(om s)/om)^(-1/5). */
+/* Returns the time of the largest overlap (COR_END_APPROACH_ONLY) or the duration at another end for Tsuji's damping,
+ * zeta > 0, with a relative error below 1e-17. At zero overlap zeta must be below 0.999. Uses double exponential
+ * quadrature of exp(zeta s/5) (sin(om s)/om)^(-1/5). */
 long double reference_tsuji_time(enum cor_end end, long double zeta);
 
 /* Return the time of the largest overlap and the duration for Hunt and Crossley's law, -1 < beta < inf, not 0, elastic
- * exponents 0 <= a <= 100. The relative error is below 2e-15, and 1e-17 where |ln(beta)| is below 10. By double
- * exponential quadrature over the velocity, or over ln(1 + beta v) if beta > 2 or beta < -1/2. */
+ * exponents 0 <= a <= 100. The relative error is below 2e-15, and 1e-17 where |ln(beta)| is below 10. The method is
+ * double exponential quadrature over the velocity, or over ln(1 + beta v) if beta > 2 or beta < -1/2. */
 long double reference_crossley_time_of_max_overlap(long double a, long double beta);
 long double reference_crossley_duration(long double a, long double beta);
 long double reference_crossley_duration_approach_only(long double a, long double beta);

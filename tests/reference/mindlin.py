@@ -3,7 +3,7 @@
 """Compares oblique impacts of elastic spheres by the theory of Mindlin and Deresiewicz with the models of simulators.
 
     tests/reference/mindlin.py [--quick | --write]    CORGEN names corgen
-    --write renews docs/oblique.csv and docs/oblique.svg; --quick uses fewer springs and checks both and the page
+    --write renews docs/oblique.csv and docs/oblique.svg; --quick uses fewer springs and checks these files and the page
 
 Prints the difference of u'/u of each model from the theory. Maw, Barber and Fawcett, Wear 38, 101 (1976), integrate
 the theory on annuli of the contact. Here springs on a line replace the half-space (Popov and Hess, Method of

@@ -128,7 +128,7 @@ static inline int ode_until(struct ode *o, long double *y, ode_value *const *val
 /* ---- a contact ---- */
 
 /* A contact in units of its mass and impact speed: x'' = press - force, x = w^d. With dt = d w^(d-1) ds, y = {w, x', t}
- * is smooth although powers of x have fractions 1/d. A force may have kinks. */
+ * is smooth although exponents of x are fractions with the denominator d. A force may have kinks. */
 struct motion {
     int d;
     long double press;

@@ -248,7 +248,8 @@ def judge_limit(predictor, states):
 
 
 def judge_steps(gas):
-    """Compares bias and scatter of eps that corgen states for a step, and its correction, with 40 pairs in LAMMPS."""
+    """Compares the bias and scatter of eps, and the correction, that corgen states for a step with 40 pairs in
+    LAMMPS."""
     time, impact = dissipation_time("--restitution", "0.5", "--at", "0.1"), "0.1"
     step = "%.12g" % (gas.step(SPEED**2 / 16, COARSE))
     row = contact_at(time, impact, "--time-step", step, "--step-corrected")
