@@ -65,7 +65,7 @@ enum public_type { PUBLIC_double, PUBLIC_float, PUBLIC_size_t, PUBLIC_several };
 
 struct public_function {
     const char *name;
-    void (*call)(const struct arguments *a, struct results *r);     /* one call for all n, or one call at all */
+    void (*call)(const struct arguments *a, struct results *r);     /* calls for all n arguments, or a single call */
     void (*elements)(const struct arguments *a, struct results *r); /* for an array: a call per element; or NULL */
     enum public_type type;
 };

@@ -216,7 +216,7 @@ TEST(wrong_inputs)
         refused(time, *extreme, COR_ERROR_RANGE);
     }
 
-    /* a value for both bodies, and the ends of its range */
+    /* one value for both bodies: infinity, or close to an end of the range */
     const struct {
         size_t member;
         double value;

@@ -40,8 +40,8 @@ static const struct {
 #undef EMBEDDED_ROW
 };
 
-/* COR_EMBEDDED_ULP: allowed difference of the other unit, in units of the last place, if it was compiled with other
- * flags. Special values, and results at special arguments, are equal for all flags. */
+/* The difference that COR_EMBEDDED_ULP allows between both units, in units of the last place, if the other unit was
+ * compiled with other flags. Special values, and results at special arguments, are equal for all flags. */
 static double allowed;
 
 static int is_close(double library, double other)

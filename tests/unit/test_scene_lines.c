@@ -310,8 +310,8 @@ static struct cor_sphere_contact pair_of(const double *n, const double *other, i
     return contact;
 }
 
-/* One difference at a time makes two types. LAMMPS: F = kn sqrt(R x) x + eta_n m sqrt(R x) x', so eta_n = (3/2) A kn/m.
- * The time step is the smallest of all contacts and speeds. */
+/* Bodies that differ in a single number are two types. In LAMMPS F = kn sqrt(R x) x + eta_n m sqrt(R x) x', so
+ * eta_n = (3/2) A kn/m. The time step is the smallest of all contacts and speeds. */
 TEST(bodies_that_differ_in_one_number)
 {
     for (size_t effect = 0; effect <= OF_BODY; effect++) {
@@ -348,8 +348,8 @@ TEST(bodies_that_differ_in_one_number)
     }
 }
 
-/* Without dissipation times, equal bodies have zeta of the pair, so eps is equal by LIGGGHTS's exact formula. YADE has
- * the numbers of both materials. */
+/* Without dissipation times, contacts of equal bodies have the zeta of the pair, so by LIGGGHTS's exact formula all
+ * contacts have the same eps. YADE has the numbers of both materials. */
 TEST(unlike_bodies_of_a_constant_law)
 {
     for (size_t effect = 0; effect <= OF_BODY; effect += effect + 2 == OF_BODY ? 2 : 1) { /* no dissipation times */
@@ -371,11 +371,11 @@ TEST(unlike_bodies_of_a_constant_law)
             is_near(found(at, "density="), n[body][3], 1e-11);
         }
         check(effect != 2 || !strstr(at, "cor_material_2"), "one material for two radii");
-        /* one E gives the stiffness of the pair */
+        /* a simulator that has only one E gets the E that gives the stiffness of the pair */
         const struct cor_sphere_contact c = pair_of(n[0], n[1], 0);
         scene.law = cor_law_exponents[COR_LAW_VISCOELASTIC];
         scene_give(scene, {COR_SCENE_ZETA, NAN}, {COR_SCENE_G_STAR, 1});
-        /* equal bodies without their own A have A of the pair, C/K */
+        /* equal bodies without an A of their own have the A of the pair, from C/K */
         at = text_for("lammps", NULL, &scene, 1);
         const double mass_kg[] = {pair_of(n[0], n[0], 0).effective_mass_kg, pair_of(n[1], n[1], 0).effective_mass_kg,
                                   c.effective_mass_kg};
