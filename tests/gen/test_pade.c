@@ -385,7 +385,7 @@ TEST(test_degenerate)
     assert_int_equal(pade_compute(f, NULL, &r, BITS), 0);
 }
 
-/* Fails unless p and q of two Padés overlap, and degrees and counts of roots agree. */
+/* Fails unless p and q of two Padé approximants overlap, and their degrees and counts of roots agree. */
 static void assert_same_fraction(const struct pade_request *r, const struct pade_request *other)
 {
     LOCAL(pade, f, g);

@@ -376,7 +376,7 @@ TEST(test_enclosed_functions)
             check(arb_contains(x, exact) && mag_cmp_2exp_si(arb_radref(x), -functions[i].bits[k % 3 > 0]) < 0,
                   "function %zu at w = %g", i, w);
         }
-        for (int sign = -1; sign <= 1 && functions[i].refuses; sign += 2) { /* -1, and 1 + 0.95 t */
+        for (int sign = -1; sign <= 1 && functions[i].refuses; sign += 2) { /* p = -1, and p = 1 + 0.95 t */
             arb_poly_set_si(p, sign);
             arb_set_d(x, sign > 0 ? 0.95 : 0);
             arb_poly_set_coeff_arb(p, 1, x);

@@ -43,7 +43,7 @@ TEST(test_lists)
 {
     assert_list(&any, "0.1", "0.1");
     assert_list(&any, "-1e2,1/3,5e-324,.5", "-100 0.3333333333333333 4.94065645841247e-324 0.5");
-    assert_list(&any, "0.1:0.3:+0.1", "0.1 0.2 0.3"); /* exact: three times the double 0.1 is above 0.3 */
+    assert_list(&any, "0.1:0.3:+0.1", "0.1 0.2 0.3"); /* computed exactly: three times the double 0.1 is above 0.3 */
     assert_list(&any, "0.1:0.35:+0.1", "0.1 0.2 0.3");
     assert_list(&any, "1:-1:-2/3", "1 0.3333333333333333 -0.3333333333333333 -1");
     assert_list(&any, "2:2:+1", "2");
@@ -51,7 +51,7 @@ TEST(test_lists)
     assert_list(&any, "1:-1:lin:3", "1 0 -1");
     assert_list(&any, "0.001:1:log:4", "0.001 0.01 0.1 1");
     assert_list(&any, "8:1:log:3", "8 2.8284271247461903 1");
-    assert_list(&any, "3,1:4:+1,3,2", "3 1 2 4"); /* each once, at its first place */
+    assert_list(&any, "3,1:4:+1,3,2", "3 1 2 4"); /* each value once, at its first place */
     assert_list(&whole, "1:10:log:5", "1 2 3 6 10");
     assert_list(&whole, "1:4:lin:9", "1 2 3 4"); /* halves round up: 1 1.375 1.75 2.125 2.5 2.875 3.25 3.625 4 */
     assert_list(&whole, "100:900:+400,2e2", "100 500 900 200");

@@ -22,7 +22,7 @@ static void taylor_start(struct taylor *y, const struct cor_exponents *law, slon
 TEST(test_remainder)
 {
     static const char *const laws[][2] = {{"3/2", "1/2"}, {"1", "0"}, {"3/2", "3/2"}, {"2", "1/3"}};
-    static const char *const betas[] = {"0.1", "1", "3", "0"}; /* 0: only a constant force */
+    static const char *const betas[] = {"0.1", "1", "3", "0"}; /* 0: the case with only a constant force */
     const slong prec = 600;
     LOCAL(mag, missed, claimed);
     LOCAL(arb, rough, truth);
@@ -31,7 +31,7 @@ TEST(test_remainder)
             const struct cor_exponents given = law_of(laws[i][0], laws[i][1]), law = k < 3 ? given : law_even(&given);
             const slong force = k < 3 ? 0 : 5;
             struct taylor low, high;
-            /* 40 bits determine the step, 600 the arithmetic, so the only error is truncation */
+            /* the step is chosen with 40 bits, but the arithmetic has 600, so the only error is truncation */
             taylor_start(&low, &law, force ? 13 : 12, 40, betas[k], force);
             low.prec = prec;
             taylor_expand(&low);
@@ -58,7 +58,7 @@ TEST(test_remainder)
         }
 }
 
-/* One term of the linear oscillator, w = sigma and v = 1: no bound is closer to the omitted part, here 1 - cos(h). */
+/* For one term of the linear oscillator (w = sigma, v = 1), no bound is closer to the omitted part, 1 - cos(h). */
 TEST(test_one_term)
 {
     const struct cor_exponents law = law_of("1", "0");
@@ -71,7 +71,7 @@ TEST(test_one_term)
     taylor_clear(&y);
 }
 
-/* Free motion, w = h/d and v = 1, whose only error is (h/d)^d in the time */
+/* In free motion, w = h/d and v = 1, and the only error is (h/d)^d in the time. */
 TEST(test_time_alone)
 {
     const struct cor_exponents law = law_of("3/2", "1/3");

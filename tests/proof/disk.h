@@ -109,7 +109,7 @@ static void write_log_near(void)
 /* ---- t of q ---- */
 
 /* A rounded root p of the double t, and the correction c = (t + tl - p^2)/(2 p) of cor_pair_root; h and low are the
- * square of p. c is within 2^-70 for p from [1, 2]. Powers of four in t scale every operation. */
+ * square of p. c has an error below 2^-70 for p from [1, 2]. Powers of four in t scale every operation. */
 #define ROOT_CORRECTION "c:((0.5*s:(((t-h)-low)+tl))*r:(1/p))"
 static void write_root_correction(const std::string &name, gappa g)
 {
@@ -301,8 +301,8 @@ static void write_pair_sqrt(void)
     write_root_correction("disk_pair_sqrt", shape);
 }
 
-/* Writes the goals of times, for the number that is rounded last, and of square_times. Its square and the product with
- * f are within 2^-70 by the goals for pairs. */
+/* Writes the goals of `times`, for the number that is rounded last, and of `square_times`. The square in `square_times`
+ * and the product with f are within 2^-70 by the goals for pairs. */
 static void write_times(void)
 {
     start();

@@ -827,7 +827,7 @@ static void write_tails(void)
 /* ---- pairs, powers and roots ---- */
 
 /* Goals about functions of pairs. Arguments in [1, 2) cover all cases: scaling an argument by a power of two scales
- * every operation, and no caller lets one overflow or underflow. */
+ * every operation, and no caller lets an operation overflow or underflow. */
 
 static struct cor_inline_pair pair_variable(const std::string &name, number hi)
 {
@@ -1152,7 +1152,7 @@ static void write_linear_tail(void)
     write_by_pair("linear_tail", cor_inline_linear_tail(b, factor), b, factor);
 }
 
-/* eps = h*^5/x with only the first half of h*^5, 1 <= x <= 2 */
+/* Writes the goals for eps = h*^5/x, computed with only the first half of h*^5, for 1 <= x <= 2. */
 static void write_far_root(void)
 {
     start();
