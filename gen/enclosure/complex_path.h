@@ -28,7 +28,7 @@ struct path {
     struct complex_ball c1, c2, c3; /* coefficients of the equation */
     double a, b;                    /* exponents; difference = a - b and n = 2b + 1 - a, each rounded once */
     double difference, n;
-    double resolution;         /* 1, or less for smaller radii and more steps */
+    double resolution;         /* 1, or a smaller number for smaller radii and more steps */
     bool pressed;              /* a constant force c3 acts */
     bool logarithm;            /* y is a logarithm: its radius is compared with 1, not with |y| */
     struct complex_ball slope; /* slope of the last step, which predicts the slope of the next */

@@ -17,7 +17,7 @@ enum {
     /* Number of outputs per task of the error bound. The partition does not depend on the number of threads. */
     ERROR_BLOCK = 64,
     WORD_BITS = 62,
-    /* exponent of a row that is zero, far below every other */
+    /* exponent of a row that is zero, far below every other exponent */
     ZERO_EXPONENT = -100000000
 };
 

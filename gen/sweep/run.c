@@ -26,7 +26,7 @@ struct collide {
     struct cor_disk_modes modes;    /* soft walls: modes of the current material */
     struct hard_wall_tables tables; /* hard wall: the modes of the current material that the rows need */
 
-    struct journal journal; /* lines go there if it has a path, otherwise to the printer */
+    struct journal journal; /* lines go to the journal if it has a path, otherwise to the printer */
     struct sweep_printer printer;
     struct output out; /* of the printer */
     const char *again; /* last line of an earlier run, computed again as a check, or NULL */

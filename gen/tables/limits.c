@@ -633,7 +633,7 @@ bool disk_limits_known(const struct cor_disk_limit_piece *piece)
 /* ---- check of the table ---- */
 
 struct check {
-    long places[2], wrong; /* collisions on the grid; between its points */
+    long places[2], wrong; /* numbers of collisions on the grid and between its points */
     double worst[2];       /* largest difference on the grid; between its points, divided by the uncertainty */
 };
 

@@ -50,7 +50,7 @@ extern "C" {
  * the whole domain unless it states otherwise. */
 #define COR_DISK_LAW_MAX_ULP 4.0              /* contact law, largest compression and load, limits: ulp */
 #define COR_DISK_CONTACT_TIME_MAX_ERROR 1e-15 /* relative */
-#define COR_DISK_RAYLEIGH_MAX_ERROR 1e-10     /* relative, of a mode's fraction, or */
+#define COR_DISK_RAYLEIGH_MAX_ERROR 1e-10     /* relative error of a mode's fraction, or */
 #define COR_DISK_RAYLEIGH_MAX_ABSOLUTE 1e-14  /* relative to the sum, where a zero of (68) makes the fraction small */
 /* Relative error of sum plus tail, for any number of modes of the two tables below: the first bound holds for v >=
  * 1e-9, the second for all v. For tables of 1800 modes of other nu the first bound is 1e-5, too; the worst case found,
@@ -200,7 +200,7 @@ COR_API double cor_disk_contact_time_leading_log(double speed);
 struct cor_disk_rayleigh {
     double fraction;       /* sum over the n_modes modes */
     double tail;           /* sum over all higher modes */
-    double error_estimate; /* absolute, of the sums fraction + tail, not of the theory; typically 20 times the error */
+    double error_estimate; /* absolute error of fraction + tail, not of the theory; typically 20 times the error */
     double contact_time;   /* cor_disk_contact_time, except for the last place */
 };
 

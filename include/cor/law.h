@@ -48,12 +48,12 @@ enum cor_law {
     COR_LAW_VISCOELASTIC,    /* a = 3/2, b = 1/2 */
     COR_LAW_LINEAR,          /* 1, 0 */
     COR_LAW_TSUJI,           /* 3/2, 1/4 */
-    COR_LAW_HUNT_CROSSLEY,   /* a, a; in the table of functions 3/2, 3/2 */
+    COR_LAW_HUNT_CROSSLEY,   /* a = b; both are 3/2 in the table of functions */
     COR_LAW_HERTZ_DASHPOT,   /* 3/2, 0 */
-    COR_LAW_PLATE,           /* a sphere on Zener's plate: 3/2, 1/2, and only the end zero overlap */
-    COR_LAW_ELASTIC_PLASTIC, /* spheres that yield: 3/2, without damping */
+    COR_LAW_PLATE,           /* a sphere on Zener's plate: a = 3/2, b = 1/2, only the end zero overlap */
+    COR_LAW_ELASTIC_PLASTIC, /* spheres that yield: a = 3/2, without damping */
     /* only in simulators */
-    COR_LAW_LINEAR_ROOT, /* a linear spring, dashpot x^(1/2): 1, 1/2 */
+    COR_LAW_LINEAR_ROOT, /* a linear spring, a dashpot x^(1/2): a = 1, b = 1/2 */
     COR_LAW_IMPULSE,     /* no force: the rebound speed is e times the impact speed, and the damping is 1 - e */
     COR_LAWS
 };
@@ -80,7 +80,7 @@ enum cor_quantity {
     COR_LOSS,                /* 1 - eps, with relative accuracy */
     COR_DAMPING_OF_EPS,      /* the inverse of eps */
     COR_DAMPING_OF_LOSS,     /* the inverse of 1 - eps */
-    COR_DURATION,            /* of the contact, in units of T */
+    COR_DURATION,            /* duration of the contact, in units of T */
     COR_MAX_OVERLAP,         /* in units of g T */
     COR_TIME_OF_MAX_OVERLAP, /* in units of T */
     COR_QUANTITIES

@@ -96,15 +96,15 @@ typedef int cor_scene_solver(struct cor_scaled_impact *impact, const struct cor_
 struct cor_scene_contact {
     struct cor_exponents law;
     int plate;                /* true for Zener's plate */
-    double mass_kg;           /* m; NaN if not known, like the next two */
+    double mass_kg;           /* m; NaN if not known, like the next two fields */
     double stiffness;         /* K, N/m^a */
     double radius_m;          /* effective radius; only simulators need it */
     double damping;           /* beta g^-q, (m/s)^-q; where q = 0 zeta */
-    cor_scene_solver *solver; /* for all other laws; NULL: the functions below return COR_FAULT_SOLVER */
+    cor_scene_solver *solver; /* solver for all other laws; NULL: the functions below return COR_FAULT_SOLVER */
     double force_n;           /* constant force that presses the bodies together, N: gravity, adhesion; 0: none */
     int plastic;              /* elastic-plastic spheres; `damping` is 0 */
     double yield_speed_m_s;   /* v_y; 0: not known */
-    double liquid_speed_m_s;  /* s, lost to a liquid on the way in and again on the way out; 0: a dry contact */
+    double liquid_speed_m_s;  /* s, speed lost to a liquid on the way in and again on the way out; 0: a dry contact */
     double adhesion_j_m2;     /* work of adhesion w of JKR, J/m^2; the ends are then enum cor_jkr_end; 0: none */
 };
 
@@ -219,7 +219,7 @@ double cor_scene_elastic_duration_s(const struct cor_scene_contact *contact, dou
 struct cor_step_error {
     double bias;           /* mean */
     double scatter;        /* standard deviation */
-    double least, largest; /* over the phases that were tried */
+    double least, largest; /* errors over the phases that were tried */
 };
 
 /* Computes the error of eps at an impact speed, with `steps` time steps in an elastic duration. The simulator damps the
@@ -355,7 +355,7 @@ enum cor_scene_number {
     COR_SCENE_DISSIPATION_TIME_2,
     COR_SCENE_VISCOSITY_2,
     COR_SCENE_BULK_VISCOSITY_2,
-    COR_SCENE_BETA, /* at the speed COR_SCENE_AT; at every speed if q = 0, like the restitution */
+    COR_SCENE_BETA, /* beta at the speed COR_SCENE_AT; at every speed if q = 0, like the restitution */
     COR_SCENE_AT,   /* m/s */
     COR_SCENE_STIFFNESS,
     COR_SCENE_DAMPING_COEFFICIENT, /* C, N s/m^(b+1) */
@@ -369,7 +369,7 @@ enum cor_scene_number {
     COR_SCENE_LIQUID_VISCOSITY, /* Pa s, of a liquid between the bodies; needs both gaps */
     COR_SCENE_GAP_OUTER,        /* m, distance of the surfaces at which the liquid begins to act */
     COR_SCENE_GAP_INNER,        /* m, distance at which the bodies touch: their roughness */
-    COR_SCENE_DURATION, /* s, of the contact at the speed COR_SCENE_AT, instead of the stiffness or the damping */
+    COR_SCENE_DURATION,         /* s, duration at the speed COR_SCENE_AT, instead of the stiffness or the damping */
     COR_SCENE_NUMBERS,
     COR_SCENE_BODY = COR_SCENE_YOUNG_2 - COR_SCENE_YOUNG
 };
@@ -589,7 +589,7 @@ struct cor_simulator_model {
                                 const struct cor_scene_contact *contact, double speed_m_s);
     double (*damping_of_number)(const struct cor_simulator_model *model, double number,
                                 const struct cor_scene_contact *contact, double speed_m_s);
-    int number; /* selects the factor from damping to number (runtime/scene/simulators.c) */
+    int number; /* selects the factor that converts damping to number (runtime/scene/simulators.c) */
 
     const char *file;    /* the source file in the simulator */
     const char *known;   /* how the model is known: "run", "source" or "documentation" */
