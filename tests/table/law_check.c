@@ -123,7 +123,7 @@ static void check_inverse(struct law_case *c, double beta, const struct collisio
         LET(wanted, PREC, "of_loss + sign*eps", of_loss, sign, eps);
         const double given = arf_get_d(arb_midref(wanted), ARF_RND_NEAR);
         LET(exact, PREC, "beta + sign*(given - wanted)/slope", beta, sign, given, wanted, slope);
-        /* the slope has 20 bits, so a shift of more than 2^-30 does not determine the last place */
+        /* the slope has some 24 bits: a shift of 2^-38 has an error of 2^-62, below the last place */
         LET(x, PREC, "1 - beta/exact", beta, exact);
         if (fabs(arf_get_d(arb_midref(x), ARF_RND_UP)) < 0x1p-38 && given > 0 && given < 1)
             note(c, end, of_loss ? CHECK_BETA_OF_LOSS : CHECK_BETA, inverse(given), exact, given);

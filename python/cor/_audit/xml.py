@@ -238,7 +238,7 @@ class _Model:
         bodies = [Body(g.name, wall=self.weld[g.body] == 0) for g in (one, two)]
         bodies.sort(key=lambda b: b.wall)
         c = Contact(at.file, at.line, "mujoco", (bodies[0], bodies[1]), pair=f"{one.name}-{two.name}")
-        c.tangential = Tangential("MuJoCo has no parameter for it, and MuJoCo computes friction by a constraint that only damps")
+        c.tangential = Tangential("MuJoCo has no parameter for it; MuJoCo's friction is a constraint that only damps")
         self.set_model(c, ref, imp, condim)
         wrong = {k: None for k in self.NUMBERS for g in read if any(map(math.isnan, _numbers(g.values.get(k))))}
         if wrong:
