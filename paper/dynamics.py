@@ -18,7 +18,7 @@ COLLISIONS = ROOT / "docs" / "paper" / "collisions.csv"
 CSV_HEAD = "nu,modes,alpha,speed,converged,one_minus_eps2,contact_time,max_compression"
 TOLERANCE = 1e-8  # absolute error allowed in eps
 # Hardness of the wall in units of 1/speed: alpha v is the growth rate of the wall's force on impact, to be compared
-# with omega of the modes. First the values for every limit, then the further ones for wall_limit
+# with omega of the modes. WALLS: the values for every limit. OTHER_WALLS: further values, only for wall_limit
 WALLS, OTHER_WALLS = (25, 50, 100), (10, 15, 200)
 # Numbers of modes, all used at PAPER_SPEEDS. FEW: for the limits in the paper. LARGE: at SLOW_SPEEDS and for limit_of
 SIZES = (300, 400, 600, 940, 1300, 1800)

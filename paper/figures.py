@@ -89,7 +89,8 @@ class Shape:
         self.mode, self.a, self.b = mode, 1, 0
         self.kappa = mode.omega * sqrt(1 - NU * NU), mode.omega * sqrt(2 * (1 + NU))
         if mode.n > 0:
-            # (22)/(1 - nu) and (23)/2: p A + q B = 0; the larger coefficients are more accurate
+            # (22)/(1 - nu) and (23)/2 have the form p A + q B = 0. The one with the larger coefficients is used,
+            # because it is more accurate.
             n, diagonal = mode.n, mode.omega * mode.omega * (1 + NU) - mode.n * mode.n
             (a, a_slope), (b, b_slope) = self.bessel(1)
             pairs = (-(a_slope + diagonal * a), n * (b_slope - b)), (-n * (a_slope - a), b_slope + diagonal * b)
@@ -112,7 +113,8 @@ class Shape:
         return (self.a * a_slope + n * self.b * b) / r, -(n * self.a * a + self.b * b_slope) / r
 
     def norm(self):
-        """Returns int (u_r^2 + u_phi^2) r dr, (26), by Simpson's rule: 1, or 1/2 for n = 0; its integrand is 0 at 0."""
+        """Returns int (u_r^2 + u_phi^2) r dr, (26), by Simpson's rule. It should be 1, or 1/2 for n = 0. The sum omits
+        r = 0, where the integrand is 0."""
         steps = 2000
         terms = ((1 if i == steps else 4 if i % 2 else 2) * math.hypot(*self.displacement(i / steps))**2 * i / steps
                  for i in range(1, steps + 1))
@@ -169,7 +171,7 @@ def shapes():
 
 @figure("Fig. 3", "frequencies of the free modes, radial and tangential")
 def spectrum():
-    """Radial if |C| > |S|, otherwise tangential. The picture omits the highest modes; the sentence covers all 1800."""
+    """Modes are radial if |C| > |S|, else tangential. The picture omits the highest; the sentence covers all 1800."""
 
     def radial(mode):
         return abs(mode.c) > abs(mode.s)

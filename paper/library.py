@@ -81,8 +81,8 @@ class Material:
 
     def collision(self, n_modes, alpha, speed, tolerance, watch=None):
         """Computes one collision with the lowest modes. Returns the result, True if it reached the tolerance, and
-        the energy of each mode, average and after it. watch(moment, q, q_dot) is called at each step, with arrays
-        that change."""
+        the energy of each mode: the average, and the energy after the collision. watch(moment, q, q_dot) is called at
+        each step, with arrays that change."""
         out, arrays = cor.struct.disk_collision(), [(ctypes.c_double * n_modes)() for _ in range(4)]
         average, after, q, q_dot = arrays
 

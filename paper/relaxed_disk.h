@@ -20,7 +20,7 @@
 struct relaxed_disk {
     size_t points;
     double alpha, x_0, step; /* step: points are (i + 1/2) step */
-    double load, energy;     /* P; and (41) without momenta: elastic energy and (1/alpha) int f dphi */
+    double load, energy;     /* P; energy (41) without momenta: elastic energy + (1/alpha) int f dphi */
     double largest_residual; /* largest residual of the equation above, in units of R */
     double *log_f, *f;       /* the pressure at the points */
     double *kernel, *matrix; /* G, and a matrix for the Newton step: points x points */

@@ -48,7 +48,8 @@ struct cor_collision_loops {
     double (*press)(size_t points, double alpha, const double *weight, const double *reach, double *pressure);
     /* Sets e_k = sum_j pressure[j] cos(k phi_j) */
     void (*transform)(const struct cor_rim *rim, size_t points, const double *pressure, double *e);
-    /* Subtracts factor response[j] pressure[j] from pressure[j]. Returns their sum, and sets the greatest response. */
+    /* Subtracts factor response[j] pressure[j] from pressure[j]. Returns the sum of the new pressures, and sets the
+     * greatest response. */
     double (*soften)(size_t points, double factor, const double *response, double *pressure, double *greatest);
 };
 
@@ -111,7 +112,7 @@ struct cor_collision_state {
     double load;      /* of the wall */
     double force;     /* force of the modified potential (15.1), which replaces the wall in the kick */
     double stiffness; /* h^2 alpha (largest acceleration of the rim) at the last kick */
-    double ripple;    /* change of the load with half the angles, at the last scan */
+    double ripple;    /* change of the load if half the angles are used, at the last scan */
     size_t window;    /* angles near the contact that are evaluated between two scans */
 };
 
@@ -144,7 +145,7 @@ struct cor_collision_run {
     double work; /* part of the call's budget that the run has used */
     double eps, max_compression, contact_time;
     double max_load;
-    double ripple;     /* largest change of the load with half the angles */
+    double ripple;     /* largest change of the load if half the angles are used */
     double stiffness;  /* largest h^2 alpha (acceleration of the rim) */
     double start, end; /* times at which the contact begins and ends; NaN if unknown */
 };

@@ -44,7 +44,7 @@ static size_t window_of(const struct cor_motion *m)
     return (last / COR_PANEL + 1) * COR_PANEL;
 }
 
-/* Returns the change of the load with half the angles. */
+/* Returns the change of the load if half the angles are used. */
 static double ripple_of(const struct cor_motion *m)
 {
     double even = 0, odd = 0;

@@ -28,8 +28,9 @@ enum {
 
 /* Smallest number of angles in the quadrant. Chosen. */
 #define COR_TUNING_LEAST_PHI 16.0
-/* Angles for each digit of the tolerance, over alpha^(2/3): the pressure decreases over alpha^(-2/3) at the edge of the
- * contact. Then their offset and the powers of v/0.1 below and above 1. Fitted: these mostly suffice. */
+/* Number of angles for each digit of the tolerance, divided by alpha^(2/3), because the pressure decreases over
+ * alpha^(-2/3) at the edge of the contact. The next three constants are the offset of the product, which is subtracted,
+ * and the powers of v/0.1 below and above 1. Fitted: these mostly suffice. */
 #define COR_TUNING_PHI_PER_DIGIT 0.2
 #define COR_TUNING_PHI_OFFSET 0.05
 #define COR_TUNING_PHI_SLOW 0.25
@@ -49,8 +50,8 @@ enum {
  * scans. Derived: 100 such angles equal the round-off of a load. */
 #define COR_TUNING_WINDOW_MISSED 1e-14
 
-/* Energy of the wall at the first and the last moment, relative to the disk's energy, over the smaller of the tolerance
- * and COR_TUNING_WALL_TOLERANCE. Chosen: see COR_TUNING_WALL_IN_EPS. */
+/* Energy of the wall at the first and the last moment, relative to the disk's energy, divided by the smaller of the
+ * tolerance and COR_TUNING_WALL_TOLERANCE. Chosen: see COR_TUNING_WALL_IN_EPS. */
 #define COR_TUNING_WALL_LEFT 1e-6
 #define COR_TUNING_WALL_TOLERANCE 1e-4
 /* The wall's force is neglected below this fraction of the load at those moments. Chosen. */
@@ -66,7 +67,7 @@ enum {
 /* Lower bound on a movement, relative to the one before it. Fitted. */
 #define COR_TUNING_LEAST_MOVEMENT 0.01
 /* Above the first ratio the runs do not converge. Derived: the geometric series then doubles its first term. The second
- * number is the error of such runs over the larger of the last two movements. Fitted. */
+ * number is the error of such runs divided by the larger of the last two movements. Fitted. */
 #define COR_TUNING_NO_CONVERGENCE 0.5
 #define COR_TUNING_SCATTER 4.0
 /* From this alpha v onward the wall is hard: runs may agree by chance (docs/theory-disks.md, 15). Fitted. */
@@ -80,13 +81,13 @@ enum {
 /* Allowed error of the quadrature relative to the peak load, in units of the tolerance. Chosen: larger errors would
  * make more collisions repeat with more angles. */
 #define COR_TUNING_QUADRATURE_ALLOWED 1.0
-/* Error of eps over the error of the quadrature: at least COR_TUNING_QUADRATURE_IN_EPS, at most the measured
+/* Ratio of the error of eps to the error of the quadrature: at least COR_TUNING_QUADRATURE_IN_EPS, at most the measured
  * amplification or COR_TUNING_BOUND_AMPLIFIES times the bound on it. Fitted: the bound is 10^2 to 10^4 times the
  * amplification in calm collisions, and not much larger than it near chaos. */
 #define COR_TUNING_QUADRATURE_IN_EPS 0.1
 #define COR_TUNING_BOUND_AMPLIFIES 1e-3
-/* Error of eps over its movement by angles shifted by half their distance. Derived: half, to first order. Fitted: 1.7
- * occurred where the movement is too large for first order. */
+/* Ratio of the error of eps to its movement by angles shifted by half their distance. Derived: half, to first order.
+ * Fitted: 1.7 occurred where the movement is too large for first order. */
 #define COR_TUNING_ANGLES_IN_EPS 3.0
 /* If more than this fraction of the tolerance may be due to the angles, a run with shifted angles measures it. Chosen:
  * a tenth allows for errors of the estimate. */

@@ -66,7 +66,7 @@ size_t cor_motion_arrange(struct cor_motion *m, char *base)
 
 /* ---- tables ---- */
 
-/* Reach of the places beyond the last angle: so low that they never have a pressure */
+/* Reach that places beyond the last angle get. It is so low that they never have a pressure. */
 #define NOWHERE (-1e6)
 
 void cor_motion_set_modes(struct cor_motion *m)
@@ -92,7 +92,8 @@ void cor_motion_set_angles(struct cor_motion *m, size_t phi, size_t shift)
 {
     const size_t terms = m->size.terms, points = cor_whole(phi, COR_PANEL), half = 2 * phi;
     m->phi = phi;
-    for (size_t i = 0; i < half; i++) { /* steps of half the distance between angles; four quarter turns */
+    /* Cosines over a whole turn, a quarter in each of four parts. Their step is half the distance between angles. */
+    for (size_t i = 0; i < half; i++) {
         m->table[i] = cos((double)i * (COR_PI / (4 * (double)phi)));
         m->table[half + i] = -sin((double)i * (COR_PI / (4 * (double)phi)));
         m->table[2 * half + i] = -m->table[i];
@@ -119,7 +120,8 @@ void cor_motion_set_angles(struct cor_motion *m, size_t phi, size_t shift)
 double cor_motion_work(const struct cor_motion *m, size_t reached, size_t pressed)
 {
     const double used = (double)(m->size.n_max + 2), terms = (double)m->size.terms;
-    /* terms: reach, exponential and search; two transforms and the response; modes; a constant for each step */
+    /* The four terms: reach, exponential and search at each angle; two transforms and the response at each pressure;
+     * the modes; a constant for each step */
     return (double)reached * (used + 90) + (double)pressed * (2 * terms + used + 10) + 20 * (double)m->size.cells +
            2000;
 }

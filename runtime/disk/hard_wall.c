@@ -24,7 +24,7 @@ enum { MAX_LEVELS = COR_DISK_HARD_WALL_MAX_LEVELS, LEAST_LEVELS = 2 };
 #define LEAST_ANGLES 60
 #define MOST_ANGLES 120
 #define HALF_WIDTH 1.1 /* a is about HALF_WIDTH sqrt(v); the contact reaches 1.45 sqrt(v) */
-#define RANGE 2.6      /* range of the angles over sqrt(v) */
+#define RANGE 2.6      /* range of the angles divided by sqrt(v) */
 
 /* The error estimate is the sum of three parts. The first is the largest of the last changes of the extrapolated value,
  * times the factors below. It is at least a quarter of the distance of this value from the highest level. The second
@@ -34,7 +34,7 @@ enum { MAX_LEVELS = COR_DISK_HARD_WALL_MAX_LEVELS, LEAST_LEVELS = 2 };
 static const double calm_weight[] = {3, 1, 0.3, 0.1};
 #define EXTRAPOLATED 0.25
 #define UNSEEN 0.07 /* the second part times Omega^2 */
-#define NOISE 8e-7  /* the third part over fineness^NOISE_POWER */
+#define NOISE 8e-7  /* the third part divided by fineness^NOISE_POWER */
 #define NOISE_POWER 2.5
 /* Number of levels that an accepted estimate needs */
 enum { ENOUGH_LEVELS = 5 };
@@ -50,7 +50,7 @@ static const double wild_weight[] = {3, 2, 0.6, 0.2};
 #define UNSEEN_WILD 1.5e-3
 /* In the domain of cor_disk_eps, and slightly beyond it, a second estimate limits the first if Omega is above
  * USUAL_FROM. It is the usual error at Omega plus a fraction of the last changes. Fitted in this domain, at
- * USUAL_TOLERANCE: docs/theory-disks.md, 17, has the sample, which contains no other nu. */
+ * USUAL_TOLERANCE: docs/theory-disks.md, 17, has the sample, which contains no nu outside the domain. */
 #define USUAL_SPEED 9e-6
 #define USUAL 6.8e-7
 #define USUAL_OMEGA 680

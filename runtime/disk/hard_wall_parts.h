@@ -40,8 +40,8 @@ struct cor_hard_wall_angles {
     const double *twice_cosine; /* 2 cos(i d) */
     size_t bins;                /* M; 0 if the tables are not worthwhile, and the pointers below are then unused */
     double *part;               /* [b][2][Q]: cosines and sines of 2 pi b r/Q, b <= Q/2 */
-    double *turn;               /* [a][2][Q]: of a r d */
-    double *whole;              /* [M][2]: of 2 pi x/M */
+    double *turn;               /* [a][2][Q]: cosines and sines of a r d */
+    double *whole;              /* [M][2]: cosines and sines of 2 pi x/M */
     double *sums;               /* scratch, [M][2][Q] */
 };
 /* True if `count` cosines are summed in parts, over b and then over a, which is faster for many cosines. */
@@ -100,7 +100,7 @@ struct cor_hard_wall_contact {
 
 /* Takes the arrays from the store. */
 void cor_hard_wall_contact_arrange(struct cor_hard_wall_contact *contact, struct cor_store *store, size_t points);
-/* Sets the compliance from T_k, k < t_terms, and Q_n, n < q_terms, of docs/theory-disks.md, 17; the others are 0.
+/* Sets the compliance from T_k, k < t_terms, and Q_n, n < q_terms, of docs/theory-disks.md, 17; further ones are 0.
  * angles->twice_cosine and scratch have 2 points elements. */
 void cor_hard_wall_contact_begin(struct cor_hard_wall_contact *contact, size_t t_terms, const double *t, size_t q_terms,
                                  const double *q, const struct cor_hard_wall_angles *angles, double constant,
@@ -136,9 +136,10 @@ struct cor_hard_wall_settings {
 
 /* Multiplications of a call without max_steps. At 0.06 to 0.12 ns each it takes 5 to 10 s, like cor_disk_collision. */
 #define COR_HARD_WALL_WORK 8e10
-/* Ratio of the multiplications of two levels: sqrt(2) for the steps, 2 for the modes or pairs of angles */
+/* Ratio of the multiplications of two successive levels: a factor sqrt(2) for the steps, and 2 for the modes or pairs
+ * of angles */
 #define COR_HARD_WALL_GROWTH 2.8284271247461903
-/* Multiplications of cor_disk_modes_compute for each mode */
+/* Number of multiplications that cor_disk_modes_compute needs for each mode */
 #define COR_HARD_WALL_MODE_WORK 2e3
 
 /* Results of one level */

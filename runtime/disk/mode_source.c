@@ -26,7 +26,7 @@
 #include "runtime/number/environment.h"
 #include "runtime/number/kernel.h"
 
-/* Accuracy of a_n in bits, more than a double holds */
+/* Accuracy of a_n in bits: more bits than a double has */
 enum { DOUBLE_BITS = 56, START_BITS = 8 };
 enum { LANES = COR_MODE_LANES };
 
@@ -202,8 +202,8 @@ double cor_mode_upper_end(const struct cor_mode_material *material, size_t count
 
 /* ---- a grid of frequencies ---- */
 
-/* Step of the grid in the larger argument kappa', and smallest kappa for a series: below it J_N is near a power of
- * kappa */
+/* Step of the grid in the larger argument kappa', and smallest kappa for a series. Below this kappa, J_N is close to a
+ * power of kappa. */
 #define GRID_STEP 1.0
 #define LEAST_KAPPA 2.0
 
@@ -246,7 +246,7 @@ static int search_start(struct search *s, double omega)
 {
     const double e = s->material->e, unit[2] = {sqrt(s->material->s * e), sqrt(2 * e)};
     s->places = (long)ceil(unit[1] * omega / GRID_STEP);
-    s->room = (s->places + 2 * LANES - 1) / LANES * LANES; /* so that arrays are whole vectors */
+    s->room = (s->places + 2 * LANES - 1) / LANES * LANES; /* rounded up, so that arrays are whole vectors */
     s->memory = calloc((size_t)s->room * 13, sizeof *s->memory);
     s->group = malloc(sizeof *s->group);
     if (s->memory == NULL || s->group == NULL)
@@ -413,7 +413,7 @@ static void group_point(struct group *group, const struct search *s)
 static void refine_group(struct cor_disk_mode *mode, struct group *group, const struct search *s, long count)
 {
     const struct cor_mode_point *const p = &group->point;
-    double before[LANES]; /* length of the step to omega, if by Halley's method */
+    double before[LANES]; /* length of the step to omega, if Halley's method made it */
     int done[LANES] = {0}, last[LANES] = {0}, left = group->lanes;
     group_start(group, s);
     for (int i = 0; i < LANES; i++)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Load and contact time of a disk from rows of generated/disk_law_tables.h in q of runtime/disk/quasistatic.c.
- * quasistatic.c computes them next to the limit (q < 1/4) and for tiny arguments (q >= 128). */
+/* Load and contact time of a disk from rows of generated/disk_law_tables.h, whose argument is q of
+ * runtime/disk/quasistatic.c. quasistatic.c computes them next to the limit (q < 1/4) and for tiny arguments
+ * (q >= 128). */
 #define COR_ROWS_DEFINE
 #include "generated/disk_law_tables.h"
 #include "runtime/disk/quasistatic.h"

@@ -22,7 +22,7 @@ SHARED void set_decays(double *restrict rho, const double *restrict u)
         rho[i] = kernel_decay(u[i]);
 }
 
-/* The nodes of Gauss's rule in a panel, padded: step is dh, then dp; t; and the input of Halley's method */
+/* The nodes of Gauss's rule in a panel, padded. step: dh, later dp. power, move: the input of Halley's method */
 struct gauss_nodes {
     double step_re[LANES], step_im[LANES], t_re[LANES], t_im[LANES], power_re[LANES], power_im[LANES], move[LANES];
 };

@@ -72,8 +72,9 @@ class Repair:
 
 
 class Tangential(NamedTuple):
-    """A tangential force. model: a name in cor_tangential_models, or the reason why cor has no model. stiffness: over
-    the normal spring's, or in N/m for a constant one next to a Hertz spring. damper: over the normal damper."""
+    """A tangential force. model: a name in cor_tangential_models, or the reason why cor has no model. stiffness:
+    divided by the stiffness of the normal spring, or in N/m if it is constant and the normal spring is a Hertz spring.
+    damper: divided by the normal damper."""
 
     model: str = ""
     stiffness: float = NAN

@@ -27,7 +27,7 @@ SIMULATORS = {
     ),
     "kratos": ("text", "read_kratos", ('"COEFFICIENT_OF_RESTITUTION"', '"DAMPING_GAMMA"', '"material_relations"')),
 }
-# The models that other versions of a simulator have in place of a model
+# For a model of one version of a simulator: the model that other versions have in its place
 _OTHER = {
     "LAMMPS_HERTZ_TSUJI": "LAMMPS_HERTZ_TSUJI_2026",
     "LAMMPS_HOOKE_TSUJI": "LAMMPS_HOOKE_TSUJI_2026",

@@ -446,7 +446,7 @@ def read_mercurydpm(text: str, name: str, options: Options) -> Deck:
 
 
 def _mercury_tangential(c: Contact, of: str, plain: str, constants: Dict[str, str], both: List[float]) -> Tangential:
-    """Returns the tangential force of a species. Numbers may be parts of its normal ones. both: e and e_t, if given."""
+    """Returns the tangential force. Its numbers may be fractions of the normal force's. both: e and e_t, if given."""
     species = rf"\b{of}\s*(?:->|\.)\s*"
     set_ = re.findall(rf"{species}setSliding(\w+)\(([^;]*)\)\s*;", plain)
     found = {key: constants.get(text.strip(), text) for key, text in set_}

@@ -767,7 +767,7 @@ class _Reader:
         return math.tan(min(angles) + 0 * sum(angles))  # NaN if one is
 
     def springs(self, c: Contact) -> Tuple[float, float]:
-        """Returns the normal stiffness from Young's moduli, and the tangential stiffness over it."""
+        """Returns the normal stiffness from Young's moduli, and the ratio of the tangential stiffness to it."""
         single = [2 * body.young * r for body, r in zip(c.bodies, self.radii(c))]
         shear = [k * body.poisson for k, body in zip(single, c.bodies)]
         return in_series(single), share(in_series(shear), in_series(single))
@@ -798,7 +798,7 @@ class _Reader:
         return made
 
     def strange_matches(self, functor: Thing) -> None:
-        """Adds the pairs of a MatchMaker whose materials are not in the text. Their numbers are their names."""
+        """Adds the pairs of a MatchMaker whose materials are not in the text. Bodies are named by material numbers."""
         maker = functor.values.get("en")
         if not (isinstance(maker, Thing) and maker.name == "MatchMaker" and functor.name.endswith("MindlinPhys")):
             return

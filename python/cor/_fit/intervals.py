@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Finds the least Q of a curve, and profile-likelihood intervals of its coordinates.
 
-In the interval of a coordinate, the least Q over the others exceeds the minimum by at most a threshold. It is z^2 if
-errors are given, otherwise t^2 s^2, with Student's t of n - k degrees of freedom. In the robust fit the threshold is
-multiplied by Huber's factor [sum psi^2/(n - k)]/[sum psi'/n]. The search for an end of the 95 % interval starts at
-the end of the 68 % interval, so that the first interval contains the second.
+In the interval of a coordinate, the least Q over the others exceeds the minimum by at most a threshold. The
+threshold is z^2 if errors are given, otherwise t^2 s^2, with Student's t of n - k degrees of freedom. In the robust
+fit it is multiplied by Huber's factor [sum psi^2/(n - k)]/[sum psi'/n]. The search for an end of the 95 %
+interval starts at the end of the 68 % interval, so that the first interval contains the second.
 """
 
 import math
@@ -269,7 +269,7 @@ def interval_ends(
 
 
 def _other_starts(p: Problem, theta: Floats, j: int) -> Callable[[float], List[Floats]]:
-    """Return a function that finds starts for the other of two coordinates on a grid: the minimum may jump."""
+    """Return a function that finds starts for the other of two coordinates on a grid, as the minimum may jump."""
     if p.curve.start != "grid" or p.parameters != 2 or p.scatters:
         return lambda x: []
     _, q = _coarse(p, 250, [])
