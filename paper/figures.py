@@ -603,7 +603,7 @@ def rigid_wall():
 
 @figure("Beyond the paper", "how Rayleigh's theory is approached")
 def approach():
-    """Not in the paper: down to v = 1e-300. The phases of the modes vary like sqrt(ln(1/v))."""
+    """Not in the paper. The speeds extend down to v = 1e-300. The phases of the modes vary like sqrt(ln(1/v))."""
     rows, last, points = ["power,one_minus_eps2,rayleigh,ratio"], 300.0, 64
     ends = [10, 30, 100, last]  # ranges of -log10(v) for which the text states the differences
     difference, whole = [0.0] * len(ends), [0.0] * len(ends)

@@ -160,8 +160,8 @@ def lines(
     ValueError if impossible. speeds: impact speeds at which the text states eps.
 
     materials: instead of a contact, rows as from csv.DictReader with the columns of corgen contact --materials;
-    pairs: rows of the measured pairs; friction: of all others. Keywords are then law, elastic, damping and end, and
-    speeds are required."""
+    pairs: rows of the measured pairs; friction: of all other pairs. Keywords are then law, elastic, damping and end,
+    and speeds are required."""
     request = ffi.new("struct cor_simulator_request *")
     if materials is None and friction:
         raise TypeError("friction: allowed with materials")

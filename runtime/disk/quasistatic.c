@@ -290,8 +290,8 @@ static double exp_less_two_terms(double u)
  *
  *     tau = (1/sqrt(2)) int_0^inf (t + u) du/sqrt((1 + t) (exp(u) - 1 - u) + t u)
  *
- * and the root has zeros at u = 0 and near u = -c, c = t + t/(1 + t), close together near the edge of the domain. The
- * substitution u = c sinh^2(x/2) removes both: the integrand becomes
+ * and the root has zeros at u = 0 and near u = -c, c = t + t/(1 + t). They are close together near the edge of the
+ * domain. The substitution u = c sinh^2(x/2) removes both zeros. The integrand becomes
  *
  *     f(x) = (t + u) sqrt(u (u + c)/((1 + t) (exp(u) - 1 - u) + t u)),
  *

@@ -197,7 +197,7 @@ COR_KERNEL void kernel_sum_and_square(int n, const double *restrict w_re, const 
 static void kernel_octaves(const struct cor_leg *leg, double first, int octaves, double re[][COR_SPECTRUM_TERMS],
                            double im[][COR_SPECTRUM_TERMS])
 {
-    /* cos(pi k/32), down to 0; tanh(ln(2)/4) */
+    /* quarter: cos(pi k/32), down to 0. half_width: tanh(ln(2)/4) */
     static const double quarter[COR_SPECTRUM_TERMS + 1] = {
         1.000000000000000000, 0.995184726672196886, 0.980785280403230449, 0.956940335732208865, 0.923879532511286756,
         0.88192126434835503,  0.831469612302545237, 0.773010453362736961, 0.707106781186547524, 0.634393284163645498,
@@ -282,7 +282,7 @@ static void kernel_lines(const struct cor_spectrum *spectrum, int octave, double
  *     F(u) = int r z^(-3 - 1/2) exp(i u z) dz,     z = omega/omega_max, u = omega_max dT,
  *
  * times a factor that is the same for all r. max |F| = |F(0)| = 0.290, and |F| < 0.09 for u >= 15, 0.03 for u >= 30. A
- * cutoff from 0.65 without a negative part has 0.66 instead of 0.29. No weight has less than about 0.18, the norm of
+ * cutoff from 0.65 without a negative part has max |F| = 0.66. No weight has less than about 0.18, the norm of
  * the Hankel operator (1 + x + y)^(-7/2). For weights near this bound |F| decreases more slowly. */
 COR_KERNEL double kernel_echo_weight(double x)
 {

@@ -872,7 +872,7 @@ class _Reader:
         return [c.bodies[0].radius[0] if b.wall else b.radius[0] for b in c.bodies]
 
     def set_mass(self, c: Contact, one: Spheres, two: Spheres) -> None:
-        """Sets zeta_factor for tc and en: YADE uses m m'/(m + m') of any partner for the damping, walls included."""
+        """Sets zeta_factor for tc and en: YADE's damping uses m m'/(m + m') with m' of any partner, walls included."""
         if two.kind == "sphere" and not (one.fixed or two.fixed):
             return
         if two.kind in ("wall", "facet"):

@@ -193,7 +193,7 @@ def whole_q(p: Problem, theta: Floats) -> float:
 
 
 def profile(p: Problem, theta: Floats, held: Sequence[int]) -> Tuple[float, Floats]:
-    """Return the least Q with the held coordinates fixed at their values in theta, and its place."""
+    """Return the least Q with the held coordinates fixed at their values in theta, and the theta of this Q."""
     free = [j for j in range(p.parameters) if j not in held]
     q = math.inf
     while True:

@@ -259,7 +259,7 @@ def _models() -> List[Model]:
     ends = {"zero-overlap": SPHERE_ZERO_OVERLAP, "zero-force": SPHERE_ZERO_FORCE}
     g_star, adhesion, liquid = _g_star(), _power("adhesion_speed_m_s"), _power("liquid_speed_m_s")
     dry, zener = _plain("eps_dry"), _power("zener_lambda_at_1_m_s", 1.5)
-    # for one unit of the parameter; v_y is proportional to the power 5/2 of the yield stress
+    # Laws for one unit of their parameter. v_y is proportional to the power 5/2 of the yield stress.
     plate = {"law": "plate", "plate_thickness": 1.0}
     dashpot = {"law": "hertz-dashpot", "damping_coefficient": 1.0}
     plastic = {"law": "elastic-plastic", "yield_stress": 1e6}

@@ -496,7 +496,7 @@ def _times(table: Table, ball: Ints, start: Ints) -> Times:
 
 
 def _refuse_waveform(table: Table, key: str, flight: Floats) -> None:
-    """Refuse time steps that are equal up to rounding: samples of a sound or of a force."""
+    """Refuse time steps that are equal up to rounding. Such data are samples of a sound or of a force."""
     step = float(np.median(flight)) if len(flight) >= WAVEFORM_ROWS else np.nan
     is_rounded = step > 0 and np.unique(np.round(flight / step, 3)).size <= 3  # such as 0.02, 0.02, 0.03 ms
     if is_rounded or np.mean(np.abs(flight - step) <= 0.1 * step) > 0.9 if len(flight) else False:

@@ -14,7 +14,7 @@ ALLOWED = "a track of at least three bounces with the heights upward, 4 samples 
 
 
 class Bounces(NamedTuple):
-    """time_s: times of the bounces; row: the lowest sample of each; gravity_m_s2: from the curvature of the flights"""
+    """time_s: times of the bounces; row: the lowest sample of each bounce; gravity_m_s2: from the flights' curvature"""
 
     time_s: Floats
     row: Ints
