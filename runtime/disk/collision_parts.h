@@ -30,8 +30,8 @@ struct cor_rim {
     const double *by_term;  /* [(k / COR_PANEL) points + j][k % COR_PANEL] = cos(k phi_j) */
 };
 
-/* Arrays over n have blocks times COR_LANES elements, arrays over terms at least two more, arrays over angles
- * `points`. */
+/* Arrays over n have blocks times COR_LANES elements. Arrays over terms have at least two elements more. Arrays over
+ * angles have `points` elements. */
 struct cor_collision_loops {
     /* Kicks the modes by the forces on c and s of each n, and turns them by the angles with the given cosine and sine.
      * Then sums c q and s q. */

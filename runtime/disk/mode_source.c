@@ -237,7 +237,7 @@ struct search {
     const struct cor_mode_material *material;
     const struct cor_mode_loops *loops;
     struct recurrences wave[2];
-    double *memory, *place, *below, *guess; /* frequencies; roots below them; results of Halley's method from them */
+    double *memory, *place, *below, *guess; /* place: frequencies; below: roots below each; guess: by Halley */
     long places, room, first, n;            /* first: the first place at which roots of n are counted */
     struct group *group;
 };

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Fits several models to the same data, ranks them by AIC, judges them, and names outliers.
 
-A curve is judged by its p value. With given errors it is the tail of chi^2 with n - k degrees of freedom. Without
-given errors, and in the robust fit (with psi(z) instead of z), it is the tail of Fisher's F. The data form m = n/3
+A curve is judged by its p value. With given errors p is the tail of chi^2 with n - k degrees of freedom. Without
+given errors, and in the robust fit (with psi(z) instead of z), p is the tail of Fisher's F. The data form m = n/3
 groups of neighbours in speed, with m between k + 1 and 12. F is
 
     [sum over groups n_j mean_j^2/(m - k)]/[sum (z_i - mean_j)^2/(n - m)]

@@ -11,7 +11,7 @@ the errors e of the times
 with the scatter h_k of eps. The first time and speed of a drop cancel. With the height of the drop, its first bounce
 has the error of a flight, e_2 - e_1. For heights the errors are e_(k+1) - a_k e_k, with dh/du instead of dT/du. The
 covariance is s^2 W, W = B + lambda diag(c^2), with a band B. z = L^-1 (c r) for W = L L^T, times
-sqrt(det W/det B)^(1/n), so that the least Q belongs to the restricted likelihood over lambda, too.
+sqrt(det W/det B)^(1/n), so that the lambda of the least Q has the greatest restricted likelihood.
 """
 
 import math
