@@ -72,7 +72,7 @@ static const char help[] =
     "                   python, modelica (CombiTable1Ds) or openfoam (Function1 table) (default text)\n" HELP_CONTACT
     "\n" HELP_COMMON "\n"
     "Columns: speed_m_s,eps; then eps_slope_s_m, or eps_slope_per_log with --log, if --cubic is\n"
-    "given; then duration_s and its slope, if --durations is given.\n\n"
+    "given; then duration_s with --durations, and its slope if --cubic is given, too.\n\n"
     "Example: corgen sample --g-star 0.2 --speed-min 0.01 --speed-max 10 --tolerance 1e-3 --log\n";
 
 #define ARGUMENTS struct sample_arguments

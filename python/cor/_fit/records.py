@@ -212,7 +212,7 @@ def _cells(table: Table, number: int, line: str) -> List[str]:
     if cells and (any(cells[missing:]) if missing < 0 else max(table.found.values()) >= len(cells)):
         word = {",": "commas", ";": "semicolons", "\t": "tabs"}[table.separator]
         count = f"{len(cells)} cell{'s' * (len(cells) != 1)}"
-        why = f"{count}, but the first row has {len(table.header)}; allowed: the same number, separated by "
+        why = f"{count}, but the row of names has {len(table.header)}; allowed: the same number, separated by "
         point = "comma" if table.form.decimal_comma else "point"
         table.refuse(number, None, f"{why}{word}, and numbers with a decimal {point}")
     return (cells + [""] * missing)[: len(table.header)] if cells else []
