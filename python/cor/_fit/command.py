@@ -32,9 +32,9 @@ Lines above it, lines that begin with # and other columns are not read.
 """
 MORE = """\
 Columns of csv and json: model,end,parameter,value,low_68,high_68,low_95,high_95,rms,chi2,aic; if the data have the
-column ball, it is the first one. Empty values are not determined. The intervals are profile likelihoods, and 68 means 68.27 %. rms is of the
-residuals; chi2 needs given errors. A model with p below 0.01 does not fit. With csv and json the remarks go to
-standard error.
+column ball, it is the first one. Empty values are not determined. The intervals are profile likelihoods, and 68 means
+68.27 %. rms is of the residuals; chi2 needs given errors. A model with p below 0.01 does not fit. With csv and json
+the remarks go to standard error.
 
 Example: cor fit measured.csv --law viscoelastic,constant --plot measured.svg
 """
