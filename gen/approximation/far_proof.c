@@ -75,7 +75,8 @@ static void far_cell_clear(struct far_cell *cell)
     FOR_ALL(arb_poly, clear, cell->u, cell->mu);
 }
 
-/* Computes a quantity's limit for mu -> 0, which is at most 210 mu u^2 from it (docs/theory.md, 8). */
+/* Computes a quantity's limit for mu -> 0. The quantity differs from its limit by at most 210 mu u^2 (docs/theory.md,
+ * 8). */
 static void limit_on(arb_poly_t y, enum quantity quantity, const struct far_cell *cell)
 {
     const slong events = quantity == DURATION_ZERO_FORCE ? 2 : 1; /* slow phases, which last of order ln(1/mu) */

@@ -39,7 +39,7 @@ struct law_layout {
     double overlap_end; /* end of the middle rows; below a threshold, first beta of the rows in beta_c - beta */
     double overlap_log; /* q > 0: last ln(beta) of the tail of eps at zero overlap. 0: no tail, because eps = v_f
                          * beta^(-1/q) for beta >= overlap_end */
-    double below_first, below_end; /* smallest beta_c - beta of a double beta, and end of the rows in beta_c - beta */
+    double below_first, below_end; /* range of the rows in beta_c - beta; it begins at the double below beta_c */
     double threshold;              /* beta_c, or infinity */
     struct law_table *table;       /* owned */
     int tables;

@@ -16,7 +16,7 @@
 enum {
     WORKING_BITS = 320,
     POINTS = 24,      /* a row's error is sampled at POINTS + 1 places */
-    FLOAT_POINTS = 8, /* rows of floats are sampled at FLOAT_POINTS + 1 */
+    FLOAT_POINTS = 8, /* rows of floats are sampled at FLOAT_POINTS + 1 places */
     FLOAT_PLACE_BITS = 30,
     BITS_TO_LINE = 23 /* numbers in a line of the comment above a table */
 };

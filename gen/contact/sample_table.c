@@ -102,9 +102,9 @@ void sample_print(FILE *file, const struct sample *sample, const struct sample_r
     case SAMPLE_TEXT: /* text has the evenly spaced table, too */
         column[columns++] = (struct column){"even_speed_m_s", sample->even.speed_m_s};
         column[columns++] = (struct column){"even_eps", sample->even.value[0]};
-        fprintf(file, "Error with the same number of evenly spaced points: %.4g.", sample->even.error);
+        fprintf(file, "Error with this number of evenly spaced points: %.4g.", sample->even.error);
         if (isfinite(sample->error_of_fewer))
-            fprintf(file, " With one point fewer, placed as well as possible: %.4g.", sample->error_of_fewer);
+            fprintf(file, "\nWith one point fewer, placed as well as possible: %.4g.", sample->error_of_fewer);
         fputs("\n\n", file);
         /* fall through */
     case SAMPLE_CSV:

@@ -282,7 +282,7 @@ static bool prove_step(struct taylor *y, const arb_t step)
     arb_get_mag(y->error_v, error_v);
     arb_get_mag(y->error_t, error_t);
 
-    /* The tube has 2^-TUBE_BITS/(1 + 2^-TUBE_BITS) of w on each side, which is more than half of 2^-TUBE_BITS. w must
+    /* The tube extends by w 2^-TUBE_BITS/(1 + 2^-TUBE_BITS) on each side, which is more than w 2^-TUBE_BITS/2. w must
      * have no pair of zeros inside the step, which its signs at both ends would not show. One of two conditions
      * suffices: (kappa w, v) turns by an angle of at most 2 L h < 3 < pi, or w cannot fall to 0 at the speed v/d. Under
      * a constant force only the first condition also excludes such a pair of zeros of v (24). */

@@ -56,7 +56,7 @@ struct plan {
     char *remark;         /* a remark on other effects; lines that end with \n; NULL: none */
     double tolerance;
     slong points;
-    double *speed, *at;  /* speed and argument of each point; one block with the next two */
+    double *speed, *at;  /* speed and argument of each point; allocated together with the next two */
     double *truth;       /* the quantity at each point */
     double *uncertainty; /* uncertainty of `truth`, in the unit of the errors */
     struct plan_model *model;

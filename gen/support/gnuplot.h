@@ -14,8 +14,8 @@ int gnuplot_check(const char *path);
  * message if the script cannot be created. */
 FILE *gnuplot_begin(int width, int height);
 
-/* Runs and closes the script, which contains its data. Copies the picture that it prints to `out`, in the format of
- * `path`; svg without the lines that name the version of gnuplot. Returns STATUS_OK, or STATUS_FAILED after a
+/* Runs and closes the script, which contains its data. Copies to `out` the picture that the script prints, in the
+ * format of `path`; svg without the lines that name the version of gnuplot. Returns STATUS_OK, or STATUS_FAILED after a
  * message. */
 int gnuplot_run(FILE *script, FILE *out, const char *path);
 

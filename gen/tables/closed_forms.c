@@ -108,7 +108,7 @@ static bool exponent_below(arb_t f, const arb_t x, const void *context, slong pr
     return true;
 }
 
-/* Computes the x at which L is `wanted` > 0. For a concave L, x stays left of the root until it is proved. */
+/* Computes the x at which L is `wanted` > 0. For a concave L, x stays left of the root until an enclosure is proved. */
 static int damping_of(arb_t x, const struct closed_form *law, const arb_t wanted)
 {
     enum { ROOT_BITS = 200 };

@@ -223,9 +223,9 @@ COR_API int cor_disk_rayleigh(const struct cor_disk_modes *modes, size_t n_modes
 /* Does the same at n speeds with one table: out[i] belongs to speed[i], and mode_fraction[i n_modes + k], if
  * mode_fraction is not NULL, to mode k. The speeds share most of the work. If 2 ln(limit/v) is between the same two
  * powers of 4 for at least 28 speeds, the function interpolates the terms that vary slowly with v. Its results differ
- * from cor_disk_rayleigh by less than the bounds, and from another list of speeds by less than 1e-12. status is NULL,
- * or receives the status of each speed. out[i] is NaN if the speed is out of range. If n is 0, speed and out may be
- * NULL. Callers may divide the speeds among threads.
+ * from cor_disk_rayleigh by less than the bounds. At one speed they change by less than 1e-12 if the other speeds of
+ * the list change. status is NULL, or receives the status of each speed. out[i] is NaN if the speed is out of range.
+ * If n is 0, speed and out may be NULL. Callers may divide the speeds among threads.
  * Returns COR_OK, the first status of a speed that is not COR_OK, or, with nothing changed,
  *     COR_ERROR_NULL, COR_ERROR_MODES, COR_ERROR_DATUM, COR_ERROR_DISK_POISSON_RATIO as above, COR_ERROR_MEMORY */
 COR_API int cor_disk_rayleigh_array(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum,
@@ -344,7 +344,7 @@ struct cor_disk_collision_detail {
 };
 
 /* cor_disk_collision_in computes the same in a workspace of the caller, for many collisions, and sets *detail, which
- * may be NULL. cor_disk_collision_workspace returns the number of bytes that the workspace needs, at any address, or
+ * may be NULL. cor_disk_collision_workspace returns the number of bytes that suffice for a workspace at any address, or
  * 0 if an argument is outside its domain. The number grows with alpha, with n_modes and with a smaller tolerance. */
 COR_API size_t cor_disk_collision_workspace(const struct cor_disk_modes *modes, size_t n_modes,
                                             const struct cor_disk_collision_options *options);
@@ -432,7 +432,7 @@ struct cor_disk_hard_wall_detail {
 };
 
 /* cor_disk_hard_wall_in computes the same in a workspace of the caller, and sets *detail, which may be NULL.
- * cor_disk_hard_wall_workspace returns the number of bytes that the workspace needs, at any address, or 0 if
+ * cor_disk_hard_wall_workspace returns the number of bytes that suffice for a workspace at any address, or 0 if
  * cor_disk_hard_wall_in would return COR_ERROR_... for these arguments. */
 COR_API size_t cor_disk_hard_wall_workspace(const struct cor_disk_modes *modes, size_t n_modes,
                                             const struct cor_disk_hard_wall_options *options, double speed);

@@ -682,9 +682,9 @@ struct cor_material {
     const char *made_of; /* the material that gives the elasticity, and the dissipation time if it is NaN; NULL: none */
 };
 
-/* A restitution measured between the smallest balls of materials a and b, counted from 0, or between a ball and a wall;
- * NaN: not measured. at_m_s: NaN means every speed, where q = 0. end: COR_BOTH_ENDS means the end of the scene.
- * friction: NaN means the friction of the request. */
+/* A restitution measured between the smallest balls of materials number a and b (from 0), or between a ball and a wall;
+ * NaN: not measured. at_m_s: NaN means every speed, and is allowed only if q = 0. end: COR_BOTH_ENDS means the end of
+ * the scene. friction: NaN means the friction of the request. */
 struct cor_material_pair {
     size_t a, b;
     double restitution, at_m_s;

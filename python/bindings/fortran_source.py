@@ -22,9 +22,9 @@ KINDS = {"double": "real(c_double)", "float": "real(c_float)", "int": "integer(c
 HEAD = """! SPDX-License-Identifier: MIT
 ! The functions of cor under their names in C. Written from the headers by python/bindings/fortran_source.py.
 !
-! Functions that return a number are elemental and pure, and functions that return a text have its length. The names
-! with _array are the loops of C; they are faster. struct cor_body is type(cor_body_t), and so on. An argument that may
-! be NULL in C is optional. The comments of the headers in include/cor hold for all of them.
+! Functions that return a number are elemental and pure. Functions of type character have the length of their text.
+! The names with _array are the loops of C; they are faster. struct cor_body is type(cor_body_t), and so on. An argument
+! that may be NULL in C is optional. The comments of the headers in include/cor hold for all of them.
 module cor
   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_float, c_funptr, c_int, &
     c_null_char, c_ptr, c_size_t

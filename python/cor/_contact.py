@@ -106,7 +106,8 @@ class Contact:
         if erp is not None or cfm is not None or time_step is not None:
             spring = _spring_of_engine(law, erp, cfm, time_step)
             if spring.keys() & numbers.keys():
-                raise ValueError(f"erp, cfm, time_step: they determine {', '.join(spring)}; leave these out")
+                names = ", ".join(spring)
+                raise ValueError(f"erp, cfm, time_step: they already determine {names}; leave out {names}")
             law, numbers = "linear", {**spring, **numbers}
         self._bodies = bodies
         self._scene = scene = ffi.new("struct cor_scene *")
@@ -195,7 +196,7 @@ class Contact:
         if fault.fault == lib.COR_FAULT_SOLVER:
             raise ValueError(
                 f"elastic, damping: the law {self._law} has no functions here; use corgen contact --elastic A "
-                f"--damping B (allowed: {', '.join(_LAWS)}, equal exponents, and any under gravity or dmt adhesion)"
+                f"--damping B (allowed: {', '.join(_LAWS)}, equal exponents; under gravity or dmt adhesion any law)"
             )
         text = ffi.new("char[]", lib.COR_SCENE_FAULT_TEXT)
         lib.cor_scene_fault_text(text, len(text), fault, self._law.encode(), ffi.NULL)
@@ -244,7 +245,7 @@ class Contact:
         return speeds, rows
 
     def eps(self, speed_m_s: ArrayLike, end: Optional[str] = None) -> Any:
-        """Returns the restitution coefficient at impact speeds, m/s. end: the end of the contact if omitted."""
+        """Returns the restitution coefficient at impact speeds, m/s. end: by default the end of this contact."""
         result = self._rows(speed_m_s, self._end(end))[1][..., 0]
         narrow = np.asarray(speed_m_s).dtype.kind == "f" and np.asarray(speed_m_s).itemsize < 8
         return like([speed_m_s], result.astype(np.float32 if narrow else np.float64, copy=False)[()])

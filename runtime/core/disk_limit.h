@@ -19,8 +19,8 @@ enum { COR_DISK_LIMIT_SQUARE_BITS = 3, COR_DISK_LIMIT_PER_SQUARE = 8, COR_DISK_L
 #define COR_DISK_LIMIT_BEYOND 0x1p-10
 
 /* A piece. x, nu: its first corner, in the coordinates of the plane. per_x, per_nu: inverse sides. coefficient[4 j + i]
- * multiplies s^i t^j, where s and t are 0 to 1 in x and nu. uncertainty: of its cell. depth: how often a root was
- * divided for it. Coefficients and uncertainty are in units of COR_DISK_LIMIT_UNIT. */
+ * multiplies s^i t^j, where s and t are 0 to 1 in x and nu. uncertainty: of its cell. depth: how often the root
+ * cell was divided to make it. Coefficients and uncertainty are in units of COR_DISK_LIMIT_UNIT. */
 #define COR_DISK_LIMIT_UNIT 1e-7
 enum { COR_DISK_LIMIT_SIDE = 4, COR_DISK_LIMIT_POINTS = 16 };
 struct cor_disk_limit_piece {

@@ -13,7 +13,7 @@
 
 enum { MAX_LEVELS = COR_DISK_HARD_WALL_MAX_LEVELS, LEAST_LEVELS = 2 };
 
-/* Steps and angles are smaller by the factor `fineness`, which is at least FINEST, than those for COARSE_TOLERANCE.
+/* Steps and angles are those for COARSE_TOLERANCE times `fineness`, which is from FINEST to 1.
  * Fitted: at fineness 1 they cause a noise of at most 5e-7 in L in nine of ten levels, sampled at 200 random scenes. */
 #define COARSE_TOLERANCE 4e-6
 #define FINEST 0.4

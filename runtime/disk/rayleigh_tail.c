@@ -31,7 +31,7 @@ static const double low_window[2] = {0.35, 0.75}, high_window[2] = {0.6, 1};
 /* Factors of the error estimate. Fitted: the smallest, rounded up, that bound the error against sums over 20,000 modes
  * (tests/unit/test_disk_rayleigh.c). */
 static const struct {
-    double echo_low, half_echo_low; /* weight of the strength under the low window relative to the high window */
+    double echo_low, half_echo_low; /* weight of the strength in the low window; the high window has weight 1 */
     double of_echo, of_half_echo;   /* for echoes in phase with the response, as strong as the windows show */
     double of_density, of_fifth;    /* for the density beyond 2 omega + a: terms in omega_max^-2 and omega_max^-5 */
     /* for the density: an echo with T = 0. The kink of the echoes' weight at 1 leaves O((omega_max tau)^-2) of it. */

@@ -100,8 +100,8 @@ COR_INLINE double cor_motion_start(const struct motion *m)
  *
  *     x'' + damping x^b x' + x^a = 1,     x(0) = 0,     x'(0) = speed
  *
- * The ends are zero overlap and, at the index of zero force, the surface. A body leaves the contact where its force
- * vanishes and flies back to x = 0 against the constant force. */
+ * The ends are zero overlap and the surface, which has the array index of zero force. A body leaves the contact where
+ * its force vanishes and flies back to x = 0 against the constant force. */
 
 /* Returns the largest force of x'' + damper x^b x' + elastic x^a = 0; NaN if the motion needs too many steps. */
 double cor_pressed_force_max(const struct cor_exponents *law, double elastic, double damper);

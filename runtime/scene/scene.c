@@ -124,8 +124,8 @@ static int set_materials(struct cor_scene_contact *contact, struct cor_scene_fau
     return COR_FAULT_NONE;
 }
 
-/* Returns the number that gives the stiffness of two bodies of known mass: C, A or the duration, each with another
- * number that gives the damping. -1: the stiffness is given, or nothing gives it. */
+/* Returns which input determines the stiffness at a known effective mass: C, A or the duration. Another input must then
+ * determine the damping. -1: the stiffness is given, or no input determines it. */
 static int source_of_stiffness(const struct cor_scene *scene)
 {
     static const int ratios[] = {COR_SCENE_G_STAR, COR_SCENE_RESTITUTION, COR_SCENE_BETA, COR_SCENE_ZETA};
@@ -392,7 +392,7 @@ static int set_damping(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *c
         status = check_way(fault, scene, &contacts[0], way);
     if (status != COR_FAULT_NONE || way < 0 || (is_material(way) && has_bodies(scene)))
         return status; /* already set by set_materials */
-    /* For q = 0, a restitution without a speed is the value without a constant force. */
+    /* For q = 0, a restitution given without a speed belongs to the contact without the force. */
     const double speed = cor_scene_given(scene, COR_SCENE_AT) ? scene->number[COR_SCENE_AT]
                          : way == COR_SCENE_RESTITUTION && (contacts[0].force_n > 0 || contacts[0].adhesion_j_m2 > 0)
                              ? (double)NAN

@@ -178,7 +178,7 @@ TEST(test_truncation_bound)
                 arf_set_mag(arb_midref(term), bound);
                 mag_zero(arb_radref(term));
                 assert_true(arb_lt(sum, term));
-                /* within 2^50 of the truth, or 20 terms, except for the linear law, where X is entire */
+                /* the bound is at most 2^50 times the truth, except for the linear law, whose X is entire */
                 arb_mul_2exp_si(sum, sum, 50);
                 assert_true(i == 1 || arb_gt(sum, term));
             }

@@ -216,7 +216,7 @@ TEST(reference)
         const size_t n = scene[i].n;
         const struct cor_disk_modes modes =
             scene[i].of_n ? modes_cut(material(nu), scene[i].of_n, scene[i].below, n) : *material(nu);
-        /* for 940 modes, where the reference would need a second, eps is the known answer */
+        /* for 940 modes eps is stored, because the reference would take a second */
         struct reference_collision truth = {.eps = 0.9504656552925,
                                             .one_minus_eps2 = 1 - 0.9504656552925 * 0.9504656552925};
         if (n < 940)

@@ -67,7 +67,7 @@ TEST(drift)
 
 /* ---- kick ---- */
 
-enum { MODES = 34 }; /* the largest number of modes; their n is at most 13, in one or two blocks of lanes */
+enum { MODES = 34 }; /* the largest number of modes; their n, at most 13, fill one or two blocks of lanes */
 
 /* The potential of (15.1), U = V - (h^2/24) |grad V|^2/m, with V = (1/alpha) int exp(alpha x(phi)) dphi by the rule of
  * phi angles. Its gradient in x_0 and Q is from central differences. *fastest: the largest acceleration of the rim */

@@ -340,7 +340,7 @@ TEST(models)
         const struct mean mean = simulated(&given, speed, (int)model->end,
                                            cor_scene_elastic_duration_s(&contact, speed) / steps, integrator, 401, 0.3);
         check(fabs(mean.eps - eps) < COR_SCENE_STEP_ERROR * mean.scatter, "%s: %g", model->model, mean.eps);
-        /* from eps only, the result is the same if the law has a closed form */
+        /* computed from only eps, the damping is the same; NaN if the law has no closed form */
         const double by_eps = cor_simulator_damping(model, &target, 0);
         check(isnan(by_eps) || fabs(by_eps / damping - 1) < 1e-9, "%s: %g, %g", model->model, by_eps, damping);
         judged++;

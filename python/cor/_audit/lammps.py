@@ -546,7 +546,7 @@ class Granular(System):
         return self.types or max([1, *ends, *(int(x) for x in sizes if 1 <= x <= MAX_TYPES)])
 
     def moving(self) -> Dict[int, List[Moving]]:
-        """Returns the bodies of each type, one for each way of moving."""
+        """Returns, for each type, one body for each way in which its atoms are held or joined."""
         made = [c for c in self.cohorts if c.kind != "assumed"]
         if self.is_liggghts and not any(c.kind == "made" for c in made):
             made += [c for t in self.templates() for c in self.of_template(t, frozenset(("all",)))]

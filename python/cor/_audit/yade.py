@@ -706,7 +706,7 @@ class _Reader:
             c.unknown = f"cor does not support the contact of {' and '.join(dict.fromkeys(names))} by {functor.name}."
 
     def set_bonds(self, c: Contact, functor: Thing, strengths: Sequence[str], *materials: Optional[Thing]) -> None:
-        """Refuses contacts with a bond that can pull. A bond of the first step only does not act on later contacts."""
+        """Refuses contacts with a bond that can pull. Bonds of only the first step do not act later."""
         strong = any(m is None or m.values.get(key, -1) != 0 for m in materials for key in strengths)
         if strong and all(m and m.values.get("isCohesive") is not False for m in materials):
             new, now = (functor.values.get(f"setCohesion{when}", False) for when in ("OnNewContacts", "Now"))

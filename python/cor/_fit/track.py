@@ -10,7 +10,7 @@ from .likelihood import scipy
 
 LEAST_SAMPLES = 4  # of a flight
 FREE_BEND, FREE_SKEW = 8, 12  # samples for a flight's own curvature and, because of drag, its own cubic term
-ALLOWED = "a track of at least three bounces with the heights upward, 4 samples or more in each flight"
+ALLOWED = "a track of at least three bounces with heights that grow upward, 4 samples or more in each flight"
 
 
 class Bounces(NamedTuple):
