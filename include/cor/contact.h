@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The functions of this header are for two spheres, or a sphere and a wall, in SI units. They compute beta of sphere.h,
- * and eps at an impact speed, from materials and sizes.
+/* The functions of this header are for two spheres, or a sphere and a wall, in SI units. From materials and sizes they
+ * compute eps at an impact speed, and beta of sphere.h.
  *
  *     bodies, filling a contact   cor_sphere_mass_kg, cor_sphere_contact_init, _init_g_star, cor_contact_g_star_m_s
  *     eps at a speed              cor_contact_beta, cor_contact_eps_zero_overlap, _zero_force
@@ -39,7 +39,7 @@ extern "C" {
  * (docs/theory.md, 18). A subnormal eps may be off by another 2^-1075. */
 #define COR_CONTACT_EPS_MAX_ERROR(kappa) ((2 + 2 * (kappa)) * 1.1102230246251565e-16)
 
-/* Bytes of stack; 20.5 kB are measured in an optimised build, libm included. */
+/* Bound on the stack of every function, in bytes. Measured in an optimised build, libm included: 20.5 kB. */
 #define COR_CONTACT_MAX_STACK 24576
 
 /* ---- bodies, and filling a contact ---- */
@@ -48,7 +48,7 @@ extern "C" {
 struct cor_body {
     double young_modulus_pa;   /* Y > 0; INFINITY is a rigid body */
     double poisson_ratio;      /* -1 < nu <= 1/2 */
-    double dissipation_time_s; /* A >= 0 of (3), finite; cor_dissipation_time_viscous_s computes it */
+    double dissipation_time_s; /* A >= 0 of (3), finite; from cor_dissipation_time_viscous_s */
     double radius_m;           /* R > 0; INFINITY is flat */
     double mass_kg;            /* > 0; INFINITY is fixed */
 };
@@ -65,8 +65,8 @@ struct cor_sphere_contact {
     double elastic_constant_n_m15; /* rho of (2), N/m^(3/2): the elastic force is rho xi^(3/2) */
     double dissipation_time_s;     /* A of the pair, s */
     double beta_per_root;          /* (3/2) A (rho/m)^(2/5), (m/s)^(-1/5) */
-    double scale;                  /* (rho/m)^(-2/5), m^(1/5) s^(4/5): at impact speed g the unit of time is scale
-                                    * g^(-1/5) and the unit of length scale g^(4/5) */
+    double scale;                  /* (rho/m)^(-2/5), m^(1/5) s^(4/5). At impact speed g the unit of time is scale
+                                    * g^(-1/5), the unit of length scale g^(4/5). */
     double beta5_per_speed;        /* beta_per_root^5, s/m: beta^5 = beta5_per_speed g. NaN if the value is not a normal
                                     * double; the functions then take a slower path. */
 };
@@ -101,7 +101,7 @@ COR_API int cor_sphere_contact_init_g_star(struct cor_sphere_contact *contact, d
  *
  *     (g*)^(-1/5) = |C_1| (3/2) A (rho/m)^(2/5)
  *
- * Accuracy relative to beta_per_root: 2 COR_CONTACT_MAX_ULP (a fifth power).
+ * Accuracy: 2 COR_CONTACT_MAX_ULP, with the stored beta_per_root treated as exact.
  * Special values: no dissipation, or g* above the range -> INFINITY; a contact whose init failed, or g* below the range
  * -> NaN. */
 COR_API double cor_contact_g_star_m_s(const struct cor_sphere_contact *contact);
@@ -127,9 +127,9 @@ COR_API double cor_contact_eps_zero_force(const struct cor_sphere_contact *conta
 /* ---- duration and overlap ---- */
 
 /* Return the duration of a contact at impact speed g > 0, s: scale g^(-1/5) cor_sphere_duration_...(beta).
- * Accuracy: COR_CONTACT_MAX_ULP. Special values: speed 0 -> +inf; speed +inf -> 0, but +inf at zero overlap with
- * dissipation, where the duration grows with ln(g). A negative or NaN speed, or a contact whose scale is not known
- * (init failed, or filled from only g*) -> NaN. */
+ * Accuracy: COR_CONTACT_MAX_ULP. Special values: speed 0 -> +inf. Speed +inf -> 0; at zero overlap with dissipation the
+ * duration grows like ln(g), so +inf -> +inf. A negative or NaN speed, or a contact of unknown scale (init failed, or
+ * filled from only g*) -> NaN. */
 COR_API double cor_contact_duration_s_zero_overlap(const struct cor_sphere_contact *contact, double speed_m_s);
 COR_API double cor_contact_duration_s_zero_force(const struct cor_sphere_contact *contact, double speed_m_s);
 
@@ -152,8 +152,8 @@ COR_API double cor_contact_dissipation_time_s_zero_force(const struct cor_sphere
 
 /* ---- arrays ---- */
 
-/* Set y[i] to the bits of cor_contact_...(contact, speed_m_s[i]), or of the function of speed_m_s[i] and eps[i], for
- * i < n. If n is 0, the array pointers may be NULL. y may be an argument array, but no other overlap is allowed. */
+/* Set y[i] to the bits of the function without _array at speed_m_s[i], or at speed_m_s[i] and eps[i], for i < n. If n
+ * is 0, the array pointers may be NULL. y may be the same array as speed_m_s or eps; other overlaps are not allowed. */
 COR_API void cor_contact_beta_array(const struct cor_sphere_contact *contact, const double *speed_m_s, double *y,
                                     size_t n);
 COR_API void cor_contact_eps_zero_overlap_array(const struct cor_sphere_contact *contact, const double *speed_m_s,
@@ -222,9 +222,10 @@ COR_API double cor_tangential_kappa(double young_modulus_1_pa, double poisson_ra
 
 /* Returns the largest angle of impact, rad, at which spheres stick when they touch: atan((7/2) friction/kappa). The
  * angle is between the velocity of the contact point and the normal. Above this angle they slide from the first
- * instant. Up to it they stick during the approach, and slip during the rebound once the normal force is too small.
- * docs/theory.md, 20, states how much this changes u'/u. With Hertz's force, kappa = 9/2 is the only value without any
- * slip. If the contact remembers its tangential force, not its displacement, use kappa/a in place of kappa.
+ * instant. Up to this angle they stick during the approach, and slip during the rebound once the normal force is too
+ * small. docs/theory.md, 20, has the effect of this slip on the result of cor_tangential_no_slip. With Hertz's force,
+ * kappa = 9/2 is the only value without any slip. If the tangential force is accumulated in increments, not computed
+ * from the displacement, use kappa/a instead of kappa, where a is the exponent of the elastic force.
  * Domain: kappa > 0 and friction >= 0, either may be infinite. Accuracy: COR_CONTACT_MAX_ULP if the error of atan is
  * below 2 ulp and friction/kappa is a normal double.
  * Special values: friction 0 -> 0, +inf -> pi/2; outside the domain, NaN, or both infinite -> NaN. */
@@ -235,8 +236,7 @@ COR_API double cor_tangential_stick_angle(double kappa, double friction);
  * A force F at a point of a large thin plate moves that point with the velocity F/Z, where Z = 8 sqrt(B d_p h) and B =
  * Y_p h^3/(12 (1 - nu_p^2)). Bending waves carry the energy away. A sphere that hits the plate obeys the equation of
  * sphere.h with the dissipation time A = m/Z, and beta = (3/2) lambda with Zener's inelasticity parameter lambda. The
- * plate is at rest when the contact force vanishes, which is at zero overlap. cor_contact_eps_zero_overlap therefore
- * gives the restitution; functions of the zero-force end have no meaning here.
+ * X therefore gives the restitution; functions of the zero-force end have no meaning here.
  * Source: Zener, Phys. Rev. 59, 669 (1941); docs/laws.md. */
 
 struct cor_plate {
@@ -258,8 +258,8 @@ COR_API int cor_plate_contact_init(struct cor_sphere_contact *contact, const str
 /* Returns Zener's lambda = (2/3) beta of a contact at impact speed g, m/s. Special values: as for cor_contact_beta. */
 COR_API double cor_plate_lambda(const struct cor_sphere_contact *contact, double speed_m_s);
 
-/* Return four numbers that show whether the plate theory holds for a filled contact at impact speed g > 0, m/s. They
- * are NaN if the speed is not positive and finite, or if the contact or the plate is not valid. Accuracy:
+/* Return four numbers that show whether the plate theory holds for a filled contact at impact speed g > 0, m/s. The
+ * numbers are NaN if the speed is not positive and finite, or if the contact or the plate is not valid. Accuracy:
  * COR_CONTACT_MAX_ULP + 8.
  *
  * _contact_radius_ratio   the largest contact radius sqrt(R x_max) over h. It must be well below 1.

@@ -44,17 +44,17 @@ extern "C" {
 #endif
 
 /* Bounds on the error of the functions below. COR_DISK_LAW_MAX_ULP is proved (tests/proof/run; docs/theory.md, 18) if
- * log and log1p of the C library are within 1 ulp. It is only sampled, not proved, if the limit of the law exceeds the
- * argument by less than one part in 2^92, which happens for about one nu in 2^39. The other bounds are sampled. The
+ * log and log1p of the C library are within 1 ulp. The proof excludes arguments that are within one part in 2^92 of the
+ * limit of the law, which exist for about one nu in 2^39; there the bound is sampled. The other bounds are sampled. The
  * tests assert all of them; docs/accuracy.md records the worst cases found. Each bound holds for every nu and datum in
  * the whole domain unless it states otherwise. */
 #define COR_DISK_LAW_MAX_ULP 4.0              /* contact law, largest compression and load, limits: ulp */
 #define COR_DISK_CONTACT_TIME_MAX_ERROR 1e-15 /* relative */
-#define COR_DISK_RAYLEIGH_MAX_ERROR 1e-10     /* relative error of a mode's fraction, or */
-#define COR_DISK_RAYLEIGH_MAX_ABSOLUTE 1e-14  /* relative to the sum, where a zero of (68) makes the fraction small */
-/* Relative error of sum plus tail, for any number of modes of the two tables below: the first bound holds for v >=
- * 1e-9, the second for all v. For tables of 1800 modes of other nu the first bound is 1e-5, too; the worst case found,
- * at nu = 0.2, reaches 1.0e-5 (docs/accuracy.md). */
+#define COR_DISK_RAYLEIGH_MAX_ERROR 1e-10     /* relative error of the fraction of one mode */
+#define COR_DISK_RAYLEIGH_MAX_ABSOLUTE 1e-14  /* near a zero of (68): error relative to the sum of all modes */
+/* Bounds on the relative error of fraction + tail of cor_disk_rayleigh, for any number of modes of the two tables
+ * below. The first holds for v >= 1e-9, the second for all v. For tables of 1800 modes of other nu the first bound is
+ * 1e-5, too; the worst case found, at nu = 0.2, reaches 1.0e-5 (docs/accuracy.md). */
 #define COR_DISK_RAYLEIGH_TAIL_MAX_ERROR 1e-5
 #define COR_DISK_RAYLEIGH_TAIL_MAX_ERROR_ANY_SPEED 4e-5
 /* Beyond this speed a collision is too violent for perturbation theory, and cor_disk_rayleigh returns
@@ -132,13 +132,13 @@ COR_API size_t cor_disk_modes_below(double nu, double omega);
 enum cor_disk_datum {
     COR_DISK_DATUM_CENTRE_OF_MASS, /* centre of mass to wall: b = -2 ln 2 - (1 + nu)/4, which (62) to (67) require */
     COR_DISK_DATUM_DIAMETER,       /* far rim to wall: b = -1, which (54) and (55) give */
-    COR_DISK_DATUM_PRINTED         /* b = -1 - nu, as (56) and (57) are printed; no choice of points gives it */
+    COR_DISK_DATUM_PRINTED         /* b = -1 - nu, as (56) and (57) are printed; fits no pair of points */
 };
 
 /* Return the limits of the law. At the load P = 4 pi exp(b - 1), delta stops growing: delta = 4 exp(b - 1) and V = 4 pi
- * exp(2 b - 2). The impact speed sqrt(8) exp(b - 1) leads to this load. Each result is the largest double inside the
- * limit, which the functions below accept. Here and below the result is NaN if nu is outside -1 < nu < 1 or the datum
- * does not exist. */
+ * exp(2 b - 2). The impact speed sqrt(8) exp(b - 1) leads to this load. Each result is the largest double that does not
+ * exceed the limit; the functions below accept it. Here and below the result is NaN if nu is outside -1 < nu < 1 or the
+ * datum does not exist. */
 COR_API double cor_disk_load_limit(double nu, enum cor_disk_datum datum);
 COR_API double cor_disk_compression_limit(double nu, enum cor_disk_datum datum);
 COR_API double cor_disk_energy_limit(double nu, enum cor_disk_datum datum);
@@ -149,7 +149,8 @@ COR_API double cor_disk_speed_limit(double nu, enum cor_disk_datum datum);
  * Domain: 0 up to the limit above. Accuracy: COR_DISK_LAW_MAX_ULP (proved), with the arguments treated as exact.
  * Results below the smallest normal double are rounded to subnormal numbers. 0 -> 0; negative, beyond the limit or
  * NaN -> NaN.
- * Array functions, here and below, give the same numbers as the function of one number. load may equal compression. */
+ * Array functions, here and below, give the same numbers as the function of one number. load and compression may be the
+ * same array. */
 COR_API double cor_disk_load(double compression, double nu, enum cor_disk_datum datum);
 COR_API void cor_disk_load_array(const double *compression, double nu, enum cor_disk_datum datum, double *load,
                                  size_t n);
@@ -200,13 +201,13 @@ COR_API double cor_disk_contact_time_leading_log(double speed);
 struct cor_disk_rayleigh {
     double fraction;       /* sum over the n_modes modes */
     double tail;           /* sum over all higher modes */
-    double error_estimate; /* absolute error of fraction + tail, not of the theory; typically 20 times the error */
-    double contact_time;   /* cor_disk_contact_time, except for the last place */
+    double error_estimate; /* estimated numerical error of fraction + tail; typically 20 times the true one */
+    double contact_time;   /* as from cor_disk_contact_time; the last place may differ */
 };
 
 /* Sums the lowest n_modes of *modes, 1 <= n_modes <= modes->count. mode_fraction is NULL, or receives the n_modes
- * fractions. The tail sums modes n_modes + 1 to 1800 individually, as far as the table has them. Accuracy and cost are
- * therefore the same as for 1800 modes. To use only n_modes modes, pass a table cut to them.
+ * fractions. For the tail, the function also sums modes n_modes + 1 to 1800 of the table one by one. Accuracy and cost
+ * are therefore the same as for n_modes = 1800. To use only n_modes modes, pass a table cut to them.
  * Domain: 0 <= v <= cor_disk_speed_limit(modes->nu, datum). At v = 0 no mode has energy and the contact time is
  * infinite.
  * Accuracy: COR_DISK_RAYLEIGH_MAX_ERROR or _MAX_ABSOLUTE for each mode; COR_DISK_RAYLEIGH_TAIL_MAX_ERROR and
@@ -214,17 +215,17 @@ struct cor_disk_rayleigh {
  * Returns COR_OK, or, with every number set,
  *     COR_BEYOND_THEORY  v > COR_DISK_RAYLEIGH_MAX_SPEED, or fraction + tail > 1, which perturbation theory excludes
  * or, with nothing changed,
- *     COR_ERROR_MODES    the table lacks that number of modes; omega does not grow; omega begins below 1.17, lower than
- *                        in any disk; or an n is not from 0 to COR_DISK_MODES_MAX_N
+ *     COR_ERROR_MODES    the table has fewer than n_modes modes; omega does not grow; omega begins below 1.17, lower
+ *                        than in any disk; or an n is not from 0 to COR_DISK_MODES_MAX_N
  *     COR_ERROR_NULL, COR_ERROR_DATUM, COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_SPEED */
 COR_API int cor_disk_rayleigh(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum,
                               double speed, struct cor_disk_rayleigh *out, double *mode_fraction);
 
 /* Does the same at n speeds with one table: out[i] belongs to speed[i], and mode_fraction[i n_modes + k], if
- * mode_fraction is not NULL, to mode k. The speeds share most of the work. If 2 ln(limit/v) is between the same two
- * powers of 4 for at least 28 speeds, the function interpolates the terms that vary slowly with v. Its results differ
- * from cor_disk_rayleigh by less than the bounds. At one speed they change by less than 1e-12 if the other speeds of
- * the list change. status is NULL, or receives the status of each speed. out[i] is NaN if the speed is out of range.
+ * mode_fraction is not NULL, to mode k. The speeds share most of the work. If at least 28 speeds have 2 ln(limit/v)
+ * between the same two powers of 4, the function interpolates the terms that vary slowly with v. Its results are within
+ * the bounds of cor_disk_rayleigh. The other speeds of the list change the result at a speed by less than 1e-12. status
+ * is NULL, or receives the status of each speed. out[i] is NaN if the speed is out of range.
  * If n is 0, speed and out may be NULL. Callers may divide the speeds among threads.
  * Returns COR_OK, the first status of a speed that is not COR_OK, or, with nothing changed,
  *     COR_ERROR_NULL, COR_ERROR_MODES, COR_ERROR_DATUM, COR_ERROR_DISK_POISSON_RATIO as above, COR_ERROR_MEMORY */
@@ -241,11 +242,11 @@ COR_API int cor_disk_rayleigh_tolerance(const struct cor_disk_modes *modes, enum
 
 /* ---- full dynamics ---- */
 
-/* A head-on collision of a disk of n_modes modes with a wall of potential exp(alpha x)/alpha, (41) to (45). No mode is
- * excited at first. x(phi) = x_0 + cos(phi) + sum Q (C cos(n phi) cos(phi) - S sin(n phi) sin(phi)) is the depth of the
- * rim in the wall at the angle phi, (40). x_0 is the position of the centre of mass. The wall pushes with the force
- * exp(alpha x) per unit length of the rim. The rim of a disk that kept its shape and speed would be at x = 0 at
- * time 0. */
+/* A head-on collision of a disk of n_modes modes with a wall of potential exp(alpha x)/alpha, (41) to (45). Before the
+ * collision all amplitudes Q are 0. x(phi) = x_0 + cos(phi) + sum Q (C cos(n phi) cos(phi) - S sin(n phi) sin(phi)) is
+ * the depth of the rim in the wall at the angle phi, (40). x_0 is the position of the centre of mass. The wall pushes
+ * with the force exp(alpha x) per unit length of the rim. At time 0 a disk that kept its shape and speed would touch x
+ * = 0. */
 
 /* Above this speed the disk is far outside linear elasticity. */
 #define COR_DISK_COLLISION_MAX_SPEED 0.5
@@ -254,7 +255,7 @@ COR_API int cor_disk_rayleigh_tolerance(const struct cor_disk_modes *modes, enum
 #define COR_DISK_COLLISION_MAX_ALPHA 1e5
 #define COR_DISK_COLLISION_MIN_TOLERANCE 1e-13
 #define COR_DISK_COLLISION_MAX_PHI_POINTS 16384
-/* Bytes of workspace for n up to COR_DISK_MODES_MAX_N; each mode needs 200 more */
+/* Bound on a workspace in bytes, for n up to COR_DISK_MODES_MAX_N: this number plus 200 for each mode */
 #define COR_DISK_COLLISION_MAX_WORKSPACE 1.3e9
 /* Largest number of steps of one run. A contact that lasts longer returns COR_CONTACT_NOT_ENDED. */
 #define COR_DISK_COLLISION_MAX_STEPS 1000000
@@ -262,8 +263,8 @@ COR_API int cor_disk_rayleigh_tolerance(const struct cor_disk_modes *modes, enum
 struct cor_disk_collision_options {
     double alpha;      /* hardness of the wall, in 1/R, COR_DISK_COLLISION_MIN_ALPHA to _MAX_ALPHA */
     double tolerance;  /* absolute error allowed in eps, from COR_DISK_COLLISION_MIN_TOLERANCE to below 1 */
-    size_t phi_points; /* angles between 0 and pi/2 for the wall's force; 0: the number that the tolerance needs */
-    /* steps of all runs together; 0: a fixed number of operations, which a processor of 2.6 GHz does in 5 to 10 s */
+    size_t phi_points; /* angles between 0 and pi/2 at which the wall's force is computed; 0: as the tolerance needs */
+    /* budget of steps for all runs together; 0: a fixed number of operations, which take 5 to 10 s at 2.6 GHz */
     size_t max_steps;
 };
 
@@ -282,15 +283,15 @@ struct cor_disk_collision {
  *
  * error_estimate is the sum of four parts: the remainder of the extrapolation, the quadrature over the rim, round-off,
  * and the wall's force before and after the contact. The last three are multiplied by the amplification of errors by
- * the collision. The amplification is bounded from the runs, or measured by a run with v changed by 2^-40. If the error
- * of the quadrature may exceed a tenth of the tolerance, a run with angles shifted by half their distance measures its
- * effect on eps. Accuracy is sampled in 8640 random scenes of 1 to 60 modes of nu = 0.33 and 0.9 (alpha 200 to 8000, v
- * 0.003 to 0.3, tolerances 1e-3 to 1e-11). Another 8640 scenes have 10 to 1800 modes (alpha 100 to 8000, v 0.003 to
- * 0.45, tolerances 1e-2 to 1e-6). Where the status is COR_OK the error is at most 0.86 of the tolerance. In 6 scenes it
- * exceeds error_estimate, by at most 3.7 times: docs/theory-disks.md, 15. Near chaos, the effect of round-off may
- * exceed a small tolerance; for tolerances below 1e-12 it mostly does. one_minus_eps2 is as accurate as eps.
- * contact_time and max_compression, which are measured during the contact, are less accurate. energy_drift is eps^2 +
- * one_minus_eps2 - 1. Equal arguments give equal bits on every instruction set.
+ * the collision. The amplification is estimated from the runs, or measured by a run with v changed by a relative 2^-40.
+ * If the error of the quadrature may exceed a tenth of the tolerance, a run with angles shifted by half their distance
+ * measures the effect of this error on eps. Accuracy is sampled in 8640 random scenes of 1 to 60 modes of nu = 0.33 and
+ * 0.9 (alpha 200 to 8000, v 0.003 to 0.3, tolerances 1e-3 to 1e-11). Another 8640 scenes have 10 to 1800 modes (alpha
+ * 100 to 8000, v 0.003 to 0.45, tolerances 1e-2 to 1e-6). Where the status is COR_OK the error is at most 0.86 of the
+ * tolerance. In 6 scenes the error exceeds error_estimate, by a factor of at most 3.7: docs/theory-disks.md, 15. Near
+ * chaos, round-off may prevent a small tolerance from being reached; below 1e-12 it mostly does. one_minus_eps2 is as
+ * accurate as eps. contact_time and max_compression are less accurate. energy_drift is eps^2 + one_minus_eps2 - 1.
+ * Equal arguments give equal bits on every instruction set.
  *
  * Returns COR_OK if error_estimate is at most the tolerance. It returns, with the best numbers and their
  * error_estimate,
@@ -302,7 +303,7 @@ struct cor_disk_collision {
  *                                budget: a very slow disk, a very hard or soft wall, or a disk whose vibrations take
  *                                all its energy
  * or, with nothing changed,
- *     COR_ERROR_MODES            the table lacks that number of modes, omega does not grow, an entry is not a number,
+ *     COR_ERROR_MODES            the table has fewer than n_modes modes, omega does not grow, an entry is not a number,
  *                                or an n is not from 0 to COR_DISK_MODES_MAX_N
  *     COR_ERROR_SPEED            the speed is too high or NaN
  *     COR_ERROR_NULL, COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_TOLERANCE, COR_ERROR_ALPHA, COR_ERROR_PHI_POINTS,
@@ -343,9 +344,10 @@ struct cor_disk_collision_detail {
     double *q, *q_dot;
 };
 
-/* cor_disk_collision_in computes the same in a workspace of the caller, for many collisions, and sets *detail, which
- * may be NULL. cor_disk_collision_workspace returns the number of bytes that suffice for a workspace at any address, or
- * 0 if an argument is outside its domain. The number grows with alpha, with n_modes and with a smaller tolerance. */
+/* cor_disk_collision_in computes the same as cor_disk_collision in a workspace of the caller, which many calls may
+ * reuse, and sets *detail, which may be NULL. cor_disk_collision_workspace returns the number of bytes that suffice for
+ * a workspace at any address, or 0 if an argument is outside its domain. The number grows with alpha, with n_modes and
+ * with a smaller tolerance. */
 COR_API size_t cor_disk_collision_workspace(const struct cor_disk_modes *modes, size_t n_modes,
                                             const struct cor_disk_collision_options *options);
 /* Returns a status as above, or COR_ERROR_WORKSPACE if the workspace is too small. It allocates nothing. */
@@ -358,10 +360,11 @@ COR_API int cor_disk_collision_in(void *workspace, size_t bytes, const struct co
 /* A collision of a disk with all its modes at a rigid wall: the limit of cor_disk_collision for alpha -> infinity and
  * n_modes -> infinity, computed directly. docs/theory-disks.md, 17.
  *
- * Modes below a frequency Omega move, with a weight that decreases smoothly to 0 at Omega. The rest of the static
- * compliance, which is known for all modes, acts at once. The wall is rigid. L = 1 - eps^2 then tends to its limit like
- * Omega^-2. The function extrapolates a sequence of levels Omega, each sqrt(2) times the previous one. Below
- * COR_DISK_HARD_WALL_POINT_SPEED the contact is a point with one equation for the load, which allows any speed. */
+ * Modes below a frequency Omega vibrate, with a weight that decreases smoothly to 0 at Omega. All other compliance
+ * follows the load without inertia; it is the known static compliance of all modes less the part of the vibrating
+ * modes. For Omega -> infinity, 1 - eps^2 tends to its limit like Omega^-2. The function extrapolates from a sequence
+ * of Omega, called levels, each sqrt(2) times the previous one. Below COR_DISK_HARD_WALL_POINT_SPEED the contact is a
+ * point with one equation for the load, however small v is. */
 #define COR_DISK_HARD_WALL_MAX_SPEED 0.5
 #define COR_DISK_HARD_WALL_POINT_SPEED 1e-7
 #define COR_DISK_HARD_WALL_MIN_TOLERANCE 1e-7
@@ -371,32 +374,33 @@ COR_API int cor_disk_collision_in(void *workspace, size_t bytes, const struct co
 
 struct cor_disk_hard_wall_options {
     double tolerance; /* allowed absolute error of 1 - eps^2, from COR_DISK_HARD_WALL_MIN_TOLERANCE to below 1 */
-    size_t max_steps; /* steps of all levels together; 0: a fixed number of operations as above, including modes */
+    size_t max_steps; /* budget of steps for all levels together; 0: of operations, as above, including the modes' */
 };
 
 struct cor_disk_hard_wall {
     double one_minus_eps2;  /* energy left in the modes, as a fraction of (pi/2) v^2 */
     double eps;             /* speed after over speed before */
-    double contact_time;    /* from the first to the last touch, at the highest level */
+    double contact_time;    /* from the first to the last touch, computed with the largest Omega */
     double max_compression; /* largest x_0 + 1 */
     double error_estimate;  /* absolute error of one_minus_eps2 */
     size_t omega_levels;    /* number of computed levels of Omega */
 };
 
-/* Computes levels until error_estimate is below the tolerance, or the lowest n_modes modes or the budget do not suffice
- * for one more. A level needs all modes below its Omega, whose number cor_disk_modes_below returns. Two levels are the
- * minimum. 1800 modes suffice for five levels (Omega = 60), with an error of about 1e-4.
+/* Computes levels until error_estimate is at most the tolerance. Stops earlier if the lowest n_modes modes, or the
+ * budget, do not suffice for one more level. A level needs all modes below its Omega, whose number cor_disk_modes_below
+ * returns. A result needs two levels, COR_OK five. 1800 modes suffice for five levels (Omega = 60), with an error of
+ * about 1e-4.
  * Domain: 0 < v <= COR_DISK_HARD_WALL_MAX_SPEED, without a lower limit. Equal arguments give equal bits on every
  * instruction set.
  * Returns COR_OK, or, with the best numbers,
- *     COR_TOLERANCE_NOT_REACHED  the modes or the budget end before error_estimate is below the tolerance
+ *     COR_TOLERANCE_NOT_REACHED  the modes or the budget do not suffice for five levels and the tolerance
  * or, with NaN for unknown results,
  *     COR_WALL_NOT_TOUCHED       v <= 0: the disk does not reach the wall
- *     COR_CONTACT_NOT_ENDED      the vibrations of the disk keep nearly all its energy, or the budget ends before two
- *                                levels
- *     COR_ERROR_MODES            the modes leave a compliance that no disk has: numbers in the table are wrong
+ *     COR_CONTACT_NOT_ENDED      the vibrations of the disk keep nearly all its energy, or the budget does not suffice
+ *                                for two levels
+ *     COR_ERROR_MODES            numbers in the table are wrong: the compliance computed from them is not positive
  * or, with nothing changed,
- *     COR_ERROR_MODES            the table lacks that number of modes or has too few for two levels; omega
+ *     COR_ERROR_MODES            the table has fewer than n_modes modes, or n_modes is too small for two levels; omega
  *                                does not grow; an entry is not a number; or an n is not from 0 to
  *                                COR_DISK_MODES_MAX_N, or to 2047 for a mode that moves
  *     COR_ERROR_SPEED            the speed is too high or NaN
@@ -405,8 +409,9 @@ COR_API int cor_disk_hard_wall(const struct cor_disk_modes *modes, size_t n_mode
                                const struct cor_disk_hard_wall_options *options, double speed,
                                struct cor_disk_hard_wall *out);
 
-/* Does the same for any nu, -1 < nu < 1, without a table. The function computes the modes that the tolerance needs by
- * cor_disk_modes_compute, up to COR_DISK_HARD_WALL_MAX_LEVELS. For many speeds a table is faster. */
+/* Does the same as cor_disk_hard_wall for any nu, -1 < nu < 1, without a table. The function computes the modes that
+ * the tolerance needs by cor_disk_modes_compute, up to COR_DISK_HARD_WALL_MAX_LEVELS. For many speeds a table is
+ * faster. */
 COR_API int cor_disk_hard_wall_nu(double nu, const struct cor_disk_hard_wall_options *options, double speed,
                                   struct cor_disk_hard_wall *out);
 
@@ -416,11 +421,11 @@ struct cor_disk_hard_wall_moment {
     double position;      /* x_0; the compression is x_0 + 1 */
     double velocity;      /* of the centre of mass, positive towards the wall */
     double load;          /* force of the wall */
-    double contact_angle; /* largest angle in contact; also 0 in a point contact */
+    double contact_angle; /* largest angle in contact; 0 in a point contact, and without contact */
 };
 
-/* Optional results, all of the highest level. Every pointer may be NULL. Arrays have n_modes elements in the order of
- * the table, 0 for modes above Omega. */
+/* Optional results, all from the level with the largest Omega. Every pointer may be NULL. Arrays have n_modes elements
+ * in the order of the table, 0 for modes above Omega. */
 struct cor_disk_hard_wall_detail {
     double *energy_after;   /* energy left in each mode, as a fraction of (pi/2) v^2 */
     double *energy_average; /* mean of this energy over the contact time, in the same unit */
@@ -431,9 +436,9 @@ struct cor_disk_hard_wall_detail {
     double *q, *q_dot;
 };
 
-/* cor_disk_hard_wall_in computes the same in a workspace of the caller, and sets *detail, which may be NULL.
- * cor_disk_hard_wall_workspace returns the number of bytes that suffice for a workspace at any address, or 0 if
- * cor_disk_hard_wall_in would return COR_ERROR_... for these arguments. */
+/* cor_disk_hard_wall_in computes the same as cor_disk_hard_wall in a workspace of the caller, and sets *detail, which
+ * may be NULL. cor_disk_hard_wall_workspace returns the number of bytes that suffice for a workspace at any address, or
+ * 0 if cor_disk_hard_wall_in would return COR_ERROR_... for these arguments. */
 COR_API size_t cor_disk_hard_wall_workspace(const struct cor_disk_modes *modes, size_t n_modes,
                                             const struct cor_disk_hard_wall_options *options, double speed);
 /* Returns a status as above, or COR_ERROR_WORKSPACE if the workspace is too small. It allocates nothing. */
@@ -448,14 +453,14 @@ COR_API int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct co
  * polynomials are continuous across the borders of the table's cells. A call takes 14 ns (measured; docs/speed).
  *     one_minus_eps2               energy left in the modes, as a fraction of (pi/2) v^2
  *     one_minus_eps2_uncertainty   1.5 times the largest error of the polynomial seen between the points of its cell,
- *                                  combined with the error estimates of the collisions: an estimate, not a bound.
- *                                  Near smaller cells it blends into their value. The error did not exceed it at 600
+ *                                  combined with the error estimates of the collisions: an estimate, not a bound. Near
+ *                                  smaller cells it approaches their uncertainty. The error did not exceed it at 600
  *                                  random points off the grid and 400 on and near borders of cells
  *                                  (tests/unit/test_disk_eps.c). It is at most COR_DISK_EPS_MAX_UNCERTAINTY for
  *                                  v <= COR_DISK_EPS_CALM_SPEED, and at most COR_DISK_EPS_MAX_UNCERTAINTY_FAST beyond
  *     eps, eps_uncertainty         the same for eps; eps_array gives the same numbers for many speeds
  * The functions are continuous: where v differs by 2e-13 v, or nu by 2e-13, 1 - eps^2 and eps differ by at most
- * COR_DISK_EPS_MAX_JUMP (sampled at 24 10^6 places on borders). The uncertainty may jump.
+ * COR_DISK_EPS_MAX_JUMP (sampled at 24 million places on borders). The uncertainty may jump.
  * Domain: the speeds and Poisson's ratios below, ends included. Outside the domain, and for NaN, the result is NaN.
  * Beyond nu = COR_DISK_EPS_MAX_NU, 1 - eps^2 has too many kinks for a table of this size. For other speeds and nu, and
  * for smaller errors, call cor_disk_hard_wall_nu; for softer walls call cor_disk_collision. */

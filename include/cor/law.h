@@ -39,7 +39,7 @@
 extern "C" {
 #endif
 
-/* Bytes of stack; 17.9 kB are measured in an optimised build, libm included. */
+/* Bound on the stack of every function, in bytes. Measured in an optimised build, libm included: 17.9 kB. */
 #define COR_LAW_MAX_STACK 24576
 
 /* ---- The table of functions ---- */
@@ -52,7 +52,7 @@ enum cor_law {
     COR_LAW_HERTZ_DASHPOT,   /* 3/2, 0 */
     COR_LAW_PLATE,           /* a sphere on Zener's plate: a = 3/2, b = 1/2, only the end zero overlap */
     COR_LAW_ELASTIC_PLASTIC, /* spheres that yield: a = 3/2, without damping */
-    /* only in simulators */
+    /* used only by simulators */
     COR_LAW_LINEAR_ROOT, /* a linear spring, a dashpot x^(1/2): a = 1, b = 1/2 */
     COR_LAW_IMPULSE,     /* no force: the rebound speed is e times the impact speed, and the damping is 1 - e */
     COR_LAWS
@@ -67,7 +67,7 @@ struct cor_exponents {
 enum cor_end {
     COR_END_ZERO_OVERLAP,
     COR_END_ZERO_FORCE,
-    /* only in simulators */
+    /* used only by simulators */
     COR_END_LIMITED,       /* the damping force is limited to the spring force */
     COR_END_APPROACH_ONLY, /* damped only while the bodies approach */
     COR_END_INSTANT,       /* an impulse, which takes no time */
@@ -97,9 +97,8 @@ struct cor_law_function {
     double max_ulp; /* bound on the error of value and array, in units of the last place of the exact value */
 };
 
-/* Returns the function, or NULL for a combination that does not exist or an argument that is not in its enum. Look it
- * up once and call it often. */
-#if defined(__cplusplus) && defined(__GNUC__) /* g++ -Wshadow: the function has the name of a constructor */
+/* Returns the function, or NULL for a combination that does not exist or an argument that is not in its enum. */
+#if defined(__cplusplus) && defined(__GNUC__) /* g++ -Wshadow warns that the function has the name of a struct */
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wshadow"
 #endif
@@ -132,7 +131,7 @@ COR_API const char *cor_quantity_name(enum cor_quantity quantity);
  * docs/accuracy.md records the worst cases found. In all laws:
  *
  *     COR_EPS              from one double to the next, eps never rises by more than two units of its last place
- *     COR_LOSS             1 - eps with relative accuracy, also where a subtraction would cancel
+ *     COR_LOSS             1 - eps with relative accuracy, without the cancellation of a subtraction
  *     COR_DAMPING_OF_EPS   the smallest damping that has this eps, with the given double treated as exact. Near eps = 1
  *                          one unit of its last place changes the damping much; use COR_DAMPING_OF_LOSS there
  *     COR_MAX_OVERLAP,     equal at the ends zero overlap, zero force and approach only; absent for the limited end
@@ -167,8 +166,8 @@ COR_API const char *cor_quantity_name(enum cor_quantity quantity);
  * Hunt and Crossley's law, F = F_el(x) (1 + d x'): for every elastic force F_el(x), eps depends only on beta = d g. The
  * ends zero overlap and zero force coincide. With f(z) = z - ln(1 + z), eps is the solution of f(-beta eps) = f(beta);
  * with damping during the approach only, eps is sqrt(2 f(beta))/beta. In the range -1 < beta < 0 the force adds energy,
- * eps is above 1 and the loss negative. The largest overlap and the times are for F_el = K x^(3/2), the times only for
- * beta >= 0. Large beta: eps tends to 1/beta, or to sqrt(2/beta) with damping during the approach only.
+ * eps is above 1 and the loss negative. The largest overlap and the times are those for F_el = K x^(3/2); the times
+ * need beta >= 0. Large beta: eps tends to 1/beta, or to sqrt(2/beta) with damping during the approach only.
  * Source: docs/laws.md; Hunt and Crossley, J. Appl. Mech. 42, 440 (1975), for the law.
  *
  * Hertz's contact with a constant dashpot (a = 3/2, b = 0): beta = C m^(-3/5) K^(-2/5) g^(-1/5), so slow impacts are
@@ -227,8 +226,8 @@ COR_API void cor_hunt_crossley_time_of_max_overlap_array(const double *beta, dou
  *
  *     u'/u = cos(pi sqrt((a - 1)^2 + 8 (a + 1) kappa)/(2 (a + 1)))/cos(pi (a - 1)/(2 (a + 1)))
  *
- * -1 is a full reversal, 1 means no change. This formula also holds if the contact remembers its tangential force
- * instead of its displacement: f' = kappa x^(a-1) s'. Friction is assumed to be strong enough;
+ * -1 is a full reversal, 1 means no change. This formula also holds if the tangential force f is accumulated in
+ * increments, f' = kappa x^(a-1) s', instead of computed from s. Friction is assumed to be strong enough;
  * cor_tangential_stick_angle gives the limit.
  * Domain: 0 <= kappa <= COR_NO_SLIP_MAX_KAPPA, COR_NO_SLIP_MIN_EXPONENT <= a <= COR_NO_SLIP_MAX_EXPONENT.
  * Accuracy: COR_NO_SLIP_MAX_ULP, also next to the zeros of the cosine; proved in runtime/law/tangential.c, sampled in

@@ -33,7 +33,7 @@ extern "C" {
 
 extern const struct cor_exponents cor_law_exponents[COR_LAW_IMPULSE]; /* by enum cor_law */
 
-enum { COR_SCENE_ENDS = 2 };                      /* zero overlap, and zero force or the surface */
+enum { COR_SCENE_ENDS = 2 };                      /* 0: zero overlap. 1: zero force or the surface */
 extern const char *const cor_end_names[COR_ENDS]; /* "zero overlap" */
 
 /* Return eps for a damping parameter, and the damping parameter for an eps, of the laws with closed forms: linear and
@@ -45,7 +45,8 @@ double cor_law_damping(enum cor_law law, enum cor_end end, double eps);
 /* Returns the largest value of x^a + beta x^b x' during the collision x'' + beta x^b x' + x^a = 0, x(0) = 0, x'(0) = 1.
  * The argument is zeta if q = 0, otherwise beta. In SI units the largest force is m g/T times this number, where T is
  * the unit of time. For q = 0 and for a = b the result is a closed form. Otherwise Taylor series integrate the motion
- * up to the largest overlap. If the spring is too weak to matter, the result is the limit of strong damping.
+ * up to the largest overlap. For damping so strong that the spring is negligible, the result is its limit for beta ->
+ * infinity.
  * Accuracy: COR_LAW_FORCE_MAX_ERROR, relative; sampled in tests/unit/test_scene_force.c and tests/gen/test_contact.c.
  * Special values: damping negative, infinite or NaN, or above 1e100 (q = 0) or 1e280 (a = b) -> NaN. */
 #define COR_LAW_FORCE_MAX_ERROR 1e-12
@@ -55,9 +56,9 @@ double cor_law_force_max(const struct cor_exponents *exponents, double damping);
 
 /* Return, for elastic-plastic spheres (Thornton 1997): eps at x = v/v_y, the impact speed over the yield speed; 1 - eps
  * at x; x for an eps. With r = 1/x and t = r sqrt(5/(6 - r^2)): eps^4 = 108 t/((t + 2) (t^2 + 5)^2). eps = 1 for x <=
- * 1. Accuracy: units in the last place. The bound for eps counts roundings (docs/theory.md, 21); the others are sampled
- * in tests/unit/test_scene_plastic.c. Special values: x = +inf -> eps 0; x negative or NaN, eps not in [0, 1] -> NaN;
- * eps = 0 -> x = +inf. An x too large for a double is +inf, too. */
+ * 1. The bounds below are in units in the last place. The bound for eps counts roundings (docs/theory.md, 21); the
+ * others are sampled in tests/unit/test_scene_plastic.c. Special values: x = +inf -> eps 0; x negative or NaN, eps not
+ * in [0, 1] -> NaN; eps = 0 -> x = +inf. An x too large for a double is +inf, too. */
 #define COR_ELASTIC_PLASTIC_EPS_MAX_ULP 4.5
 #define COR_ELASTIC_PLASTIC_LOSS_MAX_ULP 12.0
 #define COR_ELASTIC_PLASTIC_SPEED_RATIO_MAX_ULP 16.0
@@ -86,8 +87,8 @@ double cor_wet_eps(double eps, double speed_m_s, double liquid_speed_m_s);
 struct cor_scaled_impact {
     double eps[COR_SCENE_ENDS], duration[COR_SCENE_ENDS], max_overlap;
 };
-/* Solves the collision of a law that libcor has no functions for, with beta > 0. Sets everything if `end` is
- * COR_BOTH_ENDS, otherwise at least eps of that end. Returns 0, or a negative number, which the functions below then
+/* Solves the collision of a law that libcor has no functions for, with beta > 0. Sets all members of *impact if `end`
+ * is COR_BOTH_ENDS, otherwise at least eps of that end. Returns 0, or a negative number, which the functions below then
  * return. */
 typedef int cor_scene_solver(struct cor_scaled_impact *impact, const struct cor_exponents *law, double beta, int end);
 
@@ -109,7 +110,7 @@ struct cor_scene_contact {
 };
 
 double cor_scene_speed_exponent(const struct cor_scene_contact *contact); /* q */
-/* The first returns 1 if the contact can end in this way, the second if eps depends on the end. */
+/* cor_scene_has_end returns 1 if the contact can end in this way, cor_scene_ends_differ if eps depends on the end. */
 int cor_scene_has_end(const struct cor_scene_contact *contact, int end);
 int cor_scene_ends_differ(const struct cor_scene_contact *contact);
 /* Returns the name of end 0 or 1 of a contact, as in the columns of corgen: "zero_overlap" and "zero_force". Under a
@@ -126,9 +127,9 @@ struct cor_scene_impact {
     double beta, eps[COR_SCENE_ENDS], duration_s[COR_SCENE_ENDS], max_overlap_m;
 };
 
-/* Compute, at a speed above 0, m/s: the impact; only its eps at one end; the largest force between the bodies, N. The
- * force includes damping and is integrated for some laws. Accuracy: COR_SCENE_MAX_ERROR. The first two return COR_OK,
- * COR_FAULT_RANGE, COR_FAULT_SOLVER, COR_FAULT_PRESSED, or the result of the solver. */
+/* Compute, at a speed above 0, m/s: the impact; only its eps at one end; the largest force between the bodies with
+ * damping, N. Accuracy: COR_SCENE_MAX_ERROR. The first two return COR_OK, COR_FAULT_RANGE, COR_FAULT_SOLVER,
+ * COR_FAULT_PRESSED, or the result of the solver. */
 int cor_scene_impact(struct cor_scene_impact *impact, const struct cor_scene_contact *contact, double speed_m_s);
 int cor_scene_eps(double *eps_at_end, const struct cor_scene_contact *contact, double speed_m_s, int end);
 double cor_scene_force_max_n(const struct cor_scene_contact *contact, double speed_m_s);
@@ -171,16 +172,18 @@ int cor_scene_tangential(double *stiffness_n_m, double *damping_n_s_m, const str
  * For every law eps is then a function of the speed, and no solver is needed. The two ends are:
  *
  * - COR_END_ZERO_OVERLAP: the contact ends at x = 0.
- * - COR_END_ZERO_FORCE, the surface: the contact ends where its force vanishes, at an overlap x_f with the outward
- *   speed v_f. The bodies then fly against force_n to x = 0 and arrive with (v_f^2 - 2 force_n x_f/m)^(1/2). eps is
- *   this speed over the impact speed. The duration includes the flight. For b >= a the two ends are the same.
+ * - COR_END_ZERO_FORCE, the surface: the contact ends where the force of spring and damper vanishes, at an overlap x_f
+ *   with the outward speed v_f. The bodies then fly against force_n to x = 0 and arrive with (v_f^2 - 2 force_n
+ *   x_f/m)^(1/2). eps is this speed over the impact speed. The duration includes the flight. For b >= a the two ends
+ *   are the same.
  *
  * Each end has a sticking speed. Up to this speed the bodies come to rest in contact: eps is 0 and the duration
- * infinite (docs/theory.md, 24). The largest force does not include force_n. Accuracy: COR_SCENE_PRESSED_ERROR:
- * absolute for eps^2; relative for durations while eps > 0.01, for overlap and for force. Sampled against proved
- * enclosures in tests/gen/test_contact.c, with force_n up to 1e12 in units of m g/T. cor_scene_sticking_speed returns
- * the sticking speed in m/s. It is 0 without force or damping, and infinite if the bodies stick at every speed up to
- * 1e9 times sqrt(m) (force_n^(a+1)/K)^(1/(2 a))/m. In a liquid, eps is 0 below this speed. */
+ * infinite (docs/theory.md, 24). The largest force does not include force_n. Accuracy: COR_SCENE_PRESSED_ERROR bounds
+ * the absolute error of eps^2 and the relative errors of overlap, of force, and, while eps > 0.01, of durations.
+ * Sampled against proved enclosures in tests/gen/test_contact.c, with force_n up to 1e12 in units of m g/T.
+ * cor_scene_sticking_speed returns the sticking speed in m/s. It is 0 without force or damping, and infinite if the
+ * bodies stick at every speed up to 1e9 times sqrt(m) (force_n^(a+1)/K)^(1/(2 a))/m. In a liquid, eps is 0 below this
+ * speed. */
 #define COR_SCENE_PRESSED_ERROR 1e-12
 double cor_scene_sticking_speed(const struct cor_scene_contact *contact, int end);
 
@@ -209,7 +212,7 @@ extern const char *const cor_integrator_names[COR_INTEGRATORS + 1]; /* "verlet-h
 /* Returns the elastic duration (without damping) at this speed, s. Time steps are counted per elastic duration. */
 double cor_scene_elastic_duration_s(const struct cor_scene_contact *contact, double speed_m_s);
 #define COR_SCENE_STEPS_MIN 2.0
-#define COR_SCENE_STEPS_MIN_IMPLICIT 1e-6 /* for COR_IMPLICIT_EULER, whose contacts may last for one step */
+#define COR_SCENE_STEPS_MIN_IMPLICIT 1e-6 /* the minimum for COR_IMPLICIT_EULER, whose contacts may last for one step */
 #define COR_SCENE_STEPS_MAX 1e6
 
 /* The realised eps of a simulator minus the exact eps, over all phases of the first step. The phase is the time from
@@ -228,8 +231,8 @@ struct cor_step_error {
  * some phases. The function finds these phases and integrates between them. It takes 9 to 22 microseconds at 12 steps
  * without a force. eps = 0 for bodies that would part with less than 1e-8 of the impact speed, and for bodies that
  * stick under the force. Accuracy: bias and scatter are off by at most COR_SCENE_STEP_ERROR of the scatter where eps is
- * above 1e-6; sampled in tests/unit/test_scene_step.c. Below 5 steps, bodies that part at few phases can be missed.
- * Returns COR_OK, the result of cor_scene_eps, or COR_FAULT_STEP if
+ * above 1e-6; sampled in tests/unit/test_scene_step.c. Below 5 steps, a small range of phases in which the bodies part
+ * can be missed. Returns COR_OK, the result of cor_scene_eps, or COR_FAULT_STEP if
  *   - steps, end or integrator are outside their range,
  *   - the constant force changes the speed in a step by more than twice the impact speed,
  *   - the bodies yield, adhere as in JKR, or are in a liquid,
@@ -239,11 +242,11 @@ struct cor_step_error {
 int cor_scene_step_error(struct cor_step_error *error, const struct cor_scene_contact *contact, double speed_m_s,
                          int end, double steps, int integrator);
 
-/* Finds, to 0.1 % or one step, the least number of steps in an elastic duration above which |bias| and scatter stay
- * within the tolerance. The function scans numbers of steps from 2 upwards by factors of 1.2, up to four times the last
- * number that failed. For each of these numbers it tests eight values within one step above the number. Between tested
- * values the scatter may exceed the tolerance by a tenth. Returns COR_FAULT_STEP also if the scan would need more than
- * 1e6 steps. */
+/* Finds the least number of steps in an elastic duration above which |bias| and scatter stay within the tolerance, to
+ * within 0.1 % or one step. The function scans numbers n of steps from the least allowed one upwards by factors of 1.2,
+ * up to four times the last n that failed. For each n it tests eight values from n to n + 1. Between tested values the
+ * scatter may exceed the tolerance by a tenth. Returns COR_FAULT_STEP also if the scan would need more than 1e6
+ * steps. */
 int cor_scene_step_for(double *least_steps, const struct cor_scene_contact *contact, double speed_m_s, int end,
                        double tolerance, int integrator);
 
@@ -254,20 +257,20 @@ int cor_scene_step_corrected(struct cor_scene_contact *corrected, const struct c
 
 /* ---- oblique impacts ---- */
 
-/* The memory of a tangential spring k x^p. s is the displacement of the contact point since the first touch. */
+/* The rule of a tangential spring k x^p. s is the displacement of the contact point since the first touch. */
 enum cor_tangential_memory {
     COR_REMEMBERS_DISPLACEMENT,          /* the force is k x^p s */
     COR_REMEMBERS_FORCE,                 /* the force is the integral of k x^p ds */
-    COR_REMEMBERS_DISPLACEMENT_RESCALED, /* likewise, but s shrinks with the contact radius x^(1/2) on the way back */
-    COR_REMEMBERS_FORCE_RESCALED,        /* likewise, but the force shrinks with that radius; rescaled: p = a - 1 */
+    COR_REMEMBERS_DISPLACEMENT_RESCALED, /* k x^p s, but s shrinks like the contact radius x^(1/2) on the way back */
+    COR_REMEMBERS_FORCE_RESCALED,        /* the integral, but it shrinks like that radius; both RESCALED: p = a - 1 */
     COR_REMEMBERS_NOTHING,               /* no spring: only a damper acts */
     COR_TANGENTIAL_MEMORIES
 };
 
 /* A tangential force in the units of the collision at its speed (mass m, stiffness K, speed g, length L). The contact
  * point of solid spheres has 2/7 of the effective mass. The stiffness k x^p has kappa = (7/2) (k/K) L^(p-a+1). p is a -
- * 1, or 0 if constant_stiffness; then kappa depends on the speed. A damper C_t x^b next to the normal damper C x^b has
- * damping = (7/2) C_t/C beta. damper_in_cap: friction limits the sum of spring and damper (LAMMPS, MercuryDPM);
+ * 1. If constant_stiffness is true, p is 0 and kappa depends on the speed. A damper C_t x^b next to the normal damper C
+ * x^b has damping = (7/2) C_t/C beta. damper_in_cap: friction limits the sum of spring and damper (LAMMPS, MercuryDPM);
  * otherwise it limits the spring, and the damper acts only while the contact sticks (LIGGGHTS, YADE). */
 struct cor_tangential {
     int memory; /* enum cor_tangential_memory */
@@ -310,23 +313,24 @@ int cor_scene_tangential_scaled(struct cor_tangential *tangential, const struct 
 
 /* An oblique impact. restitution: u'/u, the velocity of the contact point along the surface after over before (the
  * tangential restitution coefficient of the literature is -u'/u). rebound_tangent: tangent of the rebound angle,
- * u'/(eps g). impulse: tangential impulse over m g. regime: a sum of enum cor_oblique_regime. time_step_s: a time step
- * with which a simulation gives u'/u within COR_OBLIQUE_STEP_ERROR, if a damper in the cap fills it at the first touch;
- * otherwise infinite. The step is an estimate. */
+ * u'/(eps g). impulse: tangential impulse over m g. regime: a sum of enum cor_oblique_regime. time_step_s: an estimate
+ * of the time step with which a simulation gives u'/u within COR_OBLIQUE_STEP_ERROR. It is infinite unless
+ * damper_in_cap is true and the damping force exceeds the friction limit at the first touch. */
 enum cor_oblique_regime { COR_OBLIQUE_STICKS = 1, COR_OBLIQUE_SLIPS = 2 };
 struct cor_oblique_impact {
     double restitution, eps, rebound_tangent, impulse, time_step_s;
     int regime;
 };
 
-/* Computes the impact of two solid spheres, or of a sphere on a wall. friction: the coefficient. The normal speed is g,
- * the tangential speed g times `tangent`. Friction limits the force to `friction` times the absolute normal force of
- * spring and damper, which can be negative before the end of zero overlap. For tangent = 0 the result is the limit of
- * small angles. The contact may have any power law and a constant force; the result is NaN if the bodies do not part,
- * with eps 0. Taylor series follow the motion between slip and stick, in 20 to 80 microseconds. Accuracy:
- * COR_OBLIQUE_ERROR, absolute, of u'/u while 1e-6 <= tangent/friction and eps >= 1e-3; sampled in
- * tests/unit/test_scene_oblique.c. Returns COR_OK; COR_FAULT_RANGE for numbers that are out of range and for plates,
- * yield, liquids and JKR; COR_FAULT_PRESSED if the motion takes too many steps. */
+/* Computes the impact of two solid spheres, or of a sphere on a wall. friction: the coefficient. The normal speed is
+ * speed_m_s, the tangential speed `tangent` times as high. Friction limits the tangential force to `friction` times the
+ * absolute value of the normal force of spring and damper. With the end zero overlap this normal force is negative just
+ * before the end. For tangent = 0 the result is the limit of small angles. The contact may have any power law and a
+ * constant force; if the bodies do not part, eps is 0 and the other results are NaN. Taylor series follow the motion
+ * between slip and stick, in 20 to 80 microseconds. Accuracy: COR_OBLIQUE_ERROR, absolute, of u'/u while 1e-6 <=
+ * tangent/friction and eps >= 1e-3; sampled in tests/unit/test_scene_oblique.c. Returns COR_OK; COR_FAULT_RANGE for
+ * numbers that are out of range and for plates, yield, liquids and JKR; COR_FAULT_PRESSED if the motion takes too many
+ * steps. */
 #define COR_OBLIQUE_ERROR 1e-10
 #define COR_OBLIQUE_STEP_ERROR 1e-2 /* sampled in tests/unit/test_scene_oblique.c */
 #define COR_OBLIQUE_MOST 1e9        /* the largest kappa, damping, beta, tangent and finite friction */
@@ -401,7 +405,7 @@ enum cor_jkr_end { COR_JKR_TAIL = COR_END_ZERO_OVERLAP, COR_JKR_LARGEST_PULL = C
 struct cor_scene {
     double number[COR_SCENE_NUMBERS]; /* NaN: not known */
     struct cor_exponents law;
-    int plate;                /* body 2 is a large plate; its density may be COR_SCENE_DENSITY_2 */
+    int plate;                /* body 2 is a large plate; density: COR_SCENE_DENSITY_2 or COR_SCENE_DENSITY */
     int wall;                 /* body 2 is flat and held fast */
     int end;                  /* the end at which restitution and duration were measured, or COR_BOTH_ENDS */
     cor_scene_solver *solver; /* the solver for the contact; may be NULL */
@@ -431,7 +435,7 @@ enum cor_fault {
     COR_FAULT_NOT_HERTZ,      /* bodies are given, but the law does not have Hertz's force */
     COR_FAULT_NO_WAY,         /* nothing gives the damping */
     COR_FAULT_TWO_WAYS,       /* `number` and `other` both give the damping */
-    COR_FAULT_NOT_SPHERE,     /* only viscoelastic spheres have `number`; `other` is COR_SCENE_AT if q is not 0 */
+    COR_FAULT_NOT_SPHERE,     /* `number` is only for viscoelastic spheres. `other`: COR_SCENE_AT, or 0 if q = 0 */
     COR_FAULT_CONSTANT,       /* g* is given, but q = 0 */
     COR_FAULT_NOT_CONSTANT,   /* zeta is given, but q is not 0 */
     COR_FAULT_NO_BODIES,      /* `number` needs bodies */
@@ -469,10 +473,11 @@ long cor_scene_fault_text(char *text, size_t size, const struct cor_scene_fault 
                           const char *rule);
 
 int cor_scene_given(const struct cor_scene *scene, int number);
-/* Returns a number of a body. Body 2 has the number of body 1 unless its own is given. If the mass of body 2 is given,
- * the density of body 1 does not count. If the density of body 2 is given, the mass of body 1 does not count. */
+/* Returns a number of a body. Body 2 has the number of body 1 unless its own is given. */
 double cor_scene_of_body(const struct cor_scene *scene, int number, int body);
-int cor_scene_mass_is_given(const struct cor_scene *scene, int body); /* otherwise the density counts */
+/* True if the mass of a body is given, false if its density gives the mass. Body 2 has mass or density of body 1 if
+ * neither of its own is given. */
+int cor_scene_mass_is_given(const struct cor_scene *scene, int body);
 
 /* Checks that the numbers of two bodies are complete and do not contradict one another. options: a sum of
  * COR_SCENE_DISSIPATES (a dissipation time is needed) and COR_SCENE_DENSE_WALL (a wall may have a density). Returns
@@ -485,17 +490,17 @@ struct cor_body cor_scene_body(const struct cor_scene *scene, int body);
 
 /* Replaces the bodies of a scene with the linear law by a linear spring. At the speed V, COR_SCENE_AT, the spring has
  * the energy or the duration of Hertz's elastic contact: K = ((4/5) K_H)^(4/5) (m V^2)^(1/5), where K_H is Hertz's
- * stiffness, or K = m pi^2/T^2. Restitution, beta, zeta or damping coefficient are unchanged. A damping of viscoelastic
- * spheres becomes the restitution of Hertz's contact at V and at the scene's end of contact. *hertz receives Hertz's
- * contact without damping, for a comparison at other speeds, where the spring differs. Accuracy: COR_SCENE_MAX_ERROR.
- * Returns COR_OK, or the fault. */
+ * stiffness, or K = m pi^2/T^2, where T is Hertz's duration. Restitution, beta, zeta or damping coefficient are
+ * unchanged. A damping of viscoelastic spheres becomes the restitution of Hertz's contact at V and at the scene's end
+ * of contact. *hertz receives Hertz's contact without damping, for a comparison at other speeds, where the spring
+ * differs. Accuracy: COR_SCENE_MAX_ERROR. Returns COR_OK, or the fault. */
 enum cor_equivalence { COR_EQUIVALENT_NONE, COR_EQUIVALENT_ENERGY, COR_EQUIVALENT_DURATION };
 int cor_scene_equivalent(struct cor_scene *spring, struct cor_scene_contact *hertz, struct cor_scene_fault *fault,
                          const struct cor_scene *scene, int equivalence);
 
 /* Rayleigh's time step of the bodies of a scene, s, the smaller of pi R sqrt(rho/G)/(0.1631 nu + 0.8766): the time in
- * which a surface wave travels half around a sphere. Codes for particles commonly limit their step to 0.1 to 0.3 of it.
- * NaN: a scene without bodies. Accuracy: 1e-14, relative. Source: [LIGGGHTS], fix check/timestep/gran. */
+ * which a surface wave travels half around a sphere. Particle codes commonly limit their time step to 0.1 to 0.3 of
+ * this time. NaN: a scene without bodies. Accuracy: 1e-14, relative. Source: [LIGGGHTS], fix check/timestep/gran. */
 double cor_scene_rayleigh_step_s(const struct cor_scene *scene);
 
 /* Fills *contacts, and sets *count to 1. Sets it to 2 if a restitution or a duration is given without its end, and the
@@ -535,11 +540,11 @@ double cor_scene_quantity(const struct cor_scene_contact *contact, int number);
 
 /* ---- simulators ---- */
 
-/* How the lines of a model define the contacts of two types: not at all; by a line for each pair; by matrices; by one
- * law, also for walls */
+/* How the lines of a model define the contacts of several types of particles. NONE: only one pair. LINES: a line for
+ * each pair. MATRIX: matrices. ONE_LAW: one law, also for walls */
 enum cor_simulator_pairs { COR_PAIRS_NONE, COR_PAIRS_LINES, COR_PAIRS_MATRIX, COR_PAIRS_ONE_LAW };
-/* How the lines depend on the mass: as the model's number does; by twice the effective mass; not at all (per unit of
- * mass) */
+/* How the numbers in the lines depend on the mass. OF_NUMBER: like the number of the model. IN_LINES: they contain
+ * twice the effective mass. PER_UNIT: not at all, they are per unit of mass */
 enum cor_simulator_mass { COR_MASS_OF_NUMBER, COR_MASS_IN_LINES, COR_MASS_PER_UNIT };
 
 /* The contact models, each with a row in cor_simulators */
@@ -620,10 +625,10 @@ struct cor_simulator {
     const char *comment, *comment_end;
     const char *setup;     /* a sentence about the rest of the input */
     const char *time_step; /* template of lines that set the time step; NULL: none */
-    const char *version;   /* the version of Debian 12, whose models come first; NULL: none */
+    const char *version;   /* the version in Debian 12; its models are the first; NULL: none */
     long packaged;         /* the same version as a number, by cor_simulator_version; 0: none */
 
-    /* At a wall the simulator divides the stiffness of two bodies with Hertz's force by this number; 0: it does not. */
+    /* For a wall the simulator divides Hertz's stiffness of two bodies by this number; 0: it does not. */
     double wall_divides;
     const char *wall;    /* a sentence about this division */
     const char *density; /* a sentence, if the density of the bodies is not known; NULL: none */
@@ -637,12 +642,12 @@ struct cor_simulator {
 extern const struct cor_simulator cor_simulators[];
 extern const size_t cor_simulator_count;
 
-/* Return the model of an id, and its simulator. */
+/* Return the model that has an id, and the simulator of this model. */
 const struct cor_simulator_model *cor_simulator_model(enum cor_simulator_model_id id);
 const struct cor_simulator *cor_simulator_of(enum cor_simulator_model_id id);
 
-/* Returns the simulator with lines that has this name, with or without the part after a hyphen, in any case; or
- * NULL. */
+/* Returns the simulator that has this name, with or without the part after a hyphen, in any case. NULL: none, or its
+ * models have no lines. */
 const struct cor_simulator *cor_simulator_named(const char *name);
 
 /* Returns the realised e of the model for the e that a user sets; NaN if the model has no e or refuses this one. */

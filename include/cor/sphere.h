@@ -50,13 +50,13 @@ extern "C" {
 #define COR_SPHERE_MAX_OVERLAP_MAX_ULP 1.0
 #define COR_SPHERE_TIME_MAX_ULP 2.0
 #define COR_SPHERE_BETA_MAX_ULP 2.0
-/* Largest difference between a function of generated/cor_sphere.h and the same function of the library, in units of the
- * last place. It occurs with -ffast-math, or on a machine with fused multiplication and addition (-march=native).
- * Special values do not change. With all other flags, -ffinite-math-only included, both functions give the same bits.
- * Sampled in tests/header/run. */
+/* Largest differences between a function of generated/cor_sphere.h and the same function of the library, in units of
+ * the last place: with -ffast-math, and with fused multiplication and addition (-march=native). Special values do not
+ * change. With all other flags, -ffinite-math-only included, both functions give the same bits. Sampled in
+ * tests/header/run. */
 #define COR_SPHERE_INLINE_FAST_MATH_ULP 4
 #define COR_SPHERE_INLINE_NATIVE_ULP 4
-/* Bytes of stack; 17.8 kB are measured in an optimised build, libm included. */
+/* Bound on the stack of every function, in bytes. Measured in an optimised build, libm included: 17.8 kB. */
 #define COR_SPHERE_MAX_STACK 24576
 
 /* C_1 of eps = 1 + C_1 beta + C_2 beta^2 + ..., with the sign of (65), which is opposite to the sign in (6):
@@ -90,7 +90,7 @@ COR_API void cor_sphere_loss_zero_force_array(const double *beta, double *y, siz
 
 /* double cor_sphere_beta_zero_overlap(double eps), cor_sphere_beta_zero_force: the inverse functions, which return the
  * beta that has this eps. Domain: 0 <= eps <= 1. Accuracy: COR_SPHERE_BETA_MAX_ULP with the given double eps treated as
- * exact. (Near eps = 1, beta is (1 - eps)/|C_1|, so one unit of the last place of eps changes it much. The condition
+ * exact. (Near eps = 1, beta is (1 - eps)/|C_1|, so one unit of the last place of eps changes beta much. The condition
  * number is eps/(1 - eps).) Special values: 1 -> 0, +-0 -> +inf; outside [0, 1] and NaN -> NaN. Source: as for eps. */
 COR_API double cor_sphere_beta_zero_overlap(double eps);
 COR_API void cor_sphere_beta_zero_overlap_array(const double *eps, double *y, size_t n);
