@@ -10,16 +10,16 @@
 #include "support/console.h"
 #include "support/parallel.h"
 
-enum { MOST_BALLS = 6000, DEEPEST = 24 /* number of times that a square may be split into quarters */ };
+enum { MOST_BALLS = 6000, DEEPEST = 24 /* largest number of times that a square is split */ };
 
 /* Half the side of the first squares, in units of the ellipse's minor semi-axis */
 #define FIRST_HALF (1.0 / 8)
-/* For other laws (complex_law.h), the paths assume strong damping for ln(beta) above these numbers. Within STRONG_ABOUT
- * of them, the path for weak damping is tried if the first path fails, or the reverse. */
+/* Laws other than the sphere's (complex_law.h) use the path for strong damping if ln(beta) at the middle of the
+ * interval is above these numbers. If that path fails within STRONG_ABOUT of them, the other path is tried. */
 #define STRONG_OVERLAP 1.4
 #define STRONG_FORCE (-1.5)
 #define STRONG_ABOUT 0.7
-/* Paths that end at the speed (1 + e) v_s, v_s the sticking speed, have a resolution of this number times e. It was
+/* Resolution of the paths, divided by e, if the impact speed nearest to the sticking speed v_s is (1 + e) v_s. It was
  * chosen by experiment: with 2, proofs took twice as long. */
 #define NEAR_STICKING 5
 /* Width of a strip in ln(speed) */
@@ -45,22 +45,22 @@ unsigned ellipse_bound_set(const struct interval *interval)
 struct cover {
     const struct interval *interval;
     struct ellipse_bound *bound;
-    double a, b;  /* semi-axes of the ellipse; half the interval is the unit of all lengths below */
+    double a, b;  /* semi-axes of the ellipse; the unit of all lengths below is half the interval */
     unsigned set; /* set of quantities to bound */
     bool (*stored)(struct complex_ball y[QUANTITIES], const struct cover *work, struct complex_ball x);
-    const struct interpolant *f; /* for another law: its interpolant, quantity and path */
+    const struct interpolant *f; /* this and the next two fields: only for laws other than the sphere's */
     enum quantity quantity;
     struct complex_law_path path;
     atomic_int balls;
 };
 
-/* Raises the bounds to the moduli of the stored numbers in the square |Re - re| <= half, |Im - im| <= half about the
- * middle of the interval. `stored` computes them for a ball around the square. If it fails, the square is split into
- * quarters. The largest modulus is on the boundary of the ellipse, where a quotient by beta is not 0/0. */
+/* Covers the square |Re - re| <= half, |Im - im| <= half about the middle of the interval. `stored` encloses the stored
+ * numbers for a ball around the square. If it fails, the square is split into quarters. Only squares that reach the
+ * boundary of the ellipse raise the bounds: the largest modulus is there, and (1 - eps)/beta is 0/0 only inside. */
 static void cover_square(struct cover *work, double re, double im, double half, int depth)
 {
     static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
-    /* smallest and largest (Re/a)^2 + (Im/b)^2; below 1 inside the ellipse */
+    /* smallest and largest (Re/a)^2 + (Im/b)^2 in the square; below 1 inside the ellipse */
     const double least = pow(fmax(fabs(re) - half, 0) / work->a, 2) + pow(fmax(fabs(im) - half, 0) / work->b, 2);
     const double most = pow((fabs(re) + half) / work->a, 2) + pow((fabs(im) + half) / work->b, 2);
     if (least > 1 + 1e-9)
@@ -87,7 +87,7 @@ static void cover_square(struct cover *work, double re, double im, double half, 
     pthread_mutex_unlock(&lock);
 }
 
-/* Covers a column of the first squares in the upper half of the ellipse. Conjugate arguments have conjugate values. */
+/* Covers a column of the first squares in the upper half of the ellipse. The lower half has the conjugate values. */
 static void cover_column(void *context, slong i)
 {
     struct cover *const work = context;
@@ -132,7 +132,7 @@ static void damping_of(struct complex_ball *beta, struct complex_ball *log_beta,
     const double threshold = ball_middle(work->f->threshold);
     *log_beta = x;
     switch (work->interval->variable) {
-    case INTERVAL_ROOT: /* root = 1, so z = beta */
+    case INTERVAL_ROOT: /* z = beta, because these laws have root = 1 */
         *beta = x;
         break;
     case INTERVAL_LOG:
@@ -162,9 +162,9 @@ static struct complex_ball stored_of_law(const struct cover *work, struct comple
     return log_eps;
 }
 
-/* Returns the speed and the layout's constant force, if any, in units of the impact speed at the middle of a strip of
- * ln(beta). Sets *log_beta to this middle. All squares of a strip use one path, so they define one function, also at
- * the strip's real arguments. Functions of neighbouring strips agree at real arguments, hence on the border. */
+/* Returns the constant force of the layout and the impact speed, in units of the impact speed at the middle of a strip
+ * of ln(beta). Sets *log_beta to this middle. All squares of a strip use one path and therefore define one function.
+ * The functions of neighbouring strips agree at real arguments, hence on the border. */
 static struct complex_law_pressing pressing_of(struct complex_ball *log_beta, const struct cover *work)
 {
     struct complex_law_pressing pressing = {{0, 0, 0}, {0, 0, 0}};
@@ -220,7 +220,7 @@ bool ellipse_bound_of_law(struct ellipse_bound *bound, const struct interpolant 
     const bool log = interval->variable == INTERVAL_LOG, force = eps == EPS_ZERO_FORCE;
     if (force && !log)
         return false;
-    /* a path to zero overlap creeps only in intervals of ln(beta) and for n > 0 */
+    /* at zero overlap, the path for strong damping needs ln(beta), n > 0 and no force */
     const bool pressed = f->layout->press != NULL;
     const bool may_be_strong = force || (log && !pressed && law_fall_power(law).num > 0);
     const double lo = interval->lo, hi = interval->hi, log_sticking = f->layout->press_log;

@@ -79,7 +79,7 @@ static void far_cell_clear(struct far_cell *cell)
  * 8). */
 static void limit_on(arb_poly_t y, enum quantity quantity, const struct far_cell *cell)
 {
-    const slong events = quantity == DURATION_ZERO_FORCE ? 2 : 1; /* slow phases, which last of order ln(1/mu) */
+    const slong events = quantity == DURATION_ZERO_FORCE ? 2 : 1; /* slow phases; a phase lasts of order ln(1/mu) */
     const double lo = cell->lo;
     LOCAL(arb, x, c);
     arb_poly_zero(y);
@@ -176,7 +176,7 @@ static double cell_error(const struct far_proof *proof, enum quantity quantity, 
     error = done ? enclosed_largest_ratio(difference, scale, known, HALVINGS) : HUGE_VAL;
     if (quantity != BETA_ZERO_FORCE)
         return error;
-    return error < 0x1p-20 ? error * (1 + error) : HUGE_VAL; /* exp(error) - 1, as the error is of a logarithm */
+    return error < 0x1p-20 ? error * (1 + error) : HUGE_VAL; /* bounds exp(error) - 1; `error` is of a logarithm */
 }
 
 double far_proof_bits(const struct far_proof *proof, enum quantity quantity, const double *c)

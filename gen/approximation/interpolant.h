@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Computes every quantity of a law's collision in microseconds, by polynomials of high degree through enclosed
- * collisions (collision.h). corgen cuts the tables from these functions, compares the tables with them, and inverts
- * them.
+/* Interpolates every quantity of a law's collision by polynomials of high degree through enclosed collisions
+ * (collision.h). A value takes microseconds. corgen cuts the tables from these functions, compares the tables with
+ * them, and inverts them.
  *
- * The samples are enclosed and rounded to the bits of their interval (proved). The rounded samples count as exact, so
- * all later steps are arithmetic and give the same result with every library. interpolant_check measures the error
- * between the samples. A layout defines the variables and intervals. The sphere's layout has z = sqrt(beta) up to beta
- * = 17, in which both ends of contact are analytic. For u = ln(beta) >= 2 the quantities are powers of beta times
- * functions of mu = beta^(-5/3) and mu ln(beta). law_layout.h has the layout of any law. */
+ * The samples are enclosed and correctly rounded. The rounded samples count as exact, so all later steps are arithmetic
+ * and give the same result with every library. interpolant_check measures the error between the samples. A layout
+ * defines the variables and intervals. The sphere's layout has z = sqrt(beta) up to beta = 17, in which both ends of
+ * contact are analytic. For u = ln(beta) >= 2 the quantities are powers of beta times functions of mu = beta^(-5/3) and
+ * mu ln(beta). law_layout.h has the layout of any law. */
 #ifndef COR_GEN_APPROXIMATION_INTERPOLANT_H
 #define COR_GEN_APPROXIMATION_INTERPOLANT_H
 
@@ -21,7 +21,7 @@ double chebyshev_point(slong j, slong n);
 /* Computes t, which is linear in x, -1 at x = lo and 1 at x = hi. */
 void unit_place(arb_t t, const arb_t x, double lo, double hi, slong prec);
 
-/* Rounds a sample to `bits` bits; the result counts as exact. Returns false if the interval does not determine it. */
+/* Rounds the ball x to `bits` bits; the result counts as exact. Returns false if the ball is too wide to be rounded. */
 bool sample_rounded(arb_t y, const arb_t x, slong bits);
 
 enum quantity {
@@ -83,9 +83,9 @@ struct interpolant_layout {
     slong root;
     const struct interval *interval;
     int intervals;
-    bool far; /* true to compute the coefficients beyond the last u */
-    /* NULL, or c of the constant force f = c beta^(-2a/n) that acts on one contact at every speed (docs/theory.md, 24).
-     * All intervals are then in u and contain only eps at one end. */
+    bool far; /* true to compute the far coefficients, for u beyond the last interval */
+    /* NULL without a force, otherwise c: one contact under one constant force has f = c beta^(-2a/n) at every speed
+     * (docs/theory.md, 24). All intervals are then in u and contain only eps at one end. */
     arb_srcptr press;
     double press_log; /* u of the sticking speed, where eps has a branch point */
 };
@@ -101,10 +101,10 @@ struct samples {
     arb_poly_struct polynomial[QUANTITIES];
 };
 
-/* Coefficients for u beyond the last interval. Up to terms in mu^3, mu = beta^(-(a+1)/(b+1)), the scaled quantity is a
- * linear combination of 1, u; mu, mu u, mu u^2; mu^2, ..., mu^2 u^3. For other laws the duration at zero overlap is
- * this sum times beta^(a/(b+1)) plus `fall` times beta^((a-1)/n). `fall` is 0 if a - b = 1 or n = 1 - a, because the
- * sum then contains that term (docs/theory.md, 9). */
+/* Far coefficients: for u beyond the last interval and without terms of order mu^3, mu = beta^(-(a+1)/(b+1)), the
+ * scaled quantity is a linear combination of 1, u; mu, mu u, mu u^2; mu^2, ..., mu^2 u^3. For other laws the duration
+ * at zero overlap is this sum times beta^(a/(b+1)) plus `fall` times beta^((a-1)/n). `fall` is 0 if a - b = 1 or n = 1
+ * - a, because the sum then contains that term (docs/theory.md, 9). */
 enum { INTERPOLANT_FAR = 9 };
 
 struct interpolant {
@@ -113,7 +113,7 @@ struct interpolant {
     arb_ptr far[QUANTITIES]; /* INTERPOLANT_FAR coefficients each */
     arb_t fall;
     arb_t threshold, final_speed;       /* beta_c for q <= 0, otherwise infinite; v_f for q > 0, otherwise 0 */
-    arb_poly_t backward, backward_time; /* G and T, if an interval computes zero force from them */
+    arb_poly_t backward, backward_time; /* series G and T (restitution.h), if they give zero force near beta = 0 */
 };
 
 static inline bool is_eps(enum quantity quantity)
@@ -131,7 +131,7 @@ static inline bool is_of_overlap(enum quantity quantity)
     return quantity == EPS_ZERO_OVERLAP || quantity == DURATION_ZERO_OVERLAP;
 }
 
-/* Returns the sampled quantity from which a quantity follows. */
+/* Returns the sampled quantity from which another quantity is computed. */
 static inline enum quantity sampled_quantity(enum quantity quantity)
 {
     return quantity < QUANTITIES           ? quantity
@@ -155,8 +155,8 @@ double interpolant_beta_near(const struct interpolant *f, const struct interval 
 /* Returns the power -2a/n of beta in the constant force of a layout (`press`). */
 struct ratio interpolant_press_power(const struct cor_exponents *law);
 
-/* Computes the quantity at a place of a variable that has an interval for it. (1 - eps)/beta loses no bits where eps is
- * near 1. For spheres the intervals in z end at beta = 8.25 for quantities of zero overlap and at 17 for the others. */
+/* Computes the quantity at x, a value of a variable that has an interval for it. (1 - eps)/beta keeps its accuracy near
+ * eps = 1. For spheres intervals in z end at beta = 8.25 for quantities of zero overlap and at 17 for the others. */
 void interpolant_at(arb_t y, const struct interpolant *f, enum quantity quantity, enum interval_variable variable,
                     const arb_t x, slong prec);
 
@@ -187,7 +187,7 @@ arb_srcptr interpolant_far(const struct interpolant *f, enum quantity quantity);
 enum { INTERPOLANT_FAR_INVERSE = 9 };
 void interpolant_far_inverse(arb_ptr coefficient, const struct interpolant *f);
 
-/* Sets the largest relative error at `points` places of each interval, compared with enclosed collisions. */
+/* Sets *error to the largest relative difference from enclosed collisions, at `points` places of each interval. */
 int interpolant_check(double *error, const struct interpolant *f, int points);
 
 #endif

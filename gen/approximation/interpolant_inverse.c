@@ -18,7 +18,7 @@ struct search {
 /* Working bits far from the solution: the bits that the coefficients of the polynomials lose, and 64 more */
 enum { SEARCH_BITS = 128 };
 
-/* Computes a function of w minus its target value. For the loss the function is a root of the loss, whose slope is not
+/* Computes a function of w minus its target value. For the loss the function is loss^(1/root), because its slope is not
  * 0 at beta = 0. For eps it is ln(eps), because eps may fall by many powers of ten in an interval. */
 static void set_excess(arb_t y, const struct search *s, const arb_t w, const arb_t wanted)
 {
@@ -88,7 +88,7 @@ static void choose_stretch(struct search *s, const arb_t wanted)
     const enum quantity eps = sampled_quantity(interpolant_end(f, s->function));
     s->variable = INTERVAL_ROOT;
     s->lo = 0;
-    s->hi = layout->interval[0].hi; /* the end of the last interval in the root of beta that holds samples of eps */
+    s->hi = layout->interval[0].hi; /* becomes the end of the last interval in z that contains eps */
     for (int i = 0; i < layout->intervals; i++)
         if (layout->interval[i].variable == INTERVAL_ROOT && has_quantity(&layout->interval[i], eps) &&
             f->samples[i].known)

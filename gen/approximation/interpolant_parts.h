@@ -9,7 +9,7 @@
 
 enum {
     INTERPOLANT_BITS = 320 /* working precision */,
-    INTERPOLANT_GUARD = 96,     /* bits that cancel in powers */
+    INTERPOLANT_GUARD = 96,     /* bits lost by cancellation in powers of t */
     INTERPOLANT_NODE_BITS = 640 /* bits of the nodes; divided differences lose many */
 };
 
@@ -24,8 +24,8 @@ void interpolant_place(arb_t beta, arb_t variable, const struct interpolant *f, 
                        double x);
 void samples_init(struct samples *s, slong count);
 void samples_clear(struct samples *s, slong count);
-/* Sets the value of each known sample to the number that its interval stores for the collision at its beta. The value
- * is rounded to the bits of the interval, and counts as exact. */
+/* Computes the collision at the beta of each known sample. Sets the sample's values in the form that the interval
+ * stores, rounded to the bits of the interval; they count as exact. */
 int samples_collide(struct samples *s, int intervals, const struct interpolant *f, const struct interval *interval,
                     const char *step);
 

@@ -15,8 +15,8 @@ enum {
 };
 
 /* At strong damping zero overlap is slow to compute, but all of its quantities except the duration have a closed form.
- * Zero overlap is singular near 1.7 + 0.45 i, so the ellipse around the third interval is too small for the proof. For
- * the proof, the next two intervals cover the range of the third; the values still come from the third. */
+ * Zero overlap is singular near z = 1.7 + 0.45 i, so the ellipse around the third interval is too small for the proof.
+ * For the proof, the next two intervals cover the range of the third; the values still come from the third. */
 static const struct interval sphere_intervals[] = {
     {INTERVAL_ROOT, 0, 0.625, 40, 90, FORM_QUOTIENT, SET_ALL},
     {INTERVAL_ROOT, 0.625, 1.25, 40, 90, FORM_VALUE, SET_ALL},

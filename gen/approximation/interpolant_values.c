@@ -11,7 +11,7 @@
 enum {
     CHECK_BITS = 70,     /* bits of the collisions in interpolant_check */
     CONSTANT_BITS = 200, /* bits of beta_c and v_f */
-    BACKWARD_ORDER = 24  /* order of G and T, which are used for w below 1/8 */
+    BACKWARD_ORDER = 24  /* order of the series G and T (restitution.h), whose argument is below 1/8 */
 };
 
 /* Evaluates the polynomial through the samples of interval i at x. */

@@ -14,16 +14,16 @@ enum {
     CONSTANT_BITS = 200,
     CHECK_POINTS = 5,
     DEGREE = 10,
-    HEAD_BITS = 26,       /* bits of c_0 in rows whose value is multiplied by the argument, runtime/table/row.h */
+    HEAD_BITS = 26,       /* bits of c_0 in rows that a function multiplies by its argument (runtime/table/row.h) */
     NEAR_OCTAVES = 3,     /* octaves from near_end to the radius of convergence */
-    MOST_POWER = 200,     /* largest 1/q; beyond it eps underflows inside the tables */
+    MOST_POWER = 200,     /* largest 1/q; beyond it eps ~ beta^(-1/q) underflows inside the tables */
     DEVIATION_BITS = 60,  /* 1 - beta^(1/q) eps/v_f is negligible below 2^-60 */
     TINY_EPS_OCTAVE = -60 /* for smaller eps, beta_c - beta is negligible against beta_c */
 };
 
 /* Points of an interval, and bits of its samples. Intervals of ln(beta) have the length ln(2) up to beta = 8. For
- * ln(beta) >= 2 they are 2 to 3, 3 to 4, 4 to 6, 6 to 8, .... Intervals of ln(beta_c - beta) span two octaves, or more
- * if eps is almost linear there. */
+ * ln(beta) >= 2 they are 2 to 3, 3 to 4, 4 to 6, 6 to 8, .... Intervals of ln(beta_c - beta) span 2 octaves, or where
+ * eps is almost linear 5, below 2^BELOW_WIDE_TO, and 10, below 2^BELOW_WIDEST_TO. */
 enum {
     NEAR_POINTS = 18,
     MIDDLE_POINTS = 36,
@@ -35,7 +35,6 @@ enum {
     MIDDLE_BITS = 80,
     TAIL_BITS = 80
 };
-/* octave of beta_c - beta below which eps is almost linear */
 #define BELOW_WIDEST_TO (-24.0)
 #define BELOW_WIDE_TO (-10.0)
 
@@ -47,7 +46,7 @@ enum {
 #define LEAST_BITS_OF_TIMES 56.0
 #define MOST_REST 0.1
 
-/* Returns u at which mu equals mu of spheres at u = 10. */
+/* Returns a u at which mu is not above its value for spheres at u = 10. */
 static double last_log(const struct cor_exponents *law)
 {
     const double u = 10 * (5.0 / 3) / ratio_double(law_mu_power(law));
@@ -129,8 +128,7 @@ static void make_intervals(struct law_layout *layout)
 
 /* ---- borders ---- */
 
-/* Sets beta_c, its distance from the double below, and the first beta of the rows in beta_c - beta, at least
- * beta_c/2. */
+/* Sets `threshold`, overlap_end (at least beta_c/2), and the range of the rows in beta_c - beta. */
 static int find_threshold(struct law_layout *layout)
 {
     const struct cor_exponents *law = &layout->interpolant.law;
@@ -141,7 +139,7 @@ static int find_threshold(struct law_layout *layout)
     arb_set_d(x, arf_cmp_d(arb_midref(beta_c), below) > 0 ? below : nextafter(below, 0));
     arb_sub(x, beta_c, x, CONSTANT_BITS);
     layout->below_first = arf_get_d(arb_midref(x), ARF_RND_DOWN);
-    /* beta_c - overlap_end is a power of two, up to rounding, which may start another octave and need another row */
+    /* beta_c - overlap_end is `distance` up to rounding; if it reaches `distance`, the next octave needs a row */
     const double distance = exp2(floor(log2(layout->threshold / 2)));
     layout->overlap_end = layout->threshold - distance;
     LET(x, CONSTANT_BITS, "beta_c - layout->overlap_end", beta_c, layout->overlap_end);
@@ -163,8 +161,8 @@ static int is_fallen(bool *fallen, const struct cor_exponents *law, const arb_t 
     return status;
 }
 
-/* For q > 0, finds where eps becomes a power of beta: at beta = 8, or at the end of an eighth of an octave of ln(beta),
- * at most last_log. Sets h* = v_f^q. */
+/* For q > 0, finds the beta above which eps is v_f beta^(-1/q) to double precision: 8, or the first that suffices on a
+ * grid of eighths of an octave of ln(beta), at most exp(last_log). Sets h* = v_f^q. */
 static int find_fall(double *h_star, struct law_layout *layout)
 {
     const struct cor_exponents *law = &layout->interpolant.law;
@@ -198,9 +196,9 @@ static double octave_of(double x)
     return floor(log2(x));
 }
 
-/* The parts of the layout. holds: the quantity that a table of eps at zero overlap contains instead of eps, or -1. The
- * next fields are the stem and the title of a table of eps, with `%s` for the end of contact, the stem of other tables,
- * and the variable. */
+/* The parts of the layout, in the order of enum law_part. holds: the quantity, at zero overlap, that tables for eps
+ * contain instead of eps; -1: they contain eps. The next fields are the stem and the title of a table for eps, with
+ * `%s` for the end of contact, the stem of other tables, and the variable. */
 static const struct part {
     int holds;
     const char *stem_of_eps, *title_of_eps, *stem;
@@ -304,7 +302,7 @@ double law_layout_inverse_octave(const struct law_layout *layout, const struct i
     arb_set_d(x, u);
     arb_exp(x, x, 64);
     interpolant_at_beta(y, f, eps, x, 64);
-    /* use the octave of this eps if the samples of beta cover it, otherwise the next octave */
+    /* start at the octave of this eps if the samples of beta cover it, otherwise at the next octave */
     const double q = ratio_double(law_speed_exponent(&layout->interpolant.law));
     const bool sampled = !force && u + q * log(2) <= layout->last_log;
     return octave_of(ball_middle(y)) + (sampled ? 0 : 1);
@@ -322,7 +320,7 @@ int law_layout_init(struct law_layout *layout, const struct cor_exponents *law)
                                   .threshold = HUGE_VAL,
                                   .check_points = CHECK_POINTS};
     if (law_force_ends(law)) {
-        const slong other = RATIO("law->a - law->b", law).num; /* 1/(a-b) is an integer divided by this number */
+        const slong other = RATIO("law->a - law->b", law).num; /* denominator of 1/(a-b) */
         layout->root_of_time = layout->root / (slong)n_gcd((ulong)layout->root, (ulong)other) * other;
     }
     if (n.num > 0 && -ratio_double(interpolant_tail_power(law, EPS_ZERO_OVERLAP)) > (double)MOST_POWER)
@@ -335,7 +333,7 @@ int law_layout_init(struct law_layout *layout, const struct cor_exponents *law)
         radius = layout->threshold;
     layout->near_end = exp2(floor(log2(fmin(radius, 1))) - (double)NEAR_OCTAVES);
     make_intervals(layout);
-    /* eps of linear laws falls faster and is quick to compute, so they get more samples */
+    /* eps of linear laws falls faster, so they get more samples, which are quick to compute */
     for (int i = 0; i < 2 && law_is_linear(law); i++)
         law_layout_refine(layout);
     make_tables(layout);

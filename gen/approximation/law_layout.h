@@ -7,7 +7,7 @@
  *   middle  up to beta = 8, or to overlap_end if zero overlap then has rows in beta_c - beta: octaves of beta
  *   tail    powers of beta times rows by octaves of ln(beta), up to last_log
  *   far     the same powers times the far coefficients
- *   below   octaves of beta_c - beta, zero overlap where there is a threshold beta_c
+ *   below   zero overlap just below a threshold beta_c: octaves of beta_c - beta
  *
  * The inverse has rows of beta/(1 - eps) in 1 - eps or its root, and of beta by octaves of eps. */
 #ifndef COR_GEN_APPROXIMATION_LAW_LAYOUT_H
@@ -24,10 +24,10 @@ enum law_part { PART_NEAR, PART_MIDDLE, PART_TAIL, PART_BELOW, PART_INVERSE_NEAR
 
 struct law_table {
     enum law_part part;       /* the part that the rows cover */
-    enum quantity serves;     /* quantity of the rows; in a derived layout also of the function that uses them */
-    char stem[40], title[64]; /* end of the name; first line of the comment */
-    struct pieces rows;       /* input of pieces_make, or of pieces_fit if rows = 0. first = NAN: the rows of an
-                               * inverse begin at law_layout_inverse_octave() */
+    enum quantity serves;     /* quantity of the functions that use the rows; derived layouts only */
+    char stem[40], title[64]; /* end of the table's name; first line of its comment */
+    struct pieces rows;       /* input of pieces_make, or with rows = 0 of pieces_fit. If first is NAN, the rows of
+                               * an inverse begin at law_layout_inverse_octave(). */
 };
 
 struct law_layout {
@@ -36,10 +36,10 @@ struct law_layout {
     slong root_of_time;                    /* root of beta in the near rows of the duration, which also has powers
                                             * beta^(1/(a-b)) */
     double near_end, last_log;
-    double overlap_end; /* end of the middle rows; below a threshold, first beta of the rows in beta_c - beta */
-    double overlap_log; /* q > 0: last ln(beta) of the tail of eps at zero overlap. 0: no tail, because eps = v_f
-                         * beta^(-1/q) for beta >= overlap_end */
-    double below_first, below_end; /* range of the rows in beta_c - beta; it begins at the double below beta_c */
+    double overlap_end; /* beta where middle rows of zero overlap end and rows in beta_c - beta, if any, begin */
+    double overlap_log; /* q > 0: ln(beta) at which the tail rows of eps at zero overlap end. 0: no such rows,
+                         * because eps = v_f beta^(-1/q) for beta >= overlap_end */
+    double below_first, below_end; /* range of beta_c - beta in these rows; it begins at the double below beta_c */
     double threshold;              /* beta_c, or infinity */
     struct law_table *table;       /* owned */
     int tables;
@@ -87,8 +87,8 @@ int law_tables_emit(struct emit *e, const struct law_tables *t, bool floats);
 /* Writes the rows of eps, loss, duration and inverse with damping during the approach only. They are sampled. */
 int law_tables_emit_approach(struct emit *e, const struct law_tables *t, const char *prefix);
 
-/* True if the quantity has coefficients beyond the rows, and if it has a further term there (`fall` of
- * interpolant.h). */
+/* The first function is true if the quantity has coefficients beyond the rows; the second, if it also has the term
+ * `fall` of interpolant.h. */
 bool law_tables_have_far(const struct law_tables *t, enum quantity quantity);
 bool law_tables_have_fall(const struct law_tables *t, enum quantity quantity);
 

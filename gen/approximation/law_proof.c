@@ -28,8 +28,7 @@ static void log_range(double range[2], const struct interpolant *f, const struct
     range[!falls] = log(interpolant_beta_near(f, interval, interval->hi));
 }
 
-/* Returns the radius rho of an ellipse that proves an error slightly below `wanted` if eps has this modulus on the
- * ellipse. */
+/* Returns the rho of an ellipse. A bound `modulus` of |eps| on this ellipse proves an error slightly below `wanted`. */
 static double radius_for(const struct interval *interval, double modulus, double wanted)
 {
     return pow(20 * modulus / wanted, 1 / ((double)interval->count - 1));

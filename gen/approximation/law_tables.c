@@ -9,7 +9,7 @@
 
 enum { ATTEMPTS = 3, SPLIT_BITS = 192 };
 
-/* Largest relative error of the interpolant, small enough to sample rows against the interpolant */
+/* Largest relative error of an interpolant from which the error of rows is measured */
 #define INTERPOLANT_LIMIT 4e-18
 
 /* Makes the interpolant of the layout. Adds samples while it is not accurate enough. */
@@ -73,8 +73,8 @@ int law_tables_emit(struct emit *e, const struct law_tables *t, bool floats)
 /* ---- damping during the approach only ---- */
 
 /* The rows are in beta from 0 to 8, in 1 - eps up to 1/2, and in eps from there down to 1/64, with 16 cells to an
- * octave. In a row whose value is multiplied by the argument, c_0 has HEAD_BITS bits, so its products with halves of a
- * double are exact. */
+ * octave. If a function multiplies the row by its argument, c_0 has HEAD_BITS bits, so that its products with the two
+ * halves of a split double are exact. */
 enum { HEAD_BITS = 26, BETA_ROWS = 65, LOSS_ROWS = 17, EPS_FIRST = -6, EPS_ROWS = 80 };
 #define IN_BETA(of, head)                                                                                              \
     .quantity = (of), .variable = VARIABLE_BETA, .step = 0.125, .end = 8, .rows = BETA_ROWS, .head_bits = (head)

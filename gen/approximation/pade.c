@@ -48,8 +48,8 @@ static void get_coefficient(arb_t x, const arb_poly_t c, slong k)
         arb_poly_get_coeff_arb(x, c, k);
 }
 
-/* Computes Q from n equations, i = first .. first+n-1. The sum over j of q_j c_{i-j} is limit q_{i+5} if a limit is
- * given and i <= m, otherwise 0. */
+/* Computes Q from n equations, i = first .. first+n-1. The right side of sum_j q_j c_{i-j} = ... is limit q_{i+5} if a
+ * limit is given and i <= m, otherwise 0. */
 static bool find_denominator(struct pade *f, const arb_poly_t c, slong first, slong m, slong n, arb_srcptr limit,
                              slong prec)
 {

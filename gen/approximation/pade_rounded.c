@@ -16,7 +16,7 @@ enum {
     BITS = 192,                /* precision of references and of all computations in this file */
     SMALL_STEP = 6,            /* ratio of small sample points, as a power of 2 */
     FAR_STEP = 5,              /* large sample points have the ratio 5/4 */
-    PIECES = 512,              /* pieces up to PADE_NEAR, and also above it; each has a bound of the condition */
+    PIECES = 512,              /* pieces up to PADE_NEAR, and the same number above; the condition is bounded on each */
     OPERATIONS_PER_DEGREE = 3, /* the rounding of z, one product, one sum */
 };
 
@@ -227,7 +227,7 @@ void pade_evaluation_error(double *eps, double *loss, const struct pade_rounded 
         for (slong k = 0; k < arb_poly_length(poly[i]); k++)
             arb_abs(magnitude[i]->coeffs + k, poly[i]->coeffs + k);
         arb_poly_derivative(slope[i], poly[i], BITS);
-        /* a partial sum of Horner's rule may exceed the doubles; sum |p_i| z^i at the largest z bounds all of them */
+        /* no partial sum of Horner's rule may overflow; sum |p_i| z^i at the largest z bounds all of them */
         arb_poly_evaluate(sum, magnitude[i], z, BITS);
         if (!arb_is_finite(sum) || arf_cmpabs_2exp_si(arb_midref(sum), DBL_MAX_EXP - 2) > 0)
             *eps = *loss = INFINITY;

@@ -26,7 +26,7 @@ static bool by_octaves(const struct pieces *p)
     return p->variable >= VARIABLE_POWER_OCTAVES;
 }
 
-/* True if y is a root of the number in which the end of the table is given. */
+/* True if y is a root of beta or of the loss. The field `end` is beta or the loss itself. */
 static bool by_root(const struct pieces *p)
 {
     return p->variable == VARIABLE_ROOT_BETA || p->variable == VARIABLE_ROOT_LOSS;
@@ -118,7 +118,7 @@ struct pieces_function pieces_of_collision(const struct interpolant *f)
     return (struct pieces_function){collision_at, f};
 }
 
-/* Computes at y the factor s of pieces.h. */
+/* Computes the factor s (pieces.h) at y. */
 static void set_factor(arb_t s, const struct cell *cell, const arb_t y)
 {
     LET(s, WORKING_BITS, cell->plain ? "y - cell->node" : "y^2 - cell->node^2", y, cell->node);
@@ -202,7 +202,7 @@ static float float_of(uint32_t word)
     return x;
 }
 
-/* Returns c_0' as the evaluator reads it. */
+/* Returns the c_0' that the lower bits of c_3 contain. */
 static double remainder_in(double c_3)
 {
     return (double)float_of(word_of((float)c_3) << 16);
@@ -336,7 +336,7 @@ static bool is_good(const struct cutting *work, slong row)
     return p->bits[row] >= p->least_bits && (p->most_rest == 0 || work->rest[row] <= p->most_rest);
 }
 
-/* Computes a row, except after another row has missed a bound, because the grid is then too wide. */
+/* Computes a row, unless another row has missed a bound, because the cells are then too wide. */
 static void cut_row(void *context, slong row)
 {
     struct cutting *const work = context;
@@ -433,8 +433,8 @@ void pieces_clear(struct pieces *p)
     p->value = p->bits = NULL;
 }
 
-/* The variable y of a table, and the range in its title. Tables by octaves print 2^first and the end of the table,
- * as a power of 2 if `log`. Other tables print one number. */
+/* The variable y, and the range in a table's title as a format. Tables by octaves print 2^first and the end of the
+ * table, the latter as a power of 2 if `log`. Other tables print one limit. */
 static const struct {
     const char *y, *range;
     bool log;

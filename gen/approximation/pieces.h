@@ -28,15 +28,15 @@
 
 /* The variable y of a table. In tables by octaves 2^k <= x < 2^(k+1), y is x 2^-k. The 2^octave_bits rows of an octave
  * have their nodes in the middle of equal cells. Here x is eps, beta, ln(beta), beta_c - beta, or beta^5, which is
- * proportional to the impact speed of spheres. VARIABLE_LOSS is 1 - eps. Roots are the roots of the interpolant's
- * layout, square roots for spheres. */
+ * proportional to the impact speed of spheres. VARIABLE_LOSS is 1 - eps. VARIABLE_ROOT_...
+ * are roots of beta or of the loss, square roots for spheres. */
 enum variable {
     VARIABLE_BETA,
     VARIABLE_ROOT_BETA,
     VARIABLE_LOG_BETA,
     VARIABLE_LOSS,
     VARIABLE_ROOT_LOSS,
-    VARIABLE_OTHER, /* variable of a function other than the collision's */
+    VARIABLE_OTHER, /* for a function that is not a quantity of the collision */
     VARIABLE_POWER_OCTAVES,
     VARIABLE_EPS_OCTAVES,
     VARIABLE_BETA_OCTAVES,
@@ -48,18 +48,18 @@ enum { PIECES_OCTAVE_BITS = 3, PIECES_PER_OCTAVE = 1 << PIECES_OCTAVE_BITS };
 struct pieces {
     enum quantity quantity;
     enum variable variable;
-    slong root;         /* root of VARIABLE_ROOT_... */
+    slong root;         /* y = beta^(1/root) or (1 - eps)^(1/root) */
     double first, step; /* grid of the nodes; octaves: `first` is the first k */
     double end;         /* first beta, ln(beta), beta^5, loss, eps or beta_c - beta beyond the table */
     slong octave_bits;  /* log2 of the number of rows in an octave */
     slong rows, degree, plain;
     slong head_bits;     /* bits of c_0; 0: the bits of a double or float */
     bool floats;         /* rows of floats; `first` is an octave */
-    const char *words;   /* y in words if it is not the collision's variable, otherwise NULL */
+    const char *words;   /* text for y if its usual name does not apply, otherwise NULL */
     const char *name;    /* name of the function that returns a row, cor_rows_...; the macros COR_ROWS_..._FIRST, ...
                           * describe its geometry */
     const char *title;   /* first line of the comment */
-    double least_bits;   /* accuracy that every piece must reach */
+    double least_bits;   /* accuracy that every row must reach */
     double most_rest;    /* upper limit of |row/c_0 - 1|; 0: no limit */
     arb_ptr coefficient; /* rows x columns, intervals that round to the doubles of the table */
     double *value;       /* rounded to doubles, or the floats */
@@ -86,13 +86,13 @@ struct pieces_function {
 };
 struct pieces_function pieces_of_collision(const struct interpolant *f);
 
-/* Computes p from its fields up to most_rest. Fails if a piece misses its bound. Call pieces_clear in either case. */
+/* Computes the rows of p from the fields up to most_rest. Fails if a row misses its bound. Call pieces_clear in either
+ * case. */
 int pieces_make(struct pieces *p, struct pieces_function f);
 void pieces_clear(struct pieces *p);
 
-/* Computes p with the widest cells that meet the bounds. Cells start with p's own width, which is halved until no piece
- * misses a bound. The caller sets `first`, `end` and the first step or octave_bits. The function sets `rows` and
- * `plain`. */
+/* Computes the rows of p with the widest cells that meet the bounds: halves p's own width until no row misses a bound.
+ * The caller sets `first`, `end` and the first step or octave_bits. The function sets `rows` and `plain`. */
 int pieces_fit(struct pieces *p, struct pieces_function f);
 
 /* Writes the geometry of the table as macros, under NAME in capitals, and the function NAME(i) that returns row i. The

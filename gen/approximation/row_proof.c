@@ -127,9 +127,9 @@ void interpolant_on(arb_poly_t y, const struct interpolant *f, int i, enum quant
 
 /* ---- the constant of the creep ---- */
 
-/* Computes C from collision j of an interval in ln(beta). C is the time from zero force to zero overlap, divided by
- * beta, minus the other terms of the creep. Returns false if the motion from zero force begins where the series has no
- * bound. */
+/* Computes the C of creep_series.h from collision j of an interval in ln(beta): the time from zero force to zero
+ * overlap, divided by beta, minus the other terms of the series. Returns false if the series has no bound for this
+ * collision. */
 static bool creep_constant_of(arb_t constant, const struct interpolant_proof *proof, int i, slong j)
 {
     const slong bits = proof->f->layout->interval[i].bits;
@@ -511,10 +511,10 @@ struct part {
 };
 enum { MOST_PARTS = 16 };
 
-/* Computes the part of interval i that begins at `reached`, a place of the range's variable, and moves `reached` to the
- * end of the part. A range in sqrt(beta) that goes beyond the last interval of sqrt(beta) ends in intervals of
- * ln(beta). For the duration at zero overlap, a range in ln(beta) begins in intervals of sqrt(beta), up to CREEP_FROM
- * at least. Returns 1, 0 if the interval has no part, or -1 if it begins too late. */
+/* Computes the part of a range that is in an interval. The part begins at `reached`, in the range's variable. Moves
+ * `reached` to the end of the part. A range in sqrt(beta) may continue in intervals of ln(beta). For the duration at
+ * zero overlap, intervals of sqrt(beta) cover a range in ln(beta) up to CREEP_FROM or beyond. Returns 1, 0 if the
+ * interval has no part, or -1 if it leaves a gap after `reached`. */
 static int part_of(struct part *part, double *reached, const struct range *range, const struct interval *interval,
                    enum quantity stored)
 {
@@ -564,7 +564,8 @@ static int split_cell(struct part *part, const struct interpolant_proof *proof, 
     return reached < range.hi ? 0 : parts;
 }
 
-/* True if an end of an inverse's range is proved not to be inside the cell. At beta = 0, 1 - eps = 0 is the end. */
+/* True if the first or last part of an inverse's range is proved to reach the end of the cell. At beta = 0 no proof is
+ * needed, because 1 - eps is exactly 0 there. */
 static bool end_reached(const struct interpolant_proof *proof, const struct pieces *p, slong row,
                         const struct part *part, bool first)
 {
