@@ -29,29 +29,29 @@ static slong accuracy_bits(const struct collision *c, enum ends ends)
 struct route {
     enum motion_goal goal;
     bool slow;           /* true if the slow manifold is used */
-    slong manifold_bits; /* bits to which the motion reaches the manifold */
+    slong manifold_bits; /* the motion must come within 2^-manifold_bits of the slow manifold */
     slong prec;
-    slong direct_prec; /* prec without the slow manifold */
+    slong direct_prec; /* value of prec if the slow manifold is not used */
 };
 
 enum {
     GUARD_BITS = 60,
     ROUTE_GUARD_BITS = 16,
-    MANIFOLD_BITS = 12, /* more bits than the result needs */
+    MANIFOLD_BITS = 12, /* manifold_bits minus the bits of the result */
     ATTEMPTS = 12
 };
 
-/* Growth of intervals relative to the contraction of the motion: slightly above the growth measured in 20 laws. If a
- * motion loses more bits than this, the code tries again with higher precision. */
+/* Lost bits for each bit of the motion's contraction: slightly more than measured in 20 laws. If a motion loses more
+ * bits than this, the code tries again with higher precision. */
 #define GROWTH_LOADING 2.0
 #define GROWTH_UNLOADING 1.13
-/* Growth of intervals for each halving of the distance from beta to the threshold, for Hertz's law with a dashpot */
+/* Lost bits for each halving of the distance from beta to the threshold, for Hertz's law with a dashpot */
 #define GROWTH_BELOW 2.7
 
-/* Chooses the route. The logarithm of the motion's contraction is ln(1/mu) for loading, again ln(1/mu) for release
- * (docs/theory.md, 8), and k/mu for unloading to zero overlap (9). The slow manifold replaces the unloading if k/mu
- * suffices to reach `last` with the requested bits. This estimate neglects a power of beta, so a motion just above the
- * limit may miss the manifold at any precision. Then the unloading is integrated. */
+/* Chooses the route. The motion contracts by a factor whose logarithm is ln(1/mu) for loading, ln(1/mu) for release
+ * (docs/theory.md, 8), and k/mu for unloading to zero overlap (9). The slow manifold replaces the unloading if k/mu is
+ * large enough to reach the manifold's `last` to manifold_bits. This estimate neglects a power of beta, so a motion
+ * just above the limit may miss the manifold at any precision. Then the unloading is integrated. */
 static struct route route_of(const arb_t beta, double below, const struct cor_exponents *law, enum ends ends,
                              slong bits)
 {
@@ -233,7 +233,7 @@ int collision_final_speed(arb_t v_f, const struct cor_exponents *law, slong bits
 {
     if (law_fall_power(law).num <= 0)
         return fail("beta^(1/q) eps has a limit only for q > 0");
-    /* from `last` the motion contracts by exp(-depth), and intervals grow by the inverse factor */
+    /* the manifold's motion from `last` contracts by exp(-depth), and its intervals grow by the inverse factor */
     const slong manifold_bits = bits + MANIFOLD_BITS;
     slong prec = bits + GUARD_BITS + (slong)(slow_manifold_depth(law, manifold_bits) / log(2));
     for (int i = 0; i < ATTEMPTS; i++) {

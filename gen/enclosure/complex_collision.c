@@ -3,8 +3,8 @@
 
 #include "enclosure/complex_path.h"
 
-/* The path to zero force uses the variable zeta for |sqrt(beta)| <= NEAR_TO, and k from NEAR_FROM upward. The path from
- * zero force to zero overlap uses k up to CREEP_TO, and Y from CREEP_FROM upward, where unloading is slow. */
+/* Ranges of |sqrt(beta)|. The path to zero force uses the variable zeta up to NEAR_TO, and k from NEAR_FROM upward. The
+ * path on to zero overlap uses k up to CREEP_TO, and 1/Y from CREEP_FROM upward, where unloading is slow. */
 #define NEAR_FROM 1.05
 #define NEAR_TO 1.1
 #define CREEP_FROM 1.65
@@ -133,9 +133,9 @@ static struct complex_ball kappa_at(double zeta)
     return ball_inv(ball_sqr(ball_of(zeta, 0)));
 }
 
-/* Follows the motion from zero force, k = 1 at Y = beta^2 y, to zero overlap with c1 = c2 = 1. The square of the last g
- * over beta^5 is eps, and times have the unit beta. A creeping path is in 1/Y down to LAST_Y, where k hardly depends on
- * its first value. Other paths are in k from the start. Both end in zeta = k^(-1/2). */
+/* Follows the motion from zero force, k = 1 and Y = beta^2 y, to zero overlap with c1 = c2 = 1. Then eps is the square
+ * of the last g over beta^5, and times have the unit beta. A creeping path has the variable 1/Y until Y = LAST_Y, where
+ * k hardly depends on its first value. Other paths start in k. Both end in zeta = k^(-1/2). */
 static bool fall_from_force(struct complex_collision *c, struct complex_ball beta, struct complex_ball at_force,
                             bool creeps)
 {
@@ -201,7 +201,7 @@ bool complex_collision_root(struct complex_collision *c, struct complex_ball z, 
         return false;
     struct path p = {.c1 = ball_sqr(z), .c2 = one, .resolution = 1};
     struct path_state y = {one, zero};
-    /* A path in zeta becomes one in kappa at this real number. Every choice gives the same collision. */
+    /* At this real zeta the path continues in kappa. Every choice gives the same collision. */
     const double first = size > 1 ? 1 / cbrt(size * size) : 1;
     if (!path_follow(&p, loading_slopes, zero, ball_of(first, 0), &y))
         return false;

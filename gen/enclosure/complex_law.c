@@ -157,8 +157,8 @@ static bool turning_point(struct path *p, struct path_state *y, const struct cor
     const double logarithm = POWER * log(s);
     *y = (struct path_state){ball_widened(ball_of(logarithm, 0), 0x1p-46 * (1 + fabs(logarithm))), zero};
     p->logarithm = true;
-    /* The path about the turning point starts at an exact kappa, so that only y is uncertain. The effect of an
-     * uncertain kappa changes sign along the path, but bounds would add it up. */
+    /* Start the path about the turning point at an exact kappa, so that only y is uncertain: bounds would add up the
+     * effect of an uncertain kappa, which changes sign along the path. */
     if (p->pressed) {
         if (!path_follow(p, turning_slopes, kappa, ball_centre(kappa), y))
             return false;
@@ -167,7 +167,7 @@ static bool turning_point(struct path *p, struct path_state *y, const struct cor
     return path_follow(p, turning_slopes, kappa, zero, y);
 }
 
-/* Computes ln(eps) of the departure from its first speed exp(M); p has the coefficients. */
+/* Computes ln(eps) after the departure with the first speed W = exp(M). p contains the coefficients. */
 static bool follow_departure(struct complex_ball *log_eps, struct path *p, struct complex_ball M)
 {
     struct path_state y = {zero, zero};

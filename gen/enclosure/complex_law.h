@@ -4,7 +4,7 @@
  * With L = ln(x), kappa = -x'/x, the equation x'' + beta x^b x' + x^a = 0 is a scalar equation between fixed ends:
  *
  *     approach, x = s^4 from 0:  dv/ds = -4 (beta s^(4b+3) + s^(4a+3)/v),   v = 1 at s = 0
- *     about the turning point:   dL/dkappa = -kappa/(x^(a-1) - beta kappa x^b + kappa^2), kappa = -v/x to 0 and to 1
+ *     about the turning point:   dL/dkappa = -kappa/(x^(a-1) - beta kappa x^b + kappa^2), kappa = -v/x to 0, then 1
  *     departure, x = X s^4, -x' = W exp(l), s from 1 to 0:
  *                                dl/ds = 4 (beta X^(b+1)/W s^(4b+3) exp(-l) - X^(a+1)/W^2 s^(4a+3) exp(-2 l))
  *     to zero force, k = beta kappa x^(b+1-a) to 1, from 0 or, in ln(k), from kappa = 1:
@@ -12,9 +12,9 @@
  *     creep, for n > 0:          n dk/dln(F) = -N/k, from k = 1/2 to F = 2
  *
  * A constant force f on the right side (docs/theory.md, 24) adds 4 f s^3/v to dv/ds and -f/x to the denominator of
- * dL/dkappa. It adds 4 f X/W^2 s^3 exp(-2 l) to dl/ds and -f beta^2 x^(n-a) to N. Under a force no path creeps. In the
- * units of one impact speed, other impacts of a contact have the same beta and f but another first speed v. Then eps is
- * the last speed over v. The net work of f is 0, so the uncertainty of f does not widen eps through this work.
+ * dL/dkappa. It adds 4 f X/W^2 s^3 exp(-2 l) to dl/ds and -f beta^2 x^(n-a) to N. Under a force no path creeps. The
+ * first speed v need not be 1: impacts of one contact at different speeds have the same beta and f in the same units.
+ * eps is the last speed over v. The net work of f is 0, so this work of an uncertain f does not widen eps.
  *
  * At zero overlap eps is W exp(l), and at zero force x^(a-b)/beta. Under a force zero_force means the surface. The
  * flight to the surface multiplies eps by sqrt(1 - 2 f beta^2 x^(1-2(a-b))). The departure begins at kappa = 1 or after

@@ -3,12 +3,12 @@
 
 #define MAX_STEPS 20000.0 /* at resolution 1 */
 
-/* The residual of a step may exceed the residual of its ball by a sum of fractions: of the ball's residual, of the
- * slope and of the value. The last two fractions are multiplied by the resolution. */
+/* A step is shortened unless its residual is at most (1 + MORE_OF_RESIDUAL) r + resolution (MORE_OF_SLOPE |slope| +
+ * MORE_OF_VALUE |value|). r is the radius of the slope at the middle of the step. */
 #define MORE_OF_RESIDUAL 0.25
 #define MORE_OF_SLOPE 0.004
 #define MORE_OF_VALUE 0.002
-/* Largest product of a step and the derivative of the slope */
+/* Largest product of a step and the derivative of the slope by the dependent variable */
 #define LARGEST_RATE_STEP 0.4
 /* Largest radius relative to the value */
 #define LARGEST_RADIUS 0.5
@@ -31,7 +31,7 @@ static struct slopes path_slopes(struct path *p, struct complex_ball s, struct c
     return f;
 }
 
-/* Returns the number with which a radius of the dependent variable is compared. */
+/* Returns the size of the dependent variable, with which its radius is compared. */
 static double value_size(const struct path *p, struct complex_ball value)
 {
     return p->logarithm ? 1 : ball_size(value);

@@ -82,7 +82,7 @@ static void bound_contraction(arb_t factor, const arb_t low, const arb_t high)
     LET(factor, BOUND_BITS, "exp(2*(1/high - 1/low + (high - low)) + 6*log(high/low))", low, high);
 }
 
-/* Adds bounds of the terms in dTheta_n/dk with first < j <= last. */
+/* Adds bounds of the terms of dTheta_n/dk with first < j <= last. */
 static void add_terms(arb_t bound, const struct formal_time *f, const arb_t r, slong first, slong last)
 {
     LOCAL(arb, term);
@@ -94,7 +94,8 @@ static void add_terms(arb_t bound, const struct formal_time *f, const arb_t r, s
     }
 }
 
-/* Replaces the bound at `high` by the bound at `low`. The source between them is 2 s^(order-1) s_order. */
+/* Computes the bound at r = low from the bound at r = high by (8.5) of docs/theory.md, with n = order. Towards smaller
+ * r the difference decays, and the source 2 r^(n-1) s_n adds to it. */
 static void bound_step(arb_t bound, const struct formal_time *f, slong order, const arb_t low, const arb_t high)
 {
     LOCAL(arb, factor, source, least);

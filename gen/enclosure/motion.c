@@ -6,8 +6,8 @@
 #include "support/console.h"
 #include "support/local.h"
 
-/* LEAST_BITS: the motion ends as imprecise if w or t has fewer bits. PRESSED_STEPS: more steps of a stiff motion under
- * a constant force would take minutes. */
+/* LEAST_BITS: with fewer accurate bits of w or t, the motion ends with MOTION_IMPRECISE. PRESSED_STEPS: more steps of a
+ * stiff motion under a constant force would take minutes. */
 enum { LEAST_BITS = 8, PRESSED_STEPS = 2000 };
 
 void collision_init(struct collision *c)
@@ -39,11 +39,11 @@ struct motion {
     bool force_ends; /* true if the force vanishes before the overlap; never without damping or for a <= b */
     bool turned, released, parted;
     struct pressing pressing;
-    arb_t begin; /* the part of the current step after the turning point begins here */
+    arb_t begin; /* place in the current step after which the ends of contact are searched */
 };
 
-/* Weak scales have length = 1, c1 = beta and c2 = 1. Strong scales have length = beta^(-1/(b+1)), c1 = 1 and c2 = mu.
- * Strong scales are regular for any large beta. */
+/* The scales of weak damping are length = 1, c1 = beta and c2 = 1. The scales of strong damping, which are regular for
+ * any large beta, are length = beta^(-1/(b+1)), c1 = 1 and c2 = mu. */
 static void motion_init(struct motion *m, struct collision *c, const arb_t beta, const struct cor_exponents *law,
                         bool strong, slong prec)
 {
@@ -162,7 +162,7 @@ static bool find_zero_force(struct motion *m, arb_t end)
     LOCAL(arb, root);
     const bool passed = m->pressing.cut;
     if (m->pressing.any && !cut_at_release(m, end) && passed)
-        return false; /* the step starts at the overlap of release, and the energy there does not decide */
+        return false; /* the step starts at the overlap of release, where the energy left `held` undecided */
     const enum taylor_crossing crossing = taylor_crosses(root, &m->y, TAYLOR_FORCE, m->begin, end);
     m->released = crossing == TAYLOR_CROSSED;
     if (m->released && !record_release(m, root))
@@ -236,8 +236,9 @@ static void set_pressing(struct motion *m, const arb_t force)
     LET(p->least, y->prec, "p->release^(ad + d)*y->c2*d/(ad + d)", p->release, ad, d, y->c2);
 }
 
-/* True if the overlap is proved to rise to the overlap at rest, X_e, and never beyond. Let k be half of the damping
- * coefficient at X. Then v < k (X_e - X) holds for ever if k^2 is at least the largest slope of c2 X^a up to X_e. */
+/* True if the overlap is proved to rise towards its value at rest, X_e, without passing it. Let k be half of the
+ * damping coefficient at the current X. If v < k (X_e - X) now, this holds for ever if k^2 is at least the largest
+ * slope of c2 X^a up to X_e. */
 static bool creeps_up(arb_t rest, const struct taylor *y)
 {
     const struct ratio a = law_elastic(&y->law);
@@ -257,7 +258,7 @@ static void set_stay(arb_t eps, arb_t time)
     arb_pos_inf(time);
 }
 
-/* True if the events that the goal requires are known, because the energy is too low for bodies to part. */
+/* Records events that are proved never to happen. True if all events that the goal requires are then known. */
 static bool proves_stay(struct motion *m, enum motion_goal goal)
 {
     struct collision *const c = m->c;
@@ -398,9 +399,9 @@ enum motion_outcome motion_solve_slow(struct collision *c, const arb_t beta, con
     return outcome;
 }
 
-/* The force has one maximum within the contact, where its slope falls through zero while the bodies approach
- * (docs/theory.md, 9). If b = 0 the force may be larger at the first moment. Then a zero of the slope is a minimum as
- * long as the damping force exceeds a/(a - 1) times the elastic force. */
+/* While the bodies approach, the force has one maximum, where its slope falls through zero (docs/theory.md, 9). If b =
+ * 0, the force at the first moment may be larger. Then a zero of the slope is a minimum if the damping force still
+ * exceeds a/(a - 1) times the elastic force. */
 enum motion_outcome motion_force_max(arb_t force, const arb_t beta, const struct cor_exponents *law, slong prec)
 {
     LOCAL_INIT(motion, m, (&m, NULL, beta, law, arf_cmp_si(arb_midref(beta), 1) > 0, prec));

@@ -36,9 +36,9 @@ enum motion_outcome {
 enum motion_outcome motion_solve(struct collision *c, const arb_t beta, const struct cor_exponents *law,
                                  enum motion_goal goal, slong prec);
 
-/* Integrates the motion under a constant force > 0 to the surface, which replaces zero force (a > b, beta > 0), or to
- * both ends. For bodies that stay together eps is exactly 0 and t = +inf. If the overlap never exceeds the overlap at
- * rest, x_max is the overlap at rest, and t_max = +inf. All are proved (docs/theory.md, 24). */
+/* Integrates the motion under a constant force > 0. MOTION_ZERO_FORCE: to the surface, for a > b and beta > 0.
+ * MOTION_ZERO_OVERLAP: to both ends. For bodies that stay together eps is exactly 0 and t = +inf. If the overlap never
+ * exceeds the overlap at rest, x_max is the overlap at rest, and t_max = +inf. All are proved (docs/theory.md, 24). */
 enum motion_outcome motion_solve_pressed(struct collision *c, const arb_t beta, const arb_t force,
                                          const struct cor_exponents *law, enum motion_goal goal, slong prec);
 

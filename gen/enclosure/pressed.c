@@ -148,8 +148,8 @@ static bool curve_at(arb_t rest, arb_t force, const arb_t beta, const arb_t damp
 }
 
 /* For strong damping and q > 0, B is just below the smallest B at which the motion escapes, and f = (B/beta)^(2a/n) is
- * known as accurately as B. Halves a bracket with proved signs at both ends. A motion counts as escaping at X = w^d, w
- * = 2^FAR_BITS; it has at least the energy of this overlap. */
+ * known as accurately as B. Halves a bracket with proved signs at both ends. A motion counts as escaping if it reaches
+ * w = 2^FAR_BITS: the energy there gives V^q > beta/B, which the function checks. */
 static int squeeze_force(arb_t force, arb_t low, arb_t high, const arb_t beta, const struct cor_exponents *law, int end,
                          slong bits)
 {
@@ -183,9 +183,9 @@ static int squeeze_force(arb_t force, arb_t low, arb_t high, const arb_t beta, c
     return fail_accuracy("the threshold of the force", bits);
 }
 
-/* Finds the B that belongs to beta, to some bits. The function brackets B by factors of 2, halves the bracket in ln(B),
- * and applies the Illinois method. If motions escape above B, the function returns only the bracket, low_end and
- * high_end. */
+/* Finds the B that belongs to beta, to some bits: brackets B by factors of 2, halves the bracket in ln(B), and applies
+ * the Illinois method. If the motion escapes at the upper end of even a tiny bracket, sets only the bracket, low_end
+ * and high_end. */
 static int find_damping(arb_t damping, arb_t low_end, arb_t high_end, const arb_t beta, const struct cor_exponents *law,
                         int end)
 {
@@ -267,7 +267,7 @@ int collision_sticking_force(arb_t force, const arb_t beta, const struct cor_exp
             width = FLINT_MIN(2 * width - 6, narrowest);
         LET(damping, prec, "low - (high - low)*f_low/(f_high - f_low)", low, high, f_low, f_high);
     }
-    if (law_speed_exponent(law).num > 0) { /* motions escape next to B */
+    if (law_speed_exponent(law).num > 0) { /* the motion escapes at a B next to the solution */
         arb_around(low, high, found, -WIDE_BITS, prec);
         return squeeze_force(force, low, high, beta, law, end, bits);
     }

@@ -16,8 +16,8 @@ enum {
     STEP_BITS = 3,
     /* The Lipschitz constant holds in a tube of this relative width around the polynomials. */
     TUBE_BITS = 10,
-    /* Coefficient n needs STEP_BITS n bits less than coefficient 0 and is computed with that many bits less. These bits
-     * are added for the round-off of its sums. */
+    /* Coefficient n needs STEP_BITS n bits less than coefficient 0. COEFFICIENT_GUARD more bits cover the round-off of
+     * its sums. */
     COEFFICIENT_GUARD = 24,
     /* With this number of coefficients or more, products of polynomials cost less than sums of products. */
     ONLINE_FROM = 96
@@ -171,9 +171,9 @@ static void add_known_terms(const struct taylor_product *product_of, slong first
     _arb_vec_clear(right, known);
 }
 
-/* Computes a range of coefficients by the online multiplication of Fischer and Stockmeyer. Each product needs
- * coefficients that it determines itself. Once the first half of a range is known, its contribution to the second half
- * is a product of polynomials, which FLINT multiplies fast. */
+/* Computes a range of coefficients by the online multiplication of Fischer and Stockmeyer. The factors of a product
+ * contain coefficients that follow from lower coefficients of the product. Once the first half of a range is known, its
+ * contribution to the second half is a product of polynomials, which FLINT multiplies fast. */
 static void expand_range(struct taylor *y, slong first, slong end)
 {
     if (end - first <= ONLINE_FROM) {
@@ -314,7 +314,7 @@ bool taylor_choose_step(struct taylor *y)
 {
     LOCAL(mag, goal, scale);
     bool proved = false;
-    /* The goal is the size of rounding errors relative to the current velocity. */
+    /* The goal of the remainders is the size of rounding errors, relative to the larger of |w| and |v|. */
     arb_get_mag(goal, y->v);
     arb_get_mag(scale, y->w);
     mag_max(goal, goal, scale);
@@ -332,7 +332,7 @@ bool taylor_choose_step(struct taylor *y)
     return proved;
 }
 
-/* Computes components that are formulas of the enclosed w and v. Powers whose factor vanishes count as 1. */
+/* Computes components that are formulas of the enclosed w and v. A power of w with the factor 0 gets the exponent 0. */
 static void formula_value(arb_t value, const struct taylor *y, enum taylor_component component, const arb_t w,
                           const arb_t v, slong prec)
 {
