@@ -29,7 +29,7 @@ struct power_evidence {
     arb_poly_struct *inverse, *defect; /* V and 1 - B V, `products` rows each */
 };
 
-/* B consists of the first `block_rows` rows and `block_length` columns of Z, or of all if Z has fewer. */
+/* B has the first `block_rows` rows and `block_length` columns of Z, or fewer if Z has fewer. */
 void power_evidence_init(struct power_evidence *e, const struct trajectory *t, slong block_rows, slong block_length);
 void power_evidence_clear(struct power_evidence *e);
 

@@ -13,7 +13,7 @@ static void series_pow(arb_poly_t z, const arb_poly_t x, struct ratio e, slong n
     arb_poly_pow_arb_series(z, x, exponent, n, prec);
 }
 
-/* The map beta -> -h is an involution. The residues before and after this substitution give (docs/theory.md, 4)
+/* The map beta -> -h is an involution. Residues before and after this substitution show that (docs/theory.md, 4)
  *
  *     [beta^k] (h/beta)^p = (-1)^k p/(k+p) [beta^k] (h/beta)^(-k-p),      eps^power = (h/beta)^p, p = power/q,
  *

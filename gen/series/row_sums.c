@@ -30,7 +30,7 @@ struct row_prime {
     ulong *sum; /* sum for the current row, `length` numbers */
 };
 
-/* Upper bounds of one row: size[j] 2^(size_exponent + COLUMN_BITS j) >= |f_j|. radius bounds the integers' errors. */
+/* Upper bounds of one row: size[j] 2^(size_exponent + COLUMN_BITS j) >= |f_j|; `radius` likewise bounds its error. */
 struct row_bound {
     double *size, *radius;
     slong size_exponent, radius_exponent;

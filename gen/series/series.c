@@ -96,7 +96,7 @@ int series_compute(struct series *s, slong order, const struct cor_exponents *la
             s->order = order;
             return STATUS_OK;
         }
-        /* the intervals of y limit the intervals of C */
+        /* the accuracy of y limits the accuracy of C */
         prec += prec / 4 + 32;
         terms += terms / 4 + 8;
     }

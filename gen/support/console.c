@@ -225,7 +225,7 @@ void progress_resume(void)
     pthread_mutex_unlock(&line_lock);
 }
 
-/* Changes a step. A step of another name begins now. */
+/* Changes a step. With another name, a new step begins now. */
 static void step_set(struct step *step, const char *name, long done, long total, double left)
 {
     if (!console_thread || !line_watched)

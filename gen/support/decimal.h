@@ -45,7 +45,7 @@ bool decimal_inside(const struct decimal_range *range, const fmpq_t x);
  * once. */
 double decimal_nearest(const fmpq_t x);
 
-/* Returns the double nearest to a number as it is written, or INFINITY. */
+/* Returns the double nearest to the exact value, or INFINITY. */
 double decimal_value(const struct decimal *x);
 
 /* The text of a number that is a macro */

@@ -17,7 +17,7 @@ slong digits_to_bits(slong digits)
     return (digits * 3322 + 999) / 1000 + GUARD_BITS; /* log2(10) < 3.322 */
 }
 
-/* Returns the shortest text with all digits of a mantissa such as "-12345" and the point after `point` of them. */
+/* Returns the shortest text with all digits of a mantissa such as "-12345", with the point after `point` digits. */
 static char *digits_spell(const char *mantissa, long point)
 {
     static const char zeros[LEADING_ZEROS_MAX + 1] = "0000";
@@ -87,7 +87,7 @@ struct precision precision_start(slong digits)
 
 struct precision precision_doubling(slong bits, slong limit)
 {
-    /* bits and step both double: bits, 2 bits, 4 bits, ...; no step follows beyond half of the limit */
+    /* bits and step both double; the last value of bits is above limit/2 and at most the limit */
     return (struct precision){.bits = bits, .step = bits, .limit = limit / 2 + 1};
 }
 

@@ -11,10 +11,10 @@
 
 struct emit {
     FILE *file;
-    bool single;              /* the real type of emit_lines and later functions is float */
+    bool single;              /* the real type of emit_lines and the functions after it is float, not double */
     bool decimal;             /* rows and structs in 17 decimal digits, which every C and C++ compiler reads, instead of
                                * hexadecimal */
-    bool shared;              /* the text of rows is the one of runtime/table/rows.h, decimal or not */
+    bool shared;              /* rows always use the macros of runtime/table/rows.h */
     const char *table, *type; /* name of the current rows or structs, their type, the number of elements written, and
                                * the length of the last line */
     slong row;
@@ -23,8 +23,8 @@ struct emit {
 };
 
 /* From now on, also writes each double of emit_row and emit_struct to a csv file, table,row,column,value,digits. The
- * digits are 25 significant ones, or a fraction of small integers if the number is one. Headers with `decimal` that are
- * not `shared` are excepted. NULL ends the csv file. */
+ * digits are 25 significant ones, or a fraction of small integers if the number is one. Omits the numbers of headers
+ * with `decimal` but not `shared`. NULL ends the csv file. */
 void emit_digits(FILE *file);
 
 /* Writes the licence line, the banner and the include guard. The guard is written in capitals. The banner is plain text
@@ -32,8 +32,8 @@ void emit_digits(FILE *file);
 void emit_open(struct emit *e, FILE *file, const char *guard, const char *banner);
 void emit_close(struct emit *e);
 
-/* Opens NAME_tables.h of generated/. what: its contents. how: the source of its errors. Adds the commands that write
- * and check it, and `includes`, lines that include other headers. */
+/* Opens NAME_tables.h of generated/. The banner contains `what`, the contents; the commands that write and check the
+ * file; and `how`, the source of its errors. `includes` are lines that include other headers. */
 void emit_open_tables(struct emit *e, FILE *file, const char *name, const char *what, const char *how,
                       const char *includes);
 #define EMIT_INCLUDE_ROWS "#include \"runtime/table/rows.h\"\n"

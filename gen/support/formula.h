@@ -13,8 +13,8 @@
  * abs, acos, acosh, asin, digamma, exp, expm1, gamma, log, log1p, sinc, sinh, sqrt, and max and min of two numbers. The
  * number pi is available. A text that is not a formula ends the program.
  *
- * LET_COMPLEX also computes with acb_t, with + - * / ^, exp, sinc, sinh and sqrt. With `analytic`, roots and powers
- * that are not whole are not finite on their cut. */
+ * LET_COMPLEX also computes with acb_t, with + - * / ^, exp, sinc, sinh and sqrt. With `analytic`, a root or a
+ * power that is not whole is not finite if its ball touches the cut. */
 #ifndef COR_GEN_SUPPORT_FORMULA_H
 #define COR_GEN_SUPPORT_FORMULA_H
 

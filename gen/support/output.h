@@ -16,7 +16,7 @@ enum output_format { FORMAT_TEXT, FORMAT_CSV, FORMAT_JSON, FORMAT_LATEX };
  * All other paths are written directly: standard output (path NULL or /dev/stdout), a terminal, a pipe, /dev/null. */
 struct output {
     FILE *file;
-    FILE *screen;     /* the terminal, if it also shows progress; `bytes` are then written at once; or NULL */
+    FILE *screen;     /* the terminal, if it also shows progress, otherwise NULL; output_show moves `bytes` to it */
     const char *path; /* path as given, for messages; NULL: standard output */
     char *target;     /* the file to be replaced, behind all links; NULL = written directly */
     char *temporary;  /* the temporary file with the new text, during a commit */
@@ -34,7 +34,7 @@ void output_say_on_interrupt(const char *text);
 /* True if the path, or NULL, is written directly, so that no file can be stored next to it. */
 bool output_is_direct(const char *path);
 
-/* True if two paths name one regular file: by symbolic or hard links, or by two names of one folder. */
+/* True if two paths name one regular file, perhaps by links or by different names of its folder. */
 bool output_same_file(const char *path, const char *other);
 
 /* These functions return STATUS_OK, or STATUS_FAILED after reporting the reason on stderr. A failure leaves no files
@@ -61,12 +61,11 @@ const char *file_name(const char *path);
  * if it cannot be read or has `most` bytes or more. */
 char *read_file(const char *path, size_t most, size_t *size);
 
-/* A table of strings. The header row names the columns exactly as the contract does. In JSON the table is an array of
- * objects. Its numbers have all digits; missing and infinite numbers are null. In csv a missing number, an empty cell,
- * is nan. */
+/* A table of strings. In JSON the table is an array of objects; missing and infinite numbers are null. In csv a missing
+ * number, an empty cell, is nan. */
 enum {
     TABLE_NUMBER = 'n',
-    TABLE_DIGITS = 'd', /* numbers that may have more digits than a double: strings with json_strings */
+    TABLE_DIGITS = 'd', /* numbers that may have more digits than a double; JSON strings if json_strings */
     TABLE_TEXT = 't'
 };
 struct table {

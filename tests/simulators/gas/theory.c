@@ -57,7 +57,7 @@
 #define TURNING (0.8 / 0.50445489426892577)
 #define SHADOW (4.8 * 0.88726381750307528 * 1.3195079107728942)
 #define STORED (1.4 * 4 / 27)
-#define TOLERANCE 1e-10 /* error of a time step in ln T and a2 */
+#define TOLERANCE 1e-10 /* absolute error of each variable in a time step */
 
 struct gas {
     struct cor_sphere_contact contact;
