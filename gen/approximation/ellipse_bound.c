@@ -125,7 +125,7 @@ static bool stored_of_sphere(struct complex_ball y[QUANTITIES], const struct cov
 
 /* ---- another law ---- */
 
-/* Computes beta. Also sets *log_beta = x, which is ln(beta) in intervals of ln(beta). */
+/* Computes beta from x. Also sets *log_beta = x, which has a meaning only in intervals of ln(beta). */
 static void damping_of(struct complex_ball *beta, struct complex_ball *log_beta, const struct cover *work,
                        struct complex_ball x)
 {

@@ -20,7 +20,7 @@ enum {
 /* The code does not improve a bound below this. */
 #define SMALL_ENOUGH 0x1p-73
 
-/* Intervals of u for x_max, t_max, eps and duration at zero force, each without its power of beta */
+/* Intervals of u for x_max, t_max, eps and duration at zero force, each divided by its power of beta */
 static const struct interval far_intervals[FAR_PROOF_INTERVALS] = {
     {INTERVAL_LOG, 9.4, 20.6, 40, 84, FORM_POWER, SET_LENGTHS | SET_ZERO_FORCE},
     {INTERVAL_LOG, 20, WIDE_FROM + 0.6, 36, 84, FORM_POWER, SET_LENGTHS | SET_ZERO_FORCE},

@@ -101,7 +101,7 @@ struct samples {
     arb_poly_struct polynomial[QUANTITIES];
 };
 
-/* Far coefficients: for u beyond the last interval and without terms of order mu^3, mu = beta^(-(a+1)/(b+1)), the
+/* Far coefficients, for u beyond the last interval. Except for terms of order mu^3, mu = beta^(-(a+1)/(b+1)), the
  * scaled quantity is a linear combination of 1, u; mu, mu u, mu u^2; mu^2, ..., mu^2 u^3. For other laws the duration
  * at zero overlap is this sum times beta^(a/(b+1)) plus `fall` times beta^((a-1)/n). `fall` is 0 if a - b = 1 or n = 1
  * - a, because the sum then contains that term (docs/theory.md, 9). */
@@ -149,7 +149,7 @@ void interpolant_free(struct interpolant *f);
 void interpolant_through_samples(arb_poly_t p, const struct samples *s, const struct interval *interval,
                                  enum quantity quantity);
 
-/* Returns beta at a place of an interval, as a double. */
+/* Returns beta, as a double, at the value x of an interval's variable. */
 double interpolant_beta_near(const struct interpolant *f, const struct interval *interval, double x);
 
 /* Returns the power -2a/n of beta in the constant force of a layout (`press`). */

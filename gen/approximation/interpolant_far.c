@@ -51,7 +51,7 @@ static bool has_far(const struct interpolant *f, enum quantity quantity)
     return false;
 }
 
-/* Fits the coefficients of a quantity to its samples at an equal number of places. */
+/* Fits the coefficients of a quantity to an equal number of samples. */
 static bool fit_far(struct interpolant *f, enum quantity quantity, const struct samples *s)
 {
     const struct cor_exponents *const law = &f->layout->law;

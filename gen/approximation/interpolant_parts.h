@@ -18,8 +18,8 @@ static inline bool has_quantity(const struct interval *interval, enum quantity q
     return interval->set & 1u << quantity;
 }
 
-/* Computes an exact beta near the place x of an interval, and the value of the variable there. beta is exact because a
- * strongly damped collision would widen an uncertainty of beta a thousandfold. */
+/* Computes an exact beta near the value x of an interval's variable, and the variable at this beta. beta is exact
+ * because a strongly damped collision would widen an uncertainty of beta a thousandfold. */
 void interpolant_place(arb_t beta, arb_t variable, const struct interpolant *f, const struct interval *interval,
                        double x);
 void samples_init(struct samples *s, slong count);
@@ -31,13 +31,13 @@ int samples_collide(struct samples *s, int intervals, const struct interpolant *
 
 /* Computes beta^power at beta = exp(u). */
 void interpolant_power(arb_t y, const arb_t u, struct ratio power, slong prec);
-/* Computes beta at a place of a variable. */
+/* Computes beta from the value x of a variable. */
 void interpolant_beta(arb_t beta, const struct interpolant *f, enum interval_variable variable, const arb_t x,
                       slong prec);
 /* Returns the quantity, or its counterpart at zero overlap if a <= b, because the two ends then coincide. */
 enum quantity interpolant_end(const struct interpolant *f, enum quantity quantity);
 
-/* Returns the last place of a variable at which the quantity is sampled, or a number below all places. */
+/* Returns the largest value of a variable at which the quantity is sampled, or -HUGE_VAL if it never is. */
 double interpolant_last(const struct interpolant *f, enum quantity quantity, enum interval_variable variable);
 
 /* Fits the far coefficients to an equal number of samples. */

@@ -84,11 +84,11 @@ void law_tables_clear(struct law_tables *t);
  * an interval that is too wide. */
 int law_tables_emit(struct emit *e, const struct law_tables *t, bool floats);
 
-/* Writes the rows of eps, loss, duration and inverse with damping during the approach only. They are sampled. */
+/* Writes the rows of eps, loss, duration and inverse for damping during the approach only. Errors are sampled. */
 int law_tables_emit_approach(struct emit *e, const struct law_tables *t, const char *prefix);
 
-/* The first function is true if the quantity has coefficients beyond the rows; the second, if it also has the term
- * `fall` of interpolant.h. */
+/* The first returns true if the quantity has coefficients beyond the rows, the second if also `fall`
+ * (interpolant.h). */
 bool law_tables_have_far(const struct law_tables *t, enum quantity quantity);
 bool law_tables_have_fall(const struct law_tables *t, enum quantity quantity);
 
@@ -97,7 +97,7 @@ bool law_tables_have_fall(const struct law_tables *t, enum quantity quantity);
  * BETA_ZERO_FORCE beyond the rows: a, a', b_0, ... (interpolant_far_inverse). */
 slong law_tables_far_row(arb_ptr row, const struct law_tables *t, enum quantity quantity);
 
-/* Write a row of law_tables_far_row, or the further term as two doubles. */
+/* Write a row of law_tables_far_row, or the coefficient `fall` as two doubles. */
 int law_tables_emit_far(struct emit *e, const struct law_tables *t, enum quantity quantity, const char *name);
 int law_tables_emit_fall(struct emit *e, const struct law_tables *t, const char *name);
 

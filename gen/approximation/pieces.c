@@ -208,7 +208,7 @@ static double remainder_in(double c_3)
     return (double)float_of(word_of((float)c_3) << 16);
 }
 
-/* Replaces the lower 16 bits of c_3 by c_0', rounded to 8 bits. Returns the nearest such float to c_3. */
+/* Returns the float nearest to c_3 whose lower 16 bits are the upper bits of c_0', rounded to 8 bits. */
 static double with_remainder(double c_3, double remainder)
 {
     const uint32_t low = (word_of((float)remainder) + 0x8000) >> 16;

@@ -28,8 +28,8 @@
 
 /* The variable y of a table. In tables by octaves 2^k <= x < 2^(k+1), y is x 2^-k. The 2^octave_bits rows of an octave
  * have their nodes in the middle of equal cells. Here x is eps, beta, ln(beta), beta_c - beta, or beta^5, which is
- * proportional to the impact speed of spheres. VARIABLE_LOSS is 1 - eps. VARIABLE_ROOT_...
- * are roots of beta or of the loss, square roots for spheres. */
+ * proportional to the impact speed of spheres. VARIABLE_LOSS is 1 - eps. VARIABLE_ROOT_... are roots of
+ * beta or of the loss, square roots for spheres. */
 enum variable {
     VARIABLE_BETA,
     VARIABLE_ROOT_BETA,
@@ -119,7 +119,8 @@ int pieces_write(struct emit *e, struct pieces *p, struct pieces_function f);
  * polynomials through these samples, so that all later steps are arithmetic with the same result for every library. The
  * polynomials are compared with enclosures at two places of each block, between the samples. */
 
-/* Computes f at y, or at y 2^k of octave k. If `proved`, encloses it with `prec` working bits, otherwise samples it. */
+/* Computes f(y), where y is x for tables by octaves. If `proved`, encloses it with `prec` working bits, otherwise
+ * samples it. */
 typedef void function_of_ball(arb_t f, const void *what, const arb_t y, bool proved, slong prec);
 
 /* Cuts p, a table of VARIABLE_OTHER or by octaves, and writes it, as pieces_write does. */
