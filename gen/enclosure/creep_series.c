@@ -14,7 +14,7 @@ enum {
 /* ---- the formal time Theta_n(r, k) = -2 ln(r) + sum_j r^j q_j(k) ---- */
 
 /* Polynomials in e = k - 1 for 1 <= j <= CREEP_SERIES_ORDER. q[j] is q_j. source[j] is s_j = (1 + j/2) q_j' + k q_j'',
- * which bounds the error of Theta_j. */
+ * the source in (8.5) of docs/theory.md. */
 struct formal_time {
     fmpq_poly_struct q[CREEP_SERIES_ORDER + 1], source[CREEP_SERIES_ORDER + 1];
 };
@@ -94,8 +94,8 @@ static void add_terms(arb_t bound, const struct formal_time *f, const arb_t r, s
     }
 }
 
-/* Computes the bound at r = low from the bound at r = high by (8.5) of docs/theory.md, with n = order. Towards smaller
- * r the difference decays, and the source 2 r^(n-1) s_n adds to it. */
+/* Computes the bound at r = low from the bound at r = high by (8.5) with n = order. Towards smaller r the difference
+ * decays, and the source 2 r^(n-1) s_n adds to it. */
 static void bound_step(arb_t bound, const struct formal_time *f, slong order, const arb_t low, const arb_t high)
 {
     LOCAL(arb, factor, source, least);

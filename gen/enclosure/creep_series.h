@@ -19,10 +19,10 @@ enum { CREEP_SERIES_ORDER = 30, CREEP_SERIES_LEAST_Y = 34 };
 
 struct creep_series {
     arb_ptr a;           /* a_j, 1 <= j <= CREEP_SERIES_ORDER */
-    arb_t start, factor; /* numbers of the bound of the remainder */
+    arb_t start, factor; /* constants in the bound of the remainder */
 };
 
-/* Computes a_j with `prec` bits, and the numbers of the bound. */
+/* Computes a_j with `prec` bits, and the constants in the bound. */
 void creep_series_init(struct creep_series *s, slong prec);
 void creep_series_clear(struct creep_series *s);
 

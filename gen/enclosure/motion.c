@@ -28,7 +28,7 @@ struct pressing {
     bool held, stuck; /* held: the bodies are proved never to reach the surface; stuck: the overlap never vanishes */
     bool has_release; /* 2 (a - b) > 1: only bodies released at w >= release reach the surface */
     bool cut;         /* the last step ended at the overlap of release */
-    arb_t release;    /* w of the release */
+    arb_t release;    /* w at the overlap of release */
     arb_t least;      /* energy of a release there; with less energy the bodies never reach the surface */
 };
 
@@ -237,8 +237,8 @@ static void set_pressing(struct motion *m, const arb_t force)
 }
 
 /* True if the overlap is proved to rise towards its value at rest, X_e, without passing it. Let k be half of the
- * damping coefficient at the current X. If v < k (X_e - X) now, this holds for ever if k^2 is at least the largest
- * slope of c2 X^a up to X_e. */
+ * damping coefficient at the current X. Once v < k (X_e - X), this remains true if k^2 is at least the largest slope of
+ * c2 X^a up to X_e. */
 static bool creeps_up(arb_t rest, const struct taylor *y)
 {
     const struct ratio a = law_elastic(&y->law);
@@ -294,7 +294,7 @@ static void manifold_state(arb_t place, arb_t slope, const struct taylor *y)
     LET(slope, y->prec, "-(y->v/(y->w^difference*y->c2))", y->v, y->w, difference, y->c2);
 }
 
-/* Finds the events of the current step after the turning point. Returns false if the intervals do not decide. */
+/* Finds the events after the turning point in the current step. Returns false if the intervals do not decide. */
 static bool find_ends(struct motion *m)
 {
     const struct pressing *const p = &m->pressing;

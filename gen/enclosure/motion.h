@@ -5,7 +5,7 @@
 
 #include "series/law.h"
 
-/* The events of one collision, in the order of enum quantity. The equation of motion determines them. */
+/* The events of one collision, in the order of enum quantity */
 enum { COLLISION_FIELDS = 6 };
 struct collision {
     union {

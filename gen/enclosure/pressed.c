@@ -116,8 +116,7 @@ int collision_sticking_speed(arb_t speed, const arb_t damping, const struct cor_
 
 /* ---- the threshold at a given beta ---- */
 
-/* Computes rest = ln(beta) - ln(B V^q), and the force f. If the motion escapes, V is infinite, and `rest` gets the sign
- * of -q. */
+/* Computes rest = ln(beta) - ln(B V^q), and the force f. If the motion escapes, f = 0 and rest = -infinity. */
 static bool follow_curve(arb_t rest, arb_t force, const arb_t beta, const arb_t damping,
                          const struct cor_exponents *law, int end, slong prec)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* With q < 0 the bodies part only below a threshold beta_c (docs/theory.md, 9).
  *
- * Consider an end with eps = 0 in backward time, with x = beta^(2/m) X and m = -n > 0. The motion is the unstable
+ * Consider, backward in time, a motion that ends with eps = 0; x = beta^(2/m) X, m = -n > 0. It is the unstable
  * manifold of the law with negative damping X'' - X^b X' + X^a = 0,
  *
  *   X' = X^(b+1) g(z),   z = X^m,   g ((b+1) g + m z g') = g - z,   g(0) = 1/(b+1).
