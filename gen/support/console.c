@@ -14,7 +14,7 @@
 #include "support/clock.h"
 #include "support/flint.h"
 
-static _Thread_local bool console_thread; /* true in the thread that sets steps of progress and measures them */
+static _Thread_local bool console_thread; /* true in the thread that called console_start */
 
 /* The line of progress. A thread prints it repeatedly, so that no computation is silent. */
 enum { STEP_NAME = 64, UPDATES_PER_SECOND = 5, PRINTABLE = 5 };
@@ -225,7 +225,7 @@ void progress_resume(void)
     pthread_mutex_unlock(&line_lock);
 }
 
-/* Changes a step. With another name, a new step begins now. */
+/* Updates a step. A new name begins a new step, timed from now. */
 static void step_set(struct step *step, const char *name, long done, long total, double left)
 {
     if (!console_thread || !line_watched)

@@ -48,7 +48,7 @@ double decimal_nearest(const fmpq_t x);
 /* Returns the double nearest to the exact value, or INFINITY. */
 double decimal_value(const struct decimal *x);
 
-/* The text of a number that is a macro */
+/* The value of a macro as text */
 #define TEXT_OF_(x) #x
 #define TEXT_OF(x) TEXT_OF_(x)
 

@@ -27,8 +27,8 @@ struct precision {
     slong bits, step, limit;
 };
 
-/* Starts a loop for decimal digits. It adds 32, 64, 128, ... bits, up to three times the bits of the digits plus 512. A
- * number that is undecided at that limit must be zero or a tie, which interval (ball) arithmetic cannot exclude. */
+/* Starts a loop with b = digits_to_bits(digits) bits. It adds 32, 64, 128, ... bits until 3 b + 512 are reached. A
+ * number that is still undecided must be zero or a tie, which interval (ball) arithmetic cannot exclude. */
 struct precision precision_start(slong digits);
 
 /* Starts a loop from `bits` bits, which double up to `limit` at most. */

@@ -32,8 +32,8 @@ void emit_digits(FILE *file);
 void emit_open(struct emit *e, FILE *file, const char *guard, const char *banner);
 void emit_close(struct emit *e);
 
-/* Opens NAME_tables.h of generated/. The banner contains `what`, the contents; the commands that write and check the
- * file; and `how`, the source of its errors. `includes` are lines that include other headers. */
+/* Opens NAME_tables.h of generated/. The banner contains `what` (the contents), the commands that write and check the
+ * file, and `how` (the source of its errors). `includes` are lines that include other headers. */
 void emit_open_tables(struct emit *e, FILE *file, const char *name, const char *what, const char *how,
                       const char *includes);
 #define EMIT_INCLUDE_ROWS "#include \"runtime/table/rows.h\"\n"
