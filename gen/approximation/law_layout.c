@@ -161,8 +161,8 @@ static int is_fallen(bool *fallen, const struct cor_exponents *law, const arb_t 
     return status;
 }
 
-/* For q > 0, finds the beta above which eps is v_f beta^(-1/q) to double precision: 8, or the first that suffices on a
- * grid of eighths of an octave of ln(beta), at most exp(last_log). Sets h* = v_f^q. */
+/* For q > 0, finds the beta above which eps is v_f beta^(-1/q) to double precision. Tries 8, then a grid of eighths of
+ * an octave of ln(beta), at most to last_log. Sets h* = v_f^q. */
 static int find_fall(double *h_star, struct law_layout *layout)
 {
     const struct cor_exponents *law = &layout->interpolant.law;

@@ -127,9 +127,8 @@ void interpolant_on(arb_poly_t y, const struct interpolant *f, int i, enum quant
 
 /* ---- the constant of the creep ---- */
 
-/* Computes the C of creep_series.h from collision j of an interval in ln(beta): the time from zero force to zero
- * overlap, divided by beta, minus the other terms of the series. Returns false if the series has no bound for this
- * collision. */
+/* Computes the C of creep_series.h from collision j of an interval in ln(beta). C is the time from zero force to zero
+ * overlap, divided by beta, minus the other terms. Returns false if the series has no bound for this collision. */
 static bool creep_constant_of(arb_t constant, const struct interpolant_proof *proof, int i, slong j)
 {
     const slong bits = proof->f->layout->interval[i].bits;

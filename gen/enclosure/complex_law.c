@@ -157,8 +157,8 @@ static bool turning_point(struct path *p, struct path_state *y, const struct cor
     const double logarithm = POWER * log(s);
     *y = (struct path_state){ball_widened(ball_of(logarithm, 0), 0x1p-46 * (1 + fabs(logarithm))), zero};
     p->logarithm = true;
-    /* Start the path about the turning point at an exact kappa, so that only y is uncertain: bounds would add up the
-     * effect of an uncertain kappa, which changes sign along the path. */
+    /* Start the path about the turning point at an exact kappa, so that only y is uncertain. The effect of an uncertain
+     * kappa changes sign along the path, but bounds would add it up. */
     if (p->pressed) {
         if (!path_follow(p, turning_slopes, kappa, ball_centre(kappa), y))
             return false;
