@@ -7,10 +7,10 @@
 #include "support/formula.h"
 #include "support/local.h"
 
-/* Let N = n + 1, u = a_{n+1}/(2N) and A = 1/(1 - u). Then a_n = (z/(2N)) A, and x = n - a_n. A = h/d and A - 1 = k/d
- * are stored, because computing 1 - A from A cancels for n > kappa. If |A| > 1, h = 1, so that nothing overflows where
- * J_n vanishes; otherwise d = 1. For kappa', B, H, D and K correspond to A, h, d and k; b_n = (g/N) B and
- * y = n - b_n. In these variables
+/* disk/modes.h defines a_n(z), e, s and g. Let N = n + 1, u = a_{n+1}/(2N) and A = 1/(1 - u). Then a_n = (z/(2N)) A,
+ * and x = n - a_n. A = h/d and A - 1 = k/d are stored, because computing 1 - A from A cancels for n > kappa. If |A| >
+ * 1, h = 1, so that nothing overflows where J_n vanishes; otherwise d = 1. For kappa', B, H, D and K correspond to A,
+ * h, d and k; b_n = (g/N) B and y = n - b_n. In these variables
  *
  *     -n(n-1)/2 T0 + (g/N) ((n-1)(T1 - s T2/2) + T0/2) = 0        n >= 1
  *     e d - s k = 0                                              n = 0
@@ -136,10 +136,10 @@ static void combine_products(arb_t f, arb_t rest, arb_srcptr t0, const struct di
 
 enum { UNDECIDED_SIGN = 3 };
 
-/* Counts the negative eigenvalues of the stiffness at the rim for n >= 1. Returns the count of the free disk minus the
- * count of the clamped disk. Up to positive factors, the 2 x 2 matrices have det(clamped) = D = x y - n^2, det(free) =
- * F/D and diagonals -y/D and -P/D. F is the left side of the equation, and P = y + D/g. Returns UNDECIDED_SIGN if a
- * sign is undecided. */
+/* Returns the number of negative eigenvalues of the rim's 2 x 2 stiffness matrix for the free disk, minus their number
+ * for the clamped disk; n >= 1. Up to positive factors, the clamped matrix has the determinant D = x y - n^2 and a
+ * diagonal element -y/D, the free one F/D and -P/D. F is the left side of the equation, and P = y + D/g. Returns
+ * UNDECIDED_SIGN if a sign is undecided. */
 static int count_eigenvalues(arb_srcptr t0, const struct disk *disk, const struct waves *v, slong n)
 {
     const slong prec = disk->prec;
@@ -196,8 +196,7 @@ int disk_newton(arb_t step, const struct disk *disk, slong n, const arb_t w)
             x->d, x->k);
     } else {
         set_products(t, disk, &v.a, &v.b);
-        combine_products(f, df, t, disk, v.g,
-                         n); /* rest is proportional to g, so it equals g times its derivative by g */
+        combine_products(f, df, t, disk, v.g, n); /* rest is proportional to g: rest = g d(rest)/dg */
         set_products(t, disk, x, &v.b);
         combine_products(part, rest, t, disk, v.g, n);
         arb_add(df, df, part, prec);

@@ -15,7 +15,7 @@
 #include "support/local.h"
 #include "support/parallel.h"
 
-/* Bits of omega that the recurrences, and C and S, usually lose. A mode that loses more is computed again. */
+/* GUARD_BITS: bits that the recurrences, C and S usually lose. A mode that loses more is computed again. */
 enum {
     GUARD_BITS = 24,
     NEWTON_MAX = 12,
@@ -74,7 +74,7 @@ static bool polish_root(arb_t w, const struct disk *wide, slong n, slong l, slon
         if (gained < NEWTON_SLACK || !arb_is_positive(w))
             break;
         if (prec == full && 2 * gained >= full + NEWTON_SLACK) {
-            /* one more step would be smaller than the interval, so a bracket of twice its width suffices */
+            /* the error of w is about the radius of `step`; the bracket extends at least four radii to either side */
             slong narrow =
                 (slong)fmin((double)(bits + GUARD_BITS / 2 - 2), -2 - mag_get_d_log2_approx(arb_radref(step)));
             for (int wider = 0; wider < WIDENINGS && !proved; wider++, narrow -= GUARD_BITS / 4) {
@@ -106,7 +106,7 @@ static bool bisect_by_count(arb_t w, const struct disk *wide, slong n, slong l, 
     disk.prec = p.bits;
     bool found = false, enclosed = false, enough = p.bits <= limit;
 
-    /* w >= n (n - 1)/10: start there and go up by factors of four */
+    /* every root has w >= n (n - 1)/10, which is above `low`; `high` grows by factors of four */
     arf_set_si(low, n * (n - 1));
     arf_div_ui(low, low, 11, 30, ARF_RND_DOWN);
     arf_set_si(high, n * (n - 1) + 1);
@@ -187,7 +187,7 @@ struct work {
 };
 
 /* Finds candidates for the lowest modes in doubles: the first `count`, the next one, and all modes that doubles do not
- * separate from it. If doubles cannot compute them, it finds none, and the proof fails. */
+ * separate from it. If doubles cannot compute them, *found is 0, and disk_modes_solve fails. */
 static struct cor_disk_mode *find_candidates(slong *found, const struct disk *disk, slong count)
 {
     const struct cor_mode_material material = {disk->e_double, disk->s_double};

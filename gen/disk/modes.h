@@ -8,7 +8,7 @@
 
 #define DISK_MODES_MAX 10000000 /* largest number of modes of one disk */
 
-/* omega: frequency; c = u_r(1) > 0 and s = u_phi(1), (28), normalised by (26). l counts the modes of one n from 0. */
+/* Mode l = 0, 1, 2, ... of n. c = u_r(1) > 0 and s = u_phi(1), (28), normalised by (26). */
 struct disk_mode {
     slong n, l;
     arb_t omega, c, s;
@@ -51,7 +51,7 @@ void disk_mode_clear(struct disk_mode *mode);
 struct disk {
     arb_t e, s; /* 1 + nu and 1 - nu */
     double e_double, s_double;
-    slong prec; /* precision of the functions below; copies of the struct may have others */
+    slong prec; /* bits of precision of the functions below; callers change it in copies of the struct */
 };
 
 void disk_init(struct disk *d, const fmpq_t nu, slong prec);

@@ -27,8 +27,8 @@ enum {
     WIDE_BITS = 8
 };
 
-/* Sets the state in which the backward motion begins. From rest at X = 0, u = v^2/2 obeys du/dX = 1 - X^a + B X^b v.
- * With u/X = 1 + r, |r| < R up to X = delta, one more integration gives r with an error of R times its first terms. */
+/* Sets the state in which the backward motion begins. From rest at X = 0, u = v^2/2 obeys du/dX = 1 - X^a + B X^b v. If
+ * u/X = 1 + r with |r| < R up to X = delta, one more integration gives r with a relative error of about R. */
 static void set_start(struct taylor *y, const arb_t damping, bool flies)
 {
     const struct cor_exponents *const law = &y->law;
@@ -40,7 +40,7 @@ static void set_start(struct taylor *y, const arb_t damping, bool flies)
         LET(y->v, prec, "y->w^n/damping", y->w, n, damping);
         return;
     }
-    /* delta^a and B delta^(b+1/2) are below 2^-k, and so is |r|. The error of size |r| R is far below 2^-k. */
+    /* delta^a and B delta^(b+1/2) are below 2^-k, so |r| < R = 3 2^-k. The error of r, about R^2, is far below 2^-k. */
     const double size = fmax(arf_get_d(arb_midref(damping), ARF_RND_UP), 1);
     const double k = (double)prec / 2 + 4, a = (double)law->elastic / (double)d, b = (double)law->damping / (double)d;
     const slong small = -(slong)ceil(fmax(k / a, (k + log2(size)) / (b + 0.5)) / (double)d) - 1; /* of w */
@@ -48,7 +48,7 @@ static void set_start(struct taylor *y, const arb_t damping, bool flies)
     LET(x, prec, "y->w^d", y->w, d);
     LET(lost, prec, "x^law_a/(law_a + 1)", x, law_a);
     arb_set_ui(ball, 3);
-    arb_mul_2exp_si(ball, ball, -(slong)k); /* R >= gained + lost, which are below 2 2^-k and 2^-k */
+    arb_mul_2exp_si(ball, ball, -(slong)k); /* `gained` is below 2 2^-k, `lost` below 2^-k */
     arb_one(root);
     arb_add_error(root, ball);
     LET(gained, prec, "x^(law_b + 1/2)*damping/(law_b + 3/2)*sqrt(2*root)", x, law_b, damping, root);
@@ -182,9 +182,9 @@ static int squeeze_force(arb_t force, arb_t low, arb_t high, const arb_t beta, c
     return fail_accuracy("the threshold of the force", bits);
 }
 
-/* Finds the B that belongs to beta, to some bits: brackets B by factors of 2, halves the bracket in ln(B), and applies
- * the Illinois method. If the motion escapes at the upper end of even a tiny bracket, sets only the bracket, low_end
- * and high_end. */
+/* Finds a B for which ln(beta) - ln(B V^q) is below 2^-40: brackets B by factors of 2, halves the bracket in ln(B), and
+ * applies the Illinois method. If the motion escapes at the upper end of even a tiny bracket, sets only the bracket,
+ * low_end and high_end. */
 static int find_damping(arb_t damping, arb_t low_end, arb_t high_end, const arb_t beta, const struct cor_exponents *law,
                         int end)
 {
