@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Computes the collisions of the full dynamics for several figures, docs/paper/collisions.csv, the paper's two
-extrapolations from them (section 4), and their limit, a disk with all its modes at a rigid wall."""
+"""Computes the collisions of docs/paper/collisions.csv by the full dynamics, and the paper's two extrapolations from
+them (section 4). Also computes the exact limit: a disk with all its modes at a rigid wall."""
 import collections
 import concurrent.futures
 import ctypes
@@ -17,13 +17,13 @@ from library import MATERIALS, ROOT, constant, cor, judge
 COLLISIONS = ROOT / "docs" / "paper" / "collisions.csv"
 CSV_HEAD = "nu,modes,alpha,speed,converged,one_minus_eps2,contact_time,max_compression"
 TOLERANCE = 1e-8  # absolute error allowed in eps
-# Hardness of the wall in units of 1/speed: alpha v is the growth rate of the wall's force on impact, to be compared
-# with omega of the modes. WALLS: the values for every limit. OTHER_WALLS: further values, only for wall_limit
+# Values of alpha v, the rate at which the wall's force grows on impact; a hard wall needs a rate above omega of the
+# modes. WALLS: used in all extrapolations. OTHER_WALLS: used in none
 WALLS, OTHER_WALLS = (25, 50, 100), (10, 15, 200)
-# Numbers of modes, all used at PAPER_SPEEDS. FEW: for the limits in the paper. LARGE: at SLOW_SPEEDS and for limit_of
+# Numbers of modes N: all at PAPER_SPEEDS, LARGE at SLOW_SPEEDS. FEW: the paper's. LARGE: for limit_of
 SIZES = (300, 400, 600, 940, 1300, 1800)
 FEW, LARGE = SIZES[:4], SIZES[3:]
-# Tolerances of 1 - eps^2: for a limit given as a number, and for a line in a picture
+# Tolerances of 1 - eps^2 at the rigid wall: for numbers in texts, and for lines in pictures
 RIGID_TOLERANCE, RIGID_LINE_TOLERANCE = 2e-5, 1e-4
 
 
@@ -42,7 +42,7 @@ SLOW_SPEEDS = [rounded(log_point(1e-3, 0.1, i, 28)) for i in range(28)]  # for o
 
 Key = collections.namedtuple("Key", "nu modes alpha speed")
 Collision = collections.namedtuple("Collision", "converged one_minus_eps2 contact_time max_compression")
-table = {}  # Collision of Key; converged: false for a chaotic collision
+table = {}  # Key -> Collision; converged is false for a chaotic collision
 
 
 def key_of(nu, modes, rate, speed):
@@ -50,7 +50,7 @@ def key_of(nu, modes, rate, speed):
 
 
 def find(nu, modes, rate, speed):
-    """Returns a collision, or None if it was not planned, because the wall is too soft or too hard."""
+    """Returns a collision, or None if its alpha is out of the range of cor_disk_collision."""
     return table.get(key_of(nu, modes, rate, speed))
 
 
@@ -98,8 +98,8 @@ def make_table():
 
 
 def agree(old, new):
-    """True if two collisions agree in the printed digits. Chaotic collisions, which did not converge, only
-    agree in size. The contact time has fewer digits, because a trembling load ends it."""
+    """True if two results for a collision agree up to tolerance and rounding. Chaotic collisions, which did not
+    converge, need to agree only roughly. So do contact times, because the load oscillates as the contact ends."""
     off = abs(old.one_minus_eps2 - new.one_minus_eps2)
     if not old.converged and not new.converged:
         return off <= 5e-3
@@ -134,7 +134,7 @@ def fit_line(x, y):
 
 
 def wall_line(nu, modes, speed, walls=WALLS):
-    """Returns the line of 1 - eps^2 against 1/alpha, N fixed; NaN, here and below, if a collision is missing."""
+    """Fits 1 - eps^2 = slope/alpha + at_zero at fixed N. Here and below, a missing collision gives NaN."""
     keys = [key_of(nu, modes, rate, speed) for rate in walls]
     if not all(key in table for key in keys):
         return Line(math.nan, math.nan)
@@ -142,13 +142,13 @@ def wall_line(nu, modes, speed, walls=WALLS):
 
 
 def size_line(nu, speed, sizes, walls=WALLS):
-    """Returns the line of wall_line at alpha = inf against 1/sqrt(N)."""
+    """Fits the values wall_line(...).at_zero by slope/sqrt(N) + at_zero."""
     return fit_line([1 / math.sqrt(n) for n in sizes], [wall_line(nu, n, speed, walls).at_zero for n in sizes])
 
 
 def limit_of(nu, speed):
-    """Returns the limit from N = 940 onward. uncertainty: the largest difference from other choices of points.
-    These are each line without its first or its last point and, if possible, the paper's N = 300 to 940."""
+    """Returns the limit extrapolated from N = 940 and above. uncertainty: the largest change of the limit if the
+    first or the last N or wall is omitted, or if the paper's N = 300 to 940 are used."""
     best = size_line(nu, speed, LARGE).at_zero
     other = [size_line(nu, speed, LARGE[:-1]), size_line(nu, speed, LARGE[1:]), size_line(nu, speed, LARGE, WALLS[:-1]),
              size_line(nu, speed, LARGE, WALLS[1:]), size_line(nu, speed, FEW)]

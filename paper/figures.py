@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """The figures of Gerl and Zippelius, Phys. Rev. E 59, 2361 (1999). Each function returns the rows of
 docs/paper/NAME.csv, which NAME.gp, if it exists, draws as docs/paper/NAME.svg. It also returns a paragraph on where
-the figure agrees with the paper, where not, and why. paper/run starts this and has its options."""
+the figure agrees with the paper, where not, and why. paper/run starts this program and documents its options."""
 import math
 import sys
 import textwrap
@@ -28,7 +28,7 @@ def figure(paper, subject):
 
 
 def cells(*values):
-    """Returns further cells with six digits, empty for NaN."""
+    """Returns csv cells with six digits, each after a comma; NaN gives an empty cell."""
     return "".join("," if math.isnan(value) else ",%.6g" % value for value in values)
 
 
@@ -81,9 +81,9 @@ def restitution():
 
 
 class Shape:
-    """Displacements of a free mode, (19): u_r(r) cos(n phi), u_phi(r) sin(n phi). A : B comes from the boundary
-    conditions (22), (23), the size from the larger of C and S at the rim. u_r and u_phi are as in (27), but with
-    kappa and kappa' as in (19)."""
+    """Displacements of a free mode, (19): u_r(r) cos(n phi), u_phi(r) sin(n phi). The boundary conditions
+    (22), (23) give the ratio A : B; the larger of C and S at the rim gives the scale. u_r and u_phi are as in (27),
+    but with kappa and kappa' as in (19)."""
 
     def __init__(self, mode):
         self.mode, self.a, self.b = mode, 1, 0
@@ -171,7 +171,7 @@ def shapes():
 
 @figure("Fig. 3", "frequencies of the free modes, radial and tangential")
 def spectrum():
-    """Modes are radial if |C| > |S|, else tangential. The picture omits the highest; the sentence covers all 1800."""
+    """Modes are radial if |C| > |S|, else tangential. The rows omit high modes; the text counts all 1800."""
 
     def radial(mode):
         return abs(mode.c) > abs(mode.s)
@@ -197,8 +197,8 @@ def spectrum():
 
 @figure("Fig. 5", "shape of the disk in time")
 def sequence():
-    """Displacements are (37), at the rim (39), with the amplitudes of the full dynamics. Motion between steps is
-    treated as free: exact after the contact, and during it wrong by a hundredth of a step squared."""
+    """Displacements are (37), at the rim (39), with the amplitudes of the full dynamics. From the last
+    step to the time of a picture the disk moves freely, which neglects the force of less than a step."""
     modes, alpha, speed, frames, steps = 940, 500, 0.2, 10, 12  # one frame per unit of time
     film, closest = [None] * frames, (-2, nan)
 
@@ -373,7 +373,7 @@ def mode_limit():
 
 @figure("Fig. 10", "load against compression: contact law and relaxed disk")
 def load():
-    """The contact law (57) with its three data, and disks relaxed against a wall of finite hardness alpha"""
+    """The contact law (57) for each enum cor_disk_datum, and disks at rest against a wall of finite hardness alpha"""
     compressions = ([log_point(1e-3, 0.01, i, 31) for i in range(31)] +
                     [0.01 + i * 0.0025 for i in range(1, 117)])  # up to 0.3
     curves = {name: [RelaxedDisk(modes, alpha, points), RelaxedDisk(modes, alpha, points // 2)]
@@ -528,7 +528,7 @@ def rayleigh():
 
 
 def of_all_modes(speed):
-    """Rayleigh's energy for the centre of mass"""
+    """Returns Rayleigh's energy of all modes, with the datum centre of mass."""
     out = DISK.rayleigh(CENTRE_OF_MASS, speed)[0]
     return out.fraction + out.tail
 
@@ -580,8 +580,8 @@ def rigid_wall():
         rows += ["", ""] if nu == NU else []
 
     def miss(nu, speeds, limit=limit_of):
-        """Returns the largest distance of the extrapolations from the limit, its speed, and its part of the limit.
-        Also returns the number of distances above the uncertainties of both, and the number of all."""
+        """Returns the largest distance of the extrapolations from the limit, its speed, and its percentage of the
+        limit. Also returns how many of the distances exceed the sum of both uncertainties, and their number."""
         walls = [hard_wall(nu, v) for v in speeds]
         limits = [limit(nu, v) for v in speeds]
         off = [one.one_minus_eps2 - wall.one_minus_eps2 for one, wall in zip(limits, walls)]
@@ -613,7 +613,7 @@ def approach():
         loss, theory = hard_wall(NU, 10**-power).one_minus_eps2, of_all_modes(10**-power)
         rows.append("%.4f,%.4g,%.4g,%.3f" % (power, loss, theory, loss / theory))
         k = next(k for k, end in enumerate(ends) if power <= end)
-        # both decrease like 1/ln^2(1/v), apart from their oscillation
+        # loss and theory decrease like 1/power^2, apart from their oscillation
         difference[k] += (power * power * (loss - theory))**2
         whole[k] += (power * power * theory)**2
     part = [100 * sqrt(a / b) for a, b in zip(difference, whole)]

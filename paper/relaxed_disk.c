@@ -7,7 +7,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* Returns the weight of f, which is even, in integrals from -pi/2 to pi/2. */
+/* Returns the weight of a point in the integral of an even function from -pi/2 to pi/2. */
 static double weight(const struct relaxed_disk *disk)
 {
     return 2 * disk->step;
@@ -28,7 +28,7 @@ static struct relaxed_disk *relaxed_disk_new(double alpha, size_t points)
     disk->points = points;
     disk->alpha = alpha;
     disk->step = pi / 2 / (double)points;
-    /* at this distance the pressure bends nothing: it is the pressure of the undeformed disk */
+    /* the disk is so far away that its deformation is negligible */
     disk->x_0 = -1 - 36 / alpha;
     for (size_t i = 0; i < points; i++) {
         disk->log_f[i] = alpha * (disk->x_0 + cos(((double)i + 0.5) * disk->step));
@@ -91,7 +91,7 @@ struct relaxed_disk *relaxed_disk_of_all_modes(double nu, double alpha, size_t p
     return disk;
 }
 
-/* Returns the number of unknowns. At the later points the pressure bends nothing, so the equation is explicit. */
+/* Returns the number of unknowns. Later points have a negligible pressure in the integral, so their f is explicit. */
 static size_t active_points(const struct relaxed_disk *disk)
 {
     double largest = 0;
@@ -174,8 +174,9 @@ static int newton_step(struct relaxed_disk *disk)
     return 1;
 }
 
-/* Adds the Newton step to ln f. If f grows, Newton in ln f overshoots, but Newton in f, ln f + ln(1 + d), does not. The
- * latter is slow for a tiny f, so f may rise freely until the point itself bends the disk by 1/alpha. */
+/* Adds the Newton step d to ln f. A large positive d would overshoot, so the step is then ln(1 + d), as for Newton's
+ * method in f. This is slow for a tiny f: d is allowed until the pressure at this point bends the disk there by
+ * 1/alpha. */
 static void advance(struct relaxed_disk *disk)
 {
     for (size_t i = 0; i < disk->points; i++) {

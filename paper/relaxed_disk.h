@@ -29,21 +29,20 @@ struct relaxed_disk {
 };
 
 /* Return a disk that has not touched the wall yet; NULL without memory (16 points^2 bytes). free() it. The points are
- * equally spaced on the quadrant 0 < phi < pi/2. The sum over them is exact for the trigonometric part of f that they
- * resolve. So its error falls faster than any power once the edge of the contact, about alpha^(-2/3) wide, spans a few
- * points. At delta <= 0.3 it is below 1e-12 of the load with 192 points for alpha = 500, and 1e-7 with 512 for 20000.
- * These numbers are sampled errors against a disk with twice the points.
+ * equally spaced on the quadrant 0 < phi < pi/2. The error of the sum over them falls faster than any power once the
+ * edge of the contact, about alpha^(-2/3) wide, spans a few points. At delta <= 0.3, sampled against twice the points,
+ * it is below 1e-12 of the load for alpha = 500 and 192 points, and below 1e-7 for alpha = 20000 and 512 points.
  *
- * The first disk has the lowest n_modes of a table. The second has all modes with n < 2 points, by
+ * The first disk has the lowest n_modes of a table. The second has all modes with n < 2 points, from the static
+ * compliance of a disk under tractions cos(n phi), sin(n phi) with its centre of mass held:
  *     A_n = D_n = (2n - 1 + nu)/(n^2 - 1),  B_n = (n (1 - nu) - 2)/(n^2 - 1)                       n >= 2
- *     A_1 = B_1 = (1 - nu)/2,  D_1 = (3 + nu)/2,     A_0 = (1 - nu)/2,  B_0 = D_0 = 0
- * the static compliance of a disk under tractions cos(n phi), sin(n phi), with its centre of mass held. */
+ *     A_1 = B_1 = (1 - nu)/2,  D_1 = (3 + nu)/2,     A_0 = (1 - nu)/2,  B_0 = D_0 = 0 */
 struct relaxed_disk *relaxed_disk_of_modes(const struct cor_disk_modes *modes, size_t n_modes, double alpha,
                                            size_t points);
 struct relaxed_disk *relaxed_disk_of_all_modes(double nu, double alpha, size_t points);
 
-/* Moves the disk to a compression from any position: damped Newton steps in ln f, in stages. Returns
- * the load, or NaN if no equilibrium is found, because few modes cannot bend the disk far. */
+/* Moves the disk to a compression from any position: damped Newton steps in ln f, in stages. Returns the load, or NaN
+ * if no equilibrium is found; a disk of few modes cannot bend far. */
 double relaxed_disk_press(struct relaxed_disk *disk, double compression);
 
 #endif
