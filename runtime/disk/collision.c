@@ -59,7 +59,7 @@ static int collision_prepare(struct cor_motion *m, void *workspace, size_t bytes
 static const struct cor_disk_collision collision_unknown = {NAN, NAN, NAN, NAN, NAN, 0, NAN};
 static const struct cor_disk_collision collision_without_touch = {NAN, NAN, 0, NAN, 0, 0, NAN};
 
-/* Computes a collision at one speed. Reuses the last tables of angles if their number is the same. */
+/* Computes a collision at one speed. Reuses the angles of the previous speed if their number is the same. */
 static int collision_of_speed(struct cor_motion *m, const struct cor_disk_collision_options *options, double speed,
                               struct cor_disk_collision *out, const struct cor_disk_collision_detail *detail)
 {

@@ -23,9 +23,9 @@ enum { COR_PANEL = 4 * COR_LANES };
 struct cor_rim {
     size_t blocks; /* number of blocks of modes */
     const struct cor_mode_block *block;
-    const double *c, *s;    /* placed like the modes */
-    size_t used_terms;      /* the largest k with a cosine, plus 1 */
-    size_t terms, points;   /* ranges of k and j in cos(k phi_j), multiples of COR_PANEL */
+    const double *c, *s;    /* coefficients of the modes, one for each cell */
+    size_t used_terms;      /* number of cosines in use: k < used_terms */
+    size_t terms, points;   /* table sizes for k and j in cos(k phi_j), multiples of COR_PANEL */
     const double *by_point; /* [(j / COR_PANEL) terms + k][j % COR_PANEL] = cos(k phi_j) */
     const double *by_term;  /* [(k / COR_PANEL) points + j][k % COR_PANEL] = cos(k phi_j) */
 };
@@ -33,8 +33,8 @@ struct cor_rim {
 /* Arrays over n have blocks times COR_LANES elements. Arrays over terms have at least two elements more. Arrays over
  * angles have `points` elements. */
 struct cor_collision_loops {
-    /* Kicks the modes by the forces on c and s of each n, and turns them by the angles with the given cosine and sine.
-     * Then sums c q and s q. */
+    /* Adds c force_c + s force_s of its n to the p of each mode, and turns (q, p) by the angle with the given cosine
+     * and sine. Sets sum_c and sum_s to the sums of c q and s q of each n. */
     void (*turn)(const struct cor_rim *rim, double *q, double *p, const double *cosine, const double *sine,
                  const double *force_c, const double *force_s, double *sum_c, double *sum_s);
     /* Sets d: sum_n sum_c cos(n phi) cos(phi) - sum_s sin(n phi) sin(phi) = sum_k d_k cos(k phi) */
@@ -48,8 +48,8 @@ struct cor_collision_loops {
     double (*press)(size_t points, double alpha, const double *weight, const double *reach, double *pressure);
     /* Sets e_k = sum_j pressure[j] cos(k phi_j) */
     void (*transform)(const struct cor_rim *rim, size_t points, const double *pressure, double *e);
-    /* Subtracts factor response[j] pressure[j] from pressure[j]. Returns the sum of the new pressures, and sets the
-     * greatest response. */
+    /* Subtracts factor response[j] pressure[j] from pressure[j]. Returns the sum of the new pressures. Sets *greatest
+     * to the greatest response. */
     double (*soften)(size_t points, double factor, const double *response, double *pressure, double *greatest);
 };
 
@@ -58,8 +58,8 @@ COR_TABLES(struct cor_collision_loops, cor_collision, cor_collision_set)
 /* ---- the workspace and its constant tables: collision_workspace.c ---- */
 
 struct cor_motion_sizes {
-    size_t modes, n_max, blocks, cells; /* cells: places for modes */
-    size_t terms, points;               /* points: largest number of places for angles */
+    size_t modes, n_max, blocks, cells; /* cells: array elements for modes, some of them empty */
+    size_t terms, points;               /* points: array elements for the largest number of angles */
     double omega_max;
 };
 
@@ -70,8 +70,8 @@ struct cor_motion {
     const struct cor_collision_loops *loops;
     const struct cor_disk_mode *mode;
     double alpha, tolerance, speed;
-    double work_left, work_per_step; /* the budget; work_per_step 0: the work of each step is counted */
-    size_t phi, phi_limit;           /* angles in use, and their largest number */
+    double work_left, work_per_step; /* the budget. A step costs work_per_step, or if this is 0, cor_motion_work */
+    size_t phi, phi_limit;           /* number of angles in use, and the largest allowed number */
     size_t *place;                   /* cell of each mode */
     struct cor_mode_block *block;
     double *c, *s, *q, *p, *cosine, *sine;
@@ -94,8 +94,8 @@ size_t cor_motion_arrange(struct cor_motion *m, char *base);
 /* Fills the arrays of modes from m->mode. */
 void cor_motion_set_modes(struct cor_motion *m);
 /* Sets the angles phi_j = (j + shift/2) pi/(2 phi), j < phi, and the tables of cos(k phi_j). shift 0: the trapezoidal
- * rule; the wall does not reach its last angle, pi/2, which therefore adds nothing. shift 1: the midpoint rule, which
- * to first order has the opposite error. */
+ * rule without its last angle, pi/2, where the disk never touches the wall. shift 1: the midpoint rule, which to first
+ * order has the opposite error. */
 void cor_motion_set_angles(struct cor_motion *m, size_t phi, size_t shift);
 /* Returns the multiplications of a step that computes the reach at `reached` angles and a pressure at `pressed` of
  * them. Fitted to measured times. */
@@ -117,7 +117,7 @@ struct cor_collision_state {
 };
 
 enum cor_collision_outcome {
-    COR_RUN_ENDED,      /* the run ended, or the kick was made */
+    COR_RUN_ENDED,      /* the run or the kick is complete */
     COR_RUN_TOO_STIFF,  /* the step is too large */
     COR_RUN_TOO_NARROW, /* the window omitted a significant pressure */
     COR_RUN_TOO_LONG    /* more than COR_DISK_COLLISION_MAX_STEPS or the call's budget */
@@ -151,8 +151,9 @@ struct cor_collision_run {
 };
 
 /* Computes a collision with steps run->h. `before` is a run with larger steps, or NULL. Its largest load defines the
- * contact, over which `average`, if not NULL, receives the mean energy of each mode. The function calls
- * detail->observe, if not NULL, at every step. On return the modes are in their final state. */
+ * start and the end of this run's contact. `average`, if not NULL, receives the mean energy of each mode during the
+ * contact of `before`. The function calls detail->observe, if not NULL, at every step. On return the modes are in their
+ * final state. */
 enum cor_collision_outcome cor_collision_run(struct cor_motion *m, struct cor_collision_run *run,
                                              const struct cor_collision_run *before, double *average,
                                              const struct cor_disk_collision_detail *detail);
@@ -170,8 +171,8 @@ double cor_collision_results(const struct cor_motion *m, const struct cor_collis
 /* Sets the mean energies from m->average, or NaN if no run has them. */
 void cor_collision_averages(const struct cor_motion *m, const struct cor_collision_run *run, int levels,
                             double *energy_average);
-/* Return the change of the extrapolated result by the last run, and the difference between the last two runs. Each is
- * the larger of two numbers: the change of eps, and half the norm of the energy changes in units of (pi/2) v^2. */
+/* Movement of the extrapolated result by the last run, and difference of the last two runs. Both are the larger of the
+ * change of eps and half the norm of the changes of the mode energies, in units of (pi/2) v^2. */
 double cor_collision_movement(const struct cor_motion *m, const struct cor_collision_run *run, int levels);
 double cor_collision_difference(const struct cor_motion *m, const struct cor_collision_run *run, int levels);
 
@@ -189,11 +190,11 @@ struct cor_collision_evidence {
     double movement[COR_COLLISION_RUNS]; /* change of the extrapolated result by each run except the first */
     double amplification;                /* factor by which the collision amplifies errors: measured, or a bound */
     int measured;
-    double by_angles; /* movement by shifted angles, if it is measured */
+    double by_angles; /* change of the result by shifted angles, if measured */
     int angles_measured;
 };
 
-/* Returns the error due to the step after the last run, whose round-off is known. */
+/* Returns the error of the extrapolation to h = 0 after the last run. round_off: the part due to rounding. */
 double cor_collision_step_error(const struct cor_motion *m, const struct cor_collision_evidence *evidence,
                                 double round_off);
 /* Returns the error of the quadrature relative to the peak load; 1 if it is unknown. */
@@ -206,8 +207,8 @@ double cor_collision_lasting_error(const struct cor_collision_error *error);
 /* Returns the sum of all parts, at most 1. */
 double cor_collision_total_error(const struct cor_collision_error *error);
 
-/* Makes runs. The estimated error determines the steps, the angles and the number of runs. m has its modes and first
- * angles; all results in *out are unknown at first. Returns a status as in cor/disk.h: COR_OK,
+/* Makes runs. The estimated error determines the steps, the angles and the number of runs. m contains the modes and the
+ * first angles; all results in *out are NaN at first. Returns a status as in cor/disk.h: COR_OK,
  * COR_TOLERANCE_NOT_REACHED or COR_CONTACT_NOT_ENDED. */
 int cor_collision_runs(struct cor_motion *m, struct cor_disk_collision *out,
                        const struct cor_disk_collision_detail *detail);

@@ -44,7 +44,7 @@ static size_t window_of(const struct cor_motion *m)
     return (last / COR_PANEL + 1) * COR_PANEL;
 }
 
-/* Returns the change of the load if half the angles are used. */
+/* Returns the change of the load if only every second angle is used. */
 static double ripple_of(const struct cor_motion *m)
 {
     double even = 0, odd = 0;
@@ -131,10 +131,10 @@ static double first_exponent(const struct cor_motion *m)
     return log(negligible_load(m) * sqrt(m->alpha / (2 * COR_PI)));
 }
 
-/* True if steps h can end a collision within COR_DISK_COLLISION_MAX_STEPS, judged by the time to the wall. */
+/* False if the negligible load underflows, or COR_DISK_COLLISION_MAX_STEPS steps h are certainly too few. */
 static int in_sight(const struct cor_motion *m, double h)
 {
-    /* the way to the wall and back takes at least twice as long */
+    /* a collision lasts at least twice the time from the first moment to the touch */
     return negligible_load(m) > LEAST_LOAD &&
            -2 * first_exponent(m) <= h * COR_DISK_COLLISION_MAX_STEPS * (m->alpha * m->speed);
 }
@@ -151,9 +151,9 @@ static void modes_at_rest(struct cor_motion *m, double h)
     }
 }
 
-/* Sets the first moment. The wall's force grows like exp(sigma t), sigma = alpha v: Q'' + omega^2 Q = F/m gives
- * Q = F/(m (omega^2 + sigma^2)), and the centre has lost the energy of the wall. The first half of the kick is before
- * this moment. */
+/* Sets the first moment. The wall's force grows like exp(sigma t), sigma = alpha v, so Q'' + omega^2 Q = F/m gives Q =
+ * F/(m (omega^2 + sigma^2)). The kinetic energy of the centre is smaller by the energy of the wall. Only the second
+ * half of the first kick is applied: the first half is before this moment. */
 void cor_collision_approach(struct cor_motion *m, double h, struct cor_collision_state *now)
 {
     const double sigma = m->alpha * m->speed, energy = 0.5 * COR_DISK_MASS * m->speed * m->speed;

@@ -35,7 +35,7 @@ static void extrapolation_weights(int levels, int first, double weight[LEVELS])
     memcpy(weight, row[levels - 1], LEVELS * sizeof *weight);
 }
 
-/* Computes the weights of the runs in the change of the result by the last run. */
+/* Computes the weights of the runs in a movement: the extrapolation of all runs minus the one without the last run. */
 static void movement_weights(int levels, double weight[LEVELS])
 {
     double before[LEVELS];
@@ -170,7 +170,7 @@ double cor_collision_step_error(const struct cor_motion *m, const struct cor_col
                                 double round_off)
 {
     if (evidence->runs < 2)
-        return 1; /* eps lies between 0 and 1, and one run shows no error */
+        return 1; /* one run gives no estimate; eps is from 0 to 1 */
     const double error = series_error(evidence);
     return m->alpha * m->speed < COR_TUNING_HARD ? error : fmax(error, blows_error(evidence, round_off));
 }
@@ -248,7 +248,7 @@ static int too_few_angles(const struct cor_motion *m, const struct cor_collision
     return cor_collision_quadrature_error(m, run) > COR_TUNING_QUADRATURE_ALLOWED * m->tolerance;
 }
 
-/* Discards all runs, which have other angles or a step that is too large, and starts again with the step h. */
+/* Discards all runs and starts again with the step h, after a change of the angles or of the largest step. */
 static void runs_restart(struct runs *runs, double h)
 {
     runs->levels = runs->evidence.runs = runs->evidence.angles_measured = 0;
@@ -329,7 +329,7 @@ static int runs_affordable(const struct cor_motion *m, const struct runs *runs, 
 
 /* ---- error ---- */
 
-/* Bounds the amplification: the last two runs differ by the amplified error of the step. */
+/* Bounds the amplification: the last two runs differ by the error due to the step times the amplification. */
 static void bound_amplification(const struct cor_motion *m, struct runs *runs)
 {
     struct cor_collision_evidence *const evidence = &runs->evidence;
@@ -341,8 +341,8 @@ static void bound_amplification(const struct cor_motion *m, struct runs *runs)
     evidence->amplification = fmax(evidence->amplification, bound);
 }
 
-/* Repeats a run after a change of speed or angles. Sets the changes of eps and, as a norm, of the energies. Returns
- * 0 if the run failed. */
+/* Repeats a run after a change of speed or angles. Sets *eps to the change of eps and *energies to the norm of the
+ * changes of the mode energies. Returns 0 if the run failed. */
 static int runs_repeat(struct cor_motion *m, const struct runs *runs, int level, double *eps, double *energies)
 {
     const struct cor_collision_run *const run = &runs->run[level];
@@ -456,8 +456,8 @@ static int runs_advance(struct cor_motion *m, struct runs *runs, int averages)
     return 1;
 }
 
-/* Starts again with more angles if a measurement shows that they are too few. Then their error should be half of their
- * share of the tolerance, if it decreases like the quadrature error. The last three steps are repeated. */
+/* Starts again with more angles if their measured error exceeds its share of the tolerance. If this error decreases
+ * like the quadrature error, the new number reduces it to half the share. The last three steps are repeated. */
 static int runs_improve_angles(struct cor_motion *m, struct runs *runs)
 {
     const struct cor_collision_run *const last = &runs->run[runs->levels - 1];
@@ -484,7 +484,7 @@ static void runs_settle(struct cor_motion *m, struct runs *runs, struct cor_disk
                 verdict = GO_ON;
         }
     }
-    /* measures the error of the angles: its estimate by the bound on the amplification may be useless */
+    /* the bound on the amplification may be far too large, so the error due to the angles is measured */
     if (verdict == GIVEN_UP && runs->levels > 1 && runs->error.angles > runs->error.step) {
         measure_angles(m, runs);
         out->error_estimate = runs_estimate(m, runs);

@@ -28,15 +28,14 @@ enum {
 
 /* Smallest number of angles in the quadrant. Chosen. */
 #define COR_TUNING_LEAST_PHI 16.0
-/* Number of angles for each digit of the tolerance, divided by alpha^(2/3), because the pressure decreases over
- * alpha^(-2/3) at the edge of the contact. The next three constants are the offset of the product, which is subtracted,
- * and the powers of v/0.1 below and above 1. Fitted: these mostly suffice. */
+/* The first number of angles is alpha^(2/3) (PHI_PER_DIGIT digits - PHI_OFFSET) (v/0.1)^p + PHI_PER_N n_max. digits is
+ * -log10 of the tolerance. p is PHI_SLOW below v = 0.1 and PHI_FAST above. alpha^(-2/3) is the width of the contact's
+ * edge. Fitted: this number mostly suffices. */
 #define COR_TUNING_PHI_PER_DIGIT 0.2
 #define COR_TUNING_PHI_OFFSET 0.05
 #define COR_TUNING_PHI_SLOW 0.25
 #define COR_TUNING_PHI_FAST 0.6
-/* Angles for each wave of a mode. Derived: products of two waves of n_max need n_max/2 angles. The angles for the
- * pressure count as half of these; see angles_error of collision_runs.c. */
+/* Derived: phi angles alias the harmonic 4 phi - n_max, in which n_max/4 of the angles cancel n_max. */
 #define COR_TUNING_PHI_PER_N 0.25
 /* Largest ratio of the number of angles to the first choice. Chosen. */
 #define COR_TUNING_PHI_LIMIT 2.5
@@ -50,8 +49,8 @@ enum {
  * scans. Derived: 100 such angles equal the round-off of a load. */
 #define COR_TUNING_WINDOW_MISSED 1e-14
 
-/* Energy of the wall at the first and the last moment, relative to the disk's energy, divided by the smaller of the
- * tolerance and COR_TUNING_WALL_TOLERANCE. Chosen: see COR_TUNING_WALL_IN_EPS. */
+/* At the first and the last moment, the wall's energy relative to the disk's is COR_TUNING_WALL_LEFT times the smaller
+ * of the tolerance and COR_TUNING_WALL_TOLERANCE. Chosen: see COR_TUNING_WALL_IN_EPS. */
 #define COR_TUNING_WALL_LEFT 1e-6
 #define COR_TUNING_WALL_TOLERANCE 1e-4
 /* The wall's force is neglected below this fraction of the load at those moments. Chosen. */
@@ -72,8 +71,8 @@ enum {
 #define COR_TUNING_SCATTER 4.0
 /* From this alpha v onward the wall is hard: runs may agree by chance (docs/theory-disks.md, 15). Fitted. */
 #define COR_TUNING_HARD 24.0
-/* At a hard wall, lower bounds on the error: relative to the movement after two runs, to the last movement less
- * round-off, and to the previous movement. Fitted. */
+/* At a hard wall the error after two runs is at least HARD_TWO_RUNS times the movement. Later it is at least
+ * HARD_MOVEMENT times the last movement less round-off, and HARD_BEFORE times the previous movement. Fitted. */
 #define COR_TUNING_HARD_TWO_RUNS 20.0
 #define COR_TUNING_HARD_MOVEMENT 1.5
 #define COR_TUNING_HARD_BEFORE 0.02
@@ -81,13 +80,13 @@ enum {
 /* Allowed error of the quadrature relative to the peak load, in units of the tolerance. Chosen: larger errors would
  * make more collisions repeat with more angles. */
 #define COR_TUNING_QUADRATURE_ALLOWED 1.0
-/* Ratio of the error of eps to the error of the quadrature: at least COR_TUNING_QUADRATURE_IN_EPS, at most the measured
- * amplification or COR_TUNING_BOUND_AMPLIFIES times the bound on it. Fitted: the bound is 10^2 to 10^4 times the
- * amplification in calm collisions, and not much larger than it near chaos. */
+/* Error of eps divided by the error of the quadrature: the measured amplification, or COR_TUNING_BOUND_AMPLIFIES times
+ * the bound on it, but at least COR_TUNING_QUADRATURE_IN_EPS. Fitted: the bound is 10^2 to 10^4 times the amplification
+ * in calm collisions, and not much larger than it near chaos. */
 #define COR_TUNING_QUADRATURE_IN_EPS 0.1
 #define COR_TUNING_BOUND_AMPLIFIES 1e-3
-/* Ratio of the error of eps to its movement by angles shifted by half their distance. Derived: half, to first order.
- * Fitted: 1.7 occurred where the movement is too large for first order. */
+/* Error of eps divided by the change of eps if the angles are shifted by half their distance. Derived: 1/2 to first
+ * order. Fitted: 1.7 occurred where the change is too large for first order. */
 #define COR_TUNING_ANGLES_IN_EPS 3.0
 /* If more than this fraction of the tolerance may be due to the angles, a run with shifted angles measures it. Chosen:
  * a tenth allows for errors of the estimate. */
@@ -101,15 +100,14 @@ enum {
 /* Relative change of v that measures the amplification of errors. Derived: the change is 2^13 ulp, so round-off is
  * negligible, and a collision that amplifies by 10^9 still responds linearly. */
 #define COR_TUNING_PERTURBATION 0x1p-40
-/* Lower bound on the difference of two runs, divided by the amplification and by the square of the first run's
- * stiffness. Fitted: 1e-3 in calm collisions, 1e-6 near chaos. */
+/* Two runs differ by at least this number times the amplification and the square of the first run's stiffness. Fitted:
+ * 1e-3 in calm collisions, 1e-6 near chaos. */
 #define COR_TUNING_LEAST_SENSITIVITY 1e-7
-/* Error of eps due to round-off, in units of 2^-53. COR_TUNING_RANDOM_WALK: divided by amplification and sqrt(steps).
- * COR_TUNING_STEADY_DRIFT: divided by amplification, amplitudes and steps, because a rounded rotation repeats the same
- * error in every step. Fitted. */
+/* Factors in the error of eps due to round-off (cor_collision_other_errors). The random walk grows like sqrt(steps).
+ * The steady drift grows like the steps, because a rounded rotation repeats its error in every step. Fitted. */
 #define COR_TUNING_RANDOM_WALK 3.0
 #define COR_TUNING_STEADY_DRIFT 0.5
-/* Error of eps, divided by the neglected energy of the wall and the amplification. Fitted. */
+/* Error of eps divided by the neglected energy of the wall and by 1 + amplification. Fitted. */
 #define COR_TUNING_WALL_IN_EPS 4.0
 
 /* The call gives up after COR_TUNING_PATIENCE runs if the last movement exceeds COR_TUNING_HOPELESS times the movement

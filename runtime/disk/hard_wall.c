@@ -13,24 +13,24 @@
 
 enum { MAX_LEVELS = COR_DISK_HARD_WALL_MAX_LEVELS, LEAST_LEVELS = 2 };
 
-/* Steps and angles are those for COARSE_TOLERANCE times `fineness`, which is from FINEST to 1.
- * Fitted: at fineness 1 they cause a noise of at most 5e-7 in L in nine of ten levels, sampled at 200 random scenes. */
+/* Steps and spacings for the tolerance COARSE_TOLERANCE; smaller ones multiply both by a fineness from FINEST to 1.
+ * Fitted: at fineness 1 the noise in L is at most 5e-7 in nine of ten levels, sampled at 200 random scenes. */
 #define COARSE_TOLERANCE 4e-6
 #define FINEST 0.4
 #define TURN 0.8         /* Omega h */
-#define WAVE_SPACING 0.4 /* Omega d, unless more than MOST_ANGLES fit in the contact's half-width a */
+#define WAVE_SPACING 0.4 /* Omega d, d the spacing of angles; larger where MOST_ANGLES limits d */
 #define COARSEST_SPACING                                                                                               \
-    0.8 /* largest Omega d: the Nyquist number must exceed 1.75 Omega, the largest n of the rim's waves */
+    0.8 /* largest Omega d: the Nyquist number pi/d must exceed 1.75 Omega, the largest n of the rim's waves */
 #define LEAST_ANGLES 60
-#define MOST_ANGLES 120
-#define HALF_WIDTH 1.1 /* a is about HALF_WIDTH sqrt(v); the contact reaches 1.45 sqrt(v) */
-#define RANGE 2.6      /* range of the angles divided by sqrt(v) */
+#define MOST_ANGLES 120 /* in the half-width of the contact */
+#define HALF_WIDTH 1.1  /* half-width of the contact divided by sqrt(v); it reaches 1.45 */
+#define RANGE 2.6       /* range of the angles divided by sqrt(v) */
 
 /* The error estimate is the sum of three parts. The first is the largest of the last changes of the extrapolated value,
- * times the factors below. It is at least a quarter of the distance of this value from the highest level. The second
- * bounds the effect of waves that no level has shown yet and that return while contact ends or splits. The third is the
- * noise of steps and angles. Fitted: with these factors the estimate is at least the error, as two more levels show, in
- * 200 random scenes at six tolerances. */
+ * times the weights below, or if larger, EXTRAPOLATED times the distance of this value from the highest level. The
+ * second bounds the effect of waves that no level has shown yet and that return while contact ends or splits. The third
+ * is the noise of steps and angles. Fitted: with these factors the estimate is at least the error, as two more levels
+ * show, in 200 random scenes at six tolerances. */
 static const double calm_weight[] = {3, 1, 0.3, 0.1};
 #define EXTRAPOLATED 0.25
 #define UNSEEN 0.07 /* the second part times Omega^2 */
@@ -38,9 +38,9 @@ static const double calm_weight[] = {3, 1, 0.3, 0.1};
 #define NOISE_POWER 2.5
 /* Number of levels that an accepted estimate needs */
 enum { ENOUGH_LEVELS = 5 };
-/* Up to WILD_LEVELS levels may agree by chance at a speed above WILD_SPEED, or above CALM_SPEED if nu is outside
- * LEAST_CALM to LARGEST_CALM. The factors are then larger. Above WILD_SPEED the second part is at least UNSEEN_WILD
- * (60/Omega)^4. Fitted. The domain of cor_disk_eps is calm. */
+/* A collision is wild above WILD_SPEED, or above CALM_SPEED if nu is outside LEAST_CALM to LARGEST_CALM. Up to
+ * WILD_LEVELS of its levels may agree by chance, so the weights are larger. Above WILD_SPEED the second part is at
+ * least UNSEEN_WILD (60/Omega)^4. Fitted. No collision in the domain of cor_disk_eps is wild. */
 #define WILD_SPEED 0.31
 #define CALM_SPEED 0.05
 #define LEAST_CALM (-0.21)
@@ -48,8 +48,8 @@ enum { ENOUGH_LEVELS = 5 };
 enum { WILD_LEVELS = 8 };
 static const double wild_weight[] = {3, 2, 0.6, 0.2};
 #define UNSEEN_WILD 1.5e-3
-/* In the domain of cor_disk_eps, and slightly beyond it, a second estimate limits the first if Omega is above
- * USUAL_FROM. It is the usual error at Omega plus a fraction of the last changes. Fitted in this domain, at
+/* In the domain of cor_disk_eps, and slightly beyond it, a second estimate replaces this one if it is smaller and Omega
+ * is above USUAL_FROM. It is the usual error at Omega plus a fraction of the last changes. Fitted in this domain, at
  * USUAL_TOLERANCE: docs/theory-disks.md, 17, has the sample, which contains no nu outside the domain. */
 #define USUAL_SPEED 9e-6
 #define USUAL 6.8e-7
@@ -133,7 +133,7 @@ static int is_calm_nu(double nu)
     return nu >= LEAST_CALM && nu <= LARGEST_CALM;
 }
 
-/* True if a few levels hardly ever agree by chance. */
+/* True if the collision is not wild (see WILD_SPEED). */
 static int is_calm(const struct level_sequence *sequence)
 {
     return sequence->speed <= (is_calm_nu(sequence->nu) ? WILD_SPEED : CALM_SPEED);

@@ -190,8 +190,8 @@ static int solve_whole(struct cor_hard_wall_contact *contact, const double *reac
     return is_clear_beyond(contact, reach, negligible, y, m);
 }
 
-/* Computes the factor of the angles in contact, reusing rows of the last or of the whole factor. Returns their
- * number. */
+/* Sets contact->part to the factor of the angles in contact, and returns their number. Rows already in contact->part or
+ * contact->whole are reused. */
 static size_t factor_part(struct cor_hard_wall_contact *contact)
 {
     struct cor_hard_wall_factor *const part = &contact->part;

@@ -2,9 +2,9 @@
 /* One level of the sequence: the modes below Omega, with a smooth cutoff, and a rigid wall. docs/theory-disks.md, 17.
  *
  * Lengths, forces and amplitudes are in units of the speed v, so that nothing underflows for slow disks. Under kicks at
- * intervals h the static compliance of a mode is (h/(2 omega)) cot(omega h/2), which replaces 1/omega^2 in the
- * compliance that acts at once. For the centre of mass, h^2/12 replaces 0. The error of the kicks is then of order h^4,
- * not h^2. */
+ * intervals h a mode has the static compliance (h/(2 omega)) cot(omega h/2) instead of 1/omega^2. The compliance that
+ * acts at once is the static compliance of all modes, minus this one for the moving modes, plus h^2/12 for the centre
+ * of mass. The error of the kicks is then of order h^4, not h^2. */
 #include <math.h>
 #include <string.h>
 
@@ -12,7 +12,7 @@
 #include "runtime/disk/collision_parts.h"
 #include "runtime/disk/hard_wall_parts.h"
 
-/* The first kick follows the first touch after this fraction of a step, so that it represents the step around it. */
+/* Time of the first kick after the first touch, in steps: a kick is the middle of the step that it represents. */
 #define FIRST_KICK 0.5
 /* Smaller reaches, in units of the speed, are rounding errors. */
 #define NEGLIGIBLE_REACH 1e-12
@@ -38,7 +38,7 @@ struct level {
     struct cor_mode_block *block;
     size_t *place;                       /* cell of each mode */
     double *turn, *c, *s;                /* [cell] */
-    double *sine, *unit;                 /* [mode]: sin(omega h); sqrt(g), the amplitude of q = 1 */
+    double *sine, *unit;                 /* [mode]: sin(omega h); sqrt(g), so that the amplitude is unit q */
     double *force_c, *force_s;           /* [batch][lanes] */
     double *sum_c, *sum_s;               /* likewise */
     double *echo_cc, *echo_cs, *echo_ss; /* [1 to batch - 1][lanes]: effect of a force on sums 1 to batch - 1 kicks
@@ -47,7 +47,7 @@ struct level {
     double *twice_cosine, *shape, *reach, *force, *series;
     double *t, *q; /* T_k and Q_n of the compliance that acts at once, k up to nyquist */
     struct cor_hard_wall_contact contact;
-    double work, work_per_step, most_work; /* the budget; multiplications except the contact's */
+    double work, work_per_step, most_work; /* multiplications without contact.work; the budget */
     double point_constant;                 /* constant of the contact law, (57), less the part of the moving modes */
 };
 
@@ -128,8 +128,9 @@ static void place_modes(struct level *level)
     level->modes = modes;
 }
 
-/* Adds the compliances A, B, D of one n, or subtracts the part of one mode. Between angles phi and phi', (C + S)^2
- * multiplies cos((n + 1) phi) cos((n + 1) phi'), (C - S)^2 the same with n - 1, and C^2 - S^2 the mixed products. */
+/* Adds the compliances A, B, D of one n, or subtracts the part of one mode. Between phi and phi', cos((n + 1) phi)
+ * cos((n + 1) phi') has the factor (C + S)^2, cos((n - 1) phi) cos((n - 1) phi') has (C - S)^2, and the mixed products
+ * have C^2 - S^2. */
 static void add_compliance(struct level *level, size_t n, double sum_square, double difference_square, double across)
 {
     if (n + 1 <= level->size.nyquist)
@@ -172,7 +173,7 @@ static void set_modes(struct level *level, const struct cor_hard_wall_settings *
         level->turn[cell] = turn;
         level->c[cell] = c;
         level->s[cell] = s;
-        double now = 1, next = turn; /* amplitude 1 and 2 kicks after a kick of 1 */
+        double now = 1, next = turn; /* q after a unit force: at the next two kicks */
         for (size_t k = 1; k < COR_HARD_WALL_BATCH; k++) {
             level->echo_cc[k * lanes + n] += now * (c * c);
             level->echo_cs[k * lanes + n] += now * (c * s);

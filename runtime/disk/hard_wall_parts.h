@@ -3,9 +3,9 @@
  * formulas.
  *
  * Modes below the frequency Omega of a level move. The rim functions of mode i have the factor sqrt(w_i), where
- * w(omega/Omega) is a smooth cutoff ("fade"). The rest of the static compliance of all modes acts at once. The wall is
- * rigid: contact forces y_j >= 0 act at the angles phi_j = j d, and no angle reaches into the wall. y_j acts on the
- * pair +-phi_j, and y_0 at one angle. These forces act as kicks at intervals h.
+ * w(omega/Omega) is a smooth cutoff ("fade"). The static compliance of all modes, less the part of the moving ones,
+ * acts at once. The wall is rigid: contact forces y_j >= 0 act at the angles phi_j = j d, and no angle reaches into the
+ * wall. y_j acts on the pair +-phi_j, and y_0 at one angle. These forces act as kicks at intervals h.
  *
  * Between kicks a mode turns freely, so its amplitude Q at successive kicks obeys
  *
@@ -19,7 +19,7 @@
 #include "runtime/disk/rim.h"
 
 /* Number of kicks in one pass over the modes. The pass also predicts the sums over the modes of each n at the next
- * kicks without forces. Sums of products add the effect of the forces. */
+ * kicks without forces. The echo sums of hard_wall_level.c add the effect of the forces. */
 enum { COR_HARD_WALL_BATCH = 4 };
 /* The numbers of angles and of terms are multiples of this size. */
 enum { COR_HARD_WALL_PANEL = 64 };
@@ -50,8 +50,8 @@ COR_INLINE int cor_hard_wall_sums_by_parts(const struct cor_hard_wall_angles *an
     return angles->bins > 0 && count > 2 * angles->bins;
 }
 
-/* Loops that are compiled for every instruction set. All sets give the same bits. Arrays over n have `lanes` elements,
- * lanes = blocks COR_LANES; [b] of an array is at b lanes. */
+/* Loops that are compiled for every instruction set. All sets give the same bits. Arrays over n have lanes = blocks
+ * COR_LANES elements; part [b] of an array begins at element b lanes. */
 struct cor_hard_wall_loops {
     /* Advances the modes by `steps` kicks with the forces [0..steps-1] of each n. Sets [0..steps-1] of sum_c and sum_s
      * to sum c q and sum s q at the next kicks without forces. steps is BATCH or 1. */
@@ -136,8 +136,7 @@ struct cor_hard_wall_settings {
 
 /* Multiplications of a call without max_steps. At 0.06 to 0.12 ns each it takes 5 to 10 s, like cor_disk_collision. */
 #define COR_HARD_WALL_WORK 8e10
-/* Ratio of the multiplications of two successive levels: a factor sqrt(2) for the steps, and 2 for the modes or pairs
- * of angles */
+/* Ratio of the multiplications of two successive levels: sqrt(2) for the steps times 2 for modes or angles */
 #define COR_HARD_WALL_GROWTH 2.8284271247461903
 /* Number of multiplications that cor_disk_modes_compute needs for each mode */
 #define COR_HARD_WALL_MODE_WORK 2e3
@@ -150,7 +149,7 @@ struct cor_hard_wall_result {
     double work; /* spent, even if the level gave up */
 };
 
-/* Returns the bytes of workspace for a level of the lowest `modes` modes, a multiple of its alignment. */
+/* Returns the bytes of workspace for a level of the lowest `modes` modes, a multiple of COR_ALIGNMENT. */
 size_t cor_hard_wall_level_bytes(const struct cor_disk_mode *mode, size_t modes,
                                  const struct cor_hard_wall_settings *settings);
 /* Computes a level with the modes below settings->omega. Returns COR_OK, COR_ERROR_MODES (no disk has such modes),

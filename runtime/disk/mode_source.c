@@ -26,7 +26,7 @@
 #include "runtime/number/environment.h"
 #include "runtime/number/kernel.h"
 
-/* Accuracy of a_n in bits: more bits than a double has */
+/* DOUBLE_BITS: bits of accuracy of a_n, more than a double has. START_BITS: margin for the error of the start value */
 enum { DOUBLE_BITS = 56, START_BITS = 8 };
 enum { LANES = COR_MODE_LANES };
 
@@ -116,7 +116,7 @@ static void set_amplitudes(struct cor_disk_mode *mode, const struct cor_mode_poi
     const double a = p->a.z[i] * p->a.h[i] / (2 * (n + 1)), b = g * p->b.h[i] / (n + 1);
     double c = n * ((n - 1) * ad - a), s = stiff * ad - a;
     const double c_other = stiff * bd - b, s_other = n * ((n - 1) * bd - b);
-    /* the coefficients of a row relative to their largest terms */
+    /* size of the coefficients of a row relative to their terms, which cancel if the row degenerates */
     const double known = (fabs(c) + fabs(s)) / (fabs(stiff * ad) + n * (n * fabs(ad) + fabs(a)));
     const double known_other = (fabs(c_other) + fabs(s_other)) / (fabs(stiff * bd) + n * (n * fabs(bd) + fabs(b)));
     if (known_other > known) {
@@ -135,7 +135,7 @@ static void set_amplitudes(struct cor_disk_mode *mode, const struct cor_mode_poi
  * sign that it has at omega = 0, because it is at most -(1 + nu)(n(n-1)/2 - 5 omega^2). */
 long cor_mode_orders(double omega)
 {
-    /* n - 1 exceeds the rounded product x, and n (n - 1) exceeds x^2 + x: rounding errors do not matter below 2^49 */
+    /* n - 1 exceeds the rounded product x, so n (n - 1) > x^2 + x. x covers the rounding errors of x^2 below 2^49. */
     return (long)(omega * sqrt(10.0)) + 2;
 }
 
@@ -207,8 +207,8 @@ double cor_mode_upper_end(const struct cor_mode_material *material, size_t count
 #define GRID_STEP 1.0
 #define LEAST_KAPPA 2.0
 
-/* Recurrences of one wave at all places, at order N, which decreases by one with each n. Recurrences run at
- * places >= `active`, and series start from places >= `ready`. */
+/* Recurrences of one wave, one at each place (frequency) of the grid. All have reached the order N = n + 1. They run at
+ * places >= `active`; series start from places >= `ready`. */
 struct recurrences {
     double unit; /* kappa/omega */
     double *kappa, *two_over_kappa, *above, *here, *zeros;
@@ -228,7 +228,7 @@ struct group {
     long l[LANES], place[LANES]; /* place: index in search.place, or -1 */
     struct root_search bracket[LANES];
     double omega[LANES], highest;
-    int moves[2]; /* true if series serve the wave */
+    int moves[2]; /* true if the wave is computed by series */
     struct cor_mode_series series[2];
     struct cor_mode_point point;
 };
@@ -436,7 +436,7 @@ static void refine_group(struct cor_disk_mode *mode, struct group *group, const 
                 left--;
                 continue;
             }
-            /* steps that do not become shorter do not converge */
+            /* a step of Halley's method is used only if it is shorter than half of the previous one */
             tell_bracket(b, l, omega, p->below[i] > 0 ? (long)fmin(p->below[i], (double)count) : 0,
                          length < 0.5 * before[i] ? guess : INFINITY);
             last[i] = near;
@@ -456,7 +456,7 @@ static void find_order(struct cor_disk_mode *mode, const struct search *s, long 
     for (long l = 0; l < count; l++) {
         while (s->below[k] <= (double)l)
             k++;
-        /* the bracket below the first place is wide */
+        /* wide: the root is below the first place, so the bracket begins at `least` */
         const int i = group->lanes++, wide = k == s->first;
         struct root_search *const b = &group->bracket[i];
         b->low = wide ? least : s->place[k - 1];
@@ -490,7 +490,7 @@ SHARED int find_modes(const struct cor_mode_material *material, const struct cor
                       struct cor_disk_mode **mode, size_t *found)
 {
     const long orders = cor_mode_orders(omega);
-    /* the two counts may differ by one for each n */
+    /* for each n, count_places may find one root more than cor_mode_total */
     const size_t capacity = (size_t)cor_mode_total(material, omega) + 2 * (size_t)orders;
     struct search s = {.material = material, .loops = loops};
     *found = 0;
@@ -518,7 +518,7 @@ SHARED int find_modes(const struct cor_mode_material *material, const struct cor
     return status;
 }
 
-/* The loops compute both sides of a condition. The unused side may raise exceptions, which the environment hides. */
+/* The loops compute both sides of a condition. cor_environment_leave discards exceptions of the unused side. */
 int cor_mode_find(const struct cor_mode_material *material, const struct cor_mode_loops *loops, double omega,
                   struct cor_disk_mode **mode, size_t *found)
 {

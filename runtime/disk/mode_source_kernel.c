@@ -14,7 +14,7 @@ typedef int64_t changes; /* 1 for true */
 #endif
 
 /* Computes J_m(kappa) up to a factor by J_(m-1) = (2m/kappa) J_m - J_(m+1), from `start` down to `end`, and counts the
- * changes of sign. The numbers grow by at most 2^64 before they oscillate. */
+ * changes of sign. The values grow by a factor of at most 2^64 before they oscillate, so they cannot overflow. */
 static void kernel_recurrence(const double *two_over_kappa, const double *first_quotient, long start, long end,
                               double *quotient, double *zeros)
 {
@@ -113,9 +113,9 @@ static void kernel_move(struct cor_mode_wave *restrict wave, const struct cor_mo
 
 /* Computes the frequency equation and its first two derivatives with respect to ln omega^2. With p = z d/dz, p h = -N k
  * and p d = -z h/(4N), if h, d and k have the factor kappa^-N. The number of roots is the number of negative
- * eigenvalues of the rim's stiffness, free minus clamped, plus the zeros of both Bessel functions, (11.3). Up to
- * positive factors, the 2 x 2 matrices have det(clamped) = D = x y - n^2, det(free) = F/D, where F is the left side of
- * the equation, and diagonals -y/D and -P/D, where P = y + D/g. */
+ * eigenvalues of the rim's 2 x 2 stiffness matrix, free minus clamped, plus the zeros of both Bessel functions, (11.3).
+ * Up to positive factors, the clamped matrix has the determinant D = x y - n^2 and a diagonal element -y/D, the free
+ * one F/D and -P/D. F is the left side of the equation, and P = y + D/g. */
 static void kernel_equation(struct cor_mode_point *restrict point, const struct cor_mode_material *restrict material)
 {
     const double e = material->e, s = material->s;
@@ -139,7 +139,7 @@ static void kernel_equation(struct cor_mode_point *restrict point, const struct 
         const double f = round > 0 ? x : r - half * t0;
         const double f1 = round > 0 ? x1 : r + r1 - half * t0_1;
         const double f2 = round > 0 ? x2 : r + 2 * r1 + r2 - half * t0_2;
-        /* between two roots f1 vanishes, and so would Halley's step; 2 marks the step as invalid */
+        /* f1 vanishes between two roots; the step 2 is invalid, because 1 - step is negative */
         const double slope = f1 == 0 ? 1 : f1, newton = f / slope, bend = newton * (f2 - f1) / (2 * slope);
         const double rest = 1 - (bend > -0.5 ? bend : -0.5), divisor = rest == 0 ? 1 : rest;
         point->step[i] = f1 == 0 || rest == 0 ? 2 : newton / divisor;

@@ -23,7 +23,7 @@ enum {
     HIGHEST_EXPONENT = 1023
 };
 
-/* Bound on the residual of (26) for the numbers of a row, each rounded within half an ulp */
+/* Bound on the residual of (26) if all numbers of a mode are rounded to doubles */
 static const double normalisation_error = 1e-12;
 
 struct lines {

@@ -93,8 +93,8 @@ struct limit {
     double exponent; /* slope nu */
 };
 
-/* Finds a limit. Returns 0 if nu is outside its domain or the datum does not exist. At nu = 0 two cases remain:
- * exp(b - 1) is exp(-5/4)/4 for the centre of mass and exp(-2) for the other data. */
+/* Finds a limit. Returns 0 if nu is outside its domain or the datum does not exist. at_zero has two rows for nu = 0,
+ * with b of cor/disk.h: exp(b - 1) is exp(-5/4)/4 for the centre of mass and exp(-2) for the other data. */
 static int find_limit(enum quantity quantity, double nu, enum cor_disk_datum datum, struct limit *limit)
 {
     static const struct cor_logarithm at_zero[4][2] = {
@@ -301,10 +301,10 @@ static double exp_less_two_terms(double u)
  * 115 at t = 1e-8 and at most 200. */
 static double time_of_t(double t)
 {
-    /* A t below this value causes a kink of size t at x = 0, which changes the sum by step^2/12 of its size. */
+    /* For t < `least` f has a kink at x = 0. Its slope jumps by less than 2e-15, a negligible error of the sum. */
     const double least = 1e-15, end = 88;
     const double y = 1 + t, between = t + t / y, c = between < least ? least : between;
-    /* the head has few bits, so that k step is exact */
+    /* rounded to few bits, so that k step is exact */
     const double step = cor_inline_head(0.2105 / sqrt(1 + c / 7.6));
     pair sum = cor_pair(sqrt(t * c) / 2, 0);
     for (int k = 1;; k++) {

@@ -206,7 +206,7 @@ SHARED int rayleigh_to_tolerance(const struct cor_disk_modes *modes, enum cor_di
 
 /* ---- many speeds ---- */
 
-/* Smallest number of speeds for which the nodes of a piece of q0 save time */
+/* Smallest number of speeds in a piece of q0 for which spectra at the nodes of the piece save time */
 enum { WORTH_A_PIECE = COR_PIECE_NODES + 4 };
 /* Pieces begin at q0 = 4^FIRST_PIECE. For smaller q0, near the limit of the law, spectra are computed one by one. */
 enum { FIRST_PIECE = -5, LAST_PIECE = 5 };
@@ -252,7 +252,7 @@ static int list_init(struct list *list, const struct cor_disk_modes *modes, size
     list->taken = list->asked + chunks_of(all - n_modes);
     list->with_surface = list->taken;
     for (struct cor_mode_chunk chunk; cor_surface_modes_next(&list->table.surface, list->table.set, &chunk);)
-        list->with_surface++; /* continues the surface modes to their end */
+        list->with_surface++; /* counts the chunks of surface modes */
     list->chunk = malloc(list->with_surface * sizeof *list->chunk);
     list->room = malloc(cor_spectrum_piece_size(first_omega(), last_omega(modes, all)) * sizeof *list->room);
     list->spectrum = malloc(sizeof *list->spectrum);
@@ -372,7 +372,7 @@ SHARED int rayleigh_of_speeds(const struct cor_disk_modes *modes, size_t n_modes
 
 /* ---- the public functions ----
  *
- * The loops compute both sides of a condition. The unused side may raise exceptions, which the environment hides. */
+ * The loops compute both sides of a condition. cor_environment_leave discards exceptions of the unused side. */
 
 int cor_disk_rayleigh(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum, double speed,
                       struct cor_disk_rayleigh *out, double *mode_fraction)

@@ -22,7 +22,7 @@ SHARED void set_decays(double *restrict rho, const double *restrict u)
         rho[i] = kernel_decay(u[i]);
 }
 
-/* The nodes of Gauss's rule in a panel, padded. step: dh, later dp. power, move: the input of Halley's method */
+/* The nodes of Gauss's rule in a panel, padded. step: dh, then dp. power, move: arguments of kernel_halley */
 struct gauss_nodes {
     double step_re[LANES], step_im[LANES], t_re[LANES], t_im[LANES], power_re[LANES], power_im[LANES], move[LANES];
 };
@@ -276,14 +276,14 @@ static void kernel_lines(const struct cor_spectrum *spectrum, int octave, double
 
 /* ---- sums over modes ---- */
 
-/* Returns r(x), x = (omega/omega_max - 0.15)/0.85; r(0) = 0, r(1) = 1. With r = 1 beyond omega_max, an echo at
- * T = tau + dT contributes to the sum
+/* Returns r(x), x = (omega/omega_max - 0.15)/0.85; r(0) = 0, r(1) = 1. Beyond omega_max r is 1. An echo at
+ * T = tau + dT then contributes to the sum
  *
  *     F(u) = int r z^(-3 - 1/2) exp(i u z) dz,     z = omega/omega_max, u = omega_max dT,
  *
  * times a factor that is the same for all r. max |F| = |F(0)| = 0.290, and |F| < 0.09 for u >= 15, 0.03 for u >= 30. A
- * cutoff from 0.65 without a negative part has max |F| = 0.66. No weight has less than about 0.18, the norm of
- * the Hankel operator (1 + x + y)^(-7/2). For weights near this bound |F| decreases more slowly. */
+ * cutoff from 0.65 without a negative part has max |F| = 0.66. max |F| is at least about 0.18 for any weight: the norm
+ * of the Hankel operator (1 + x + y)^(-7/2). For weights near this bound |F| decreases more slowly. */
 COR_KERNEL double kernel_echo_weight(double x)
 {
     const double y = x < 0 ? 0 : x, square = y * y;
@@ -342,7 +342,7 @@ static void kernel_sum(const struct cor_lines *restrict lines, const struct cor_
         cosine[i] = c * c - s * s;
         sine[i] = 2 * c * s;
     }
-    for (int i = 0; i < COR_LINES; i++) /* in sequence, in the order in which a caller adds them */
+    for (int i = 0; i < COR_LINES; i++) /* the same sum as a caller's over mode_fraction, to the bit */
         sums->fraction += fraction[i];
     sums->faded += kernel_dot(weights->mean, mean) + kernel_dot(weights->echo, more);
     sums->low[0] += kernel_dot(weights->low, cosine);

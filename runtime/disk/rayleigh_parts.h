@@ -62,7 +62,7 @@ struct cor_mode_weights {
 };
 
 /* Sums over modes. fraction: strength times (2 I)^2. faded: mean times the phase average of (2 I)^2, plus echo times
- * the deviation from that average. low, high: the windows times cos and sin of omega tau and of omega tau/2. */
+ * the deviation from that average. low, high: these weights times cos, sin of omega tau and cos, sin of omega tau/2. */
 struct cor_mode_sums {
     double fraction, faded, low[4], high[4];
 };
@@ -104,8 +104,8 @@ struct cor_rayleigh_set {
     void (*lines)(const struct cor_spectrum *spectrum, int octave, double start, int from, int to, const double *omega,
                   struct cor_lines *lines);
     /* Computes the other weights from weights->strength, and adds the strengths of all modes times the two windows to
-     * *low and *high. beyond: 1 for modes with the echoes' weight. through: 1 for modes with l > 0. All arrays have
-     * COR_LINES numbers. */
+     * *low and *high. beyond: 0 for surface waves, whose weight echo is 0, otherwise 1. through: 1 for modes with l >
+     * 0. All arrays have COR_LINES numbers. */
     void (*weigh)(const struct cor_fading *fading, const double *omega, const double *beyond, const double *through,
                   struct cor_mode_weights *weights, double *low, double *high);
     /* Adds to *sums, and sets fraction[i] = strength (2 I)^2. */
@@ -182,7 +182,7 @@ struct cor_mode_chunk {
 
 /* The modes l = 0 beyond the table, which are continued in chunks */
 struct cor_surface_modes {
-    int known; /* the largest n of the table; 0 if the modes have no continuation */
+    int known; /* the largest n of the table; 0 if surface_init cannot continue the modes */
     double highest;
     struct cor_surface_fit fit;
     int n;              /* largest n up to which the modes have been continued */

@@ -11,7 +11,7 @@
 
 struct cor_leg_path {
     int from_zero;            /* 1 if the base is 0, 0 if it is pi/2 - i Theta */
-    double tilt, q0, pi;      /* q0 and pi are 0 for the base pi/2 - i Theta */
+    double tilt, q0, pi;      /* q0, pi: terms of q (rough_q); both 0 for the base pi/2 - i Theta */
     double tanh_theta, scale; /* scale: cosh(Theta) for this base, 1 for the base 0 */
 };
 
@@ -151,7 +151,7 @@ COR_KERNEL struct cx_sine_cosine kernel_complex_sincos(struct cx x)
 
 /* h(rho) = -i rho exp(-i tilt rho/(1 + rho)): the path starts straight down and then turns to the left, where
  * exp(-omega p) decays without oscillation. slope: the derivative of h. sine: sin(theta), divided by cosh(Theta) at the
- * base pi/2 - i Theta. back: a number with the argument of i exp(-i theta). */
+ * base pi/2 - i Theta. back: a number with the argument of i exp(-i theta), for rough_q. */
 struct path_point {
     double h_re;
     struct cx slope, sine, back;
@@ -253,8 +253,8 @@ COR_KERNEL struct cx kernel_guess(const struct cor_leg_path *path, const struct 
     return cx_of(is_outside ? outside.re : inside.re, is_outside ? outside.im : inside.im);
 }
 
-/* Numbers of steps of Halley's method after which y has a relative error of 2^-48. Sampled at q0 = 0 to 1400; for the
- * base pi/2 - i Theta, up to 30. */
+/* Numbers of steps of Halley's method after which y has a relative error of 2^-48. Sampled from q0 = 0 to 1400 for the
+ * base 0, and to 30 for the base pi/2 - i Theta. */
 enum { STEPS_FROM_ZERO = 2, STEPS_FROM_OTHER = 3 };
 
 #endif

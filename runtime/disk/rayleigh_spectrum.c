@@ -8,8 +8,8 @@
 #include "runtime/disk/rayleigh_path.h"
 #include "runtime/number/lambert_w.h"
 
-/* Derived: b is neglected where its factor is below exp(-LEFT_OUT) = 2^-57. exp(LARGEST_HALF_DEPTH)^2 is a double, and
- * for q0 above 600 the remainder of Theta is below 2^-53. */
+/* Derived: b is neglected where exp(-omega Y) is below exp(-LEFT_OUT) = 2^-57. The square of exp(LARGEST_HALF_DEPTH)
+ * does not overflow, and for q0 above 600, Theta is q0/2 + ln(2) within 2^-53. */
 #define LEFT_OUT 40.0
 #define LARGEST_HALF_DEPTH 300.0
 
@@ -101,7 +101,7 @@ static void leg_init(struct cor_leg *leg, const struct cor_rayleigh_set *set, co
     struct cx p = cx_scaled(nearest, cx_root(cx_scaled(0.5, y)));
     if (path->from_zero) {
         const struct cx inverse = cx_over(cx_of(1, 0), t), square = cx_times(inverse, inverse);
-        /* the factor 1 + r'/r + r''/r + ... with r = sqrt(y/2), r'/r = 1/t and r''/r = 1/t^2 - 2 y/t^3 */
+        /* p = rho (r + r' + r'' + ...), ' = d/du, with r = sqrt(y/2), r'/r = 1/t and r''/r = 1/t^2 - 2 y/t^3 */
         const struct cx second = cx_minus(square, cx_scaled(2, cx_times(y, cx_times(square, inverse))));
         p = cx_times(p, cx_plus(cx_plus(cx_of(1, 0), inverse), second));
     }
@@ -206,7 +206,7 @@ static void init_edges(struct cor_spectrum *spectrum, struct cor_leg *leg, const
     path.from_zero = 0;
     path.q0 = path.pi = 0;
     path.scale = 1 + point->x;
-    /* b contains the factor exp(-omega Y), so a shorter leg suffices, except where b is interpolated */
+    /* a shorter leg suffices, because exp(-omega Y) multiplies b; interpolation in q0 (edges >= 0) needs all of it */
     leg_init(leg, spectrum->set, rule, &path, nearest, edges < 0 ? enough - spectrum->decay : enough);
     spectrum->set->octaves(leg, spectrum->first, spectrum->edges, spectrum->b, unused);
     for (int k = 0; k < spectrum->edges; k++)

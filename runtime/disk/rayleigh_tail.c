@@ -5,9 +5,9 @@
  * rim. Waves that leave the point of contact return to it as echoes after times T. An echo of relative strength e adds
  * e cos(omega T + ...) to the density.
  *
- *   - For the average of (2 I)^2 over its phase, the density replaces the modes gradually: a weight decreases to 0 over
- *   the upper third of the summed frequencies. This smooth cutoff removes all echoes.
- *   - The oscillating part of (2 I)^2, like cos(omega tau + ...)/omega^4, is in phase with an echo if T is about tau.
+ *   - For the average of (2 I)^2 over its phase, an integral over the density continues the sum over modes. The weight
+ *   of the modes decreases to 0 over the upper third of the summed frequencies. This smooth cutoff removes all echoes.
+ *   - The oscillating part of (2 I)^2 varies like cos(omega tau + ...)/omega^4. An echo with T near tau is in phase.
  *   The strongest echo, with half of the whole strength, is the surface wave along the rim. It consists of the modes
  *   l = 0, whose omega and C^2 continue smoothly as power series in 1/n. The modes l = 0 are summed one by one, far
  *   beyond the table.
@@ -31,12 +31,12 @@ static const double low_window[2] = {0.35, 0.75}, high_window[2] = {0.6, 1};
 /* Factors of the error estimate. Fitted: the smallest, rounded up, that bound the error against sums over 20,000 modes
  * (tests/unit/test_disk_rayleigh.c). */
 static const struct {
-    double echo_low, half_echo_low; /* weight of the strength in the low window; the high window has weight 1 */
-    double of_echo, of_half_echo;   /* for echoes in phase with the response, as strong as the windows show */
-    double of_density, of_fifth;    /* for the density beyond 2 omega + a: terms in omega_max^-2 and omega_max^-5 */
-    /* for the density: an echo with T = 0. The kink of the echoes' weight at 1 leaves O((omega_max tau)^-2) of it. */
+    double echo_low, half_echo_low; /* weights of the echo strengths in the low window; 1 in the high window */
+    double of_echo, of_half_echo;   /* factors of the echo strengths measured at T = tau and at T = tau/2 */
+    double of_density, of_fifth;    /* error of the density 2 omega + a: factors of omega_max^-2 and omega_max^-5 */
+    /* factor of (omega_max tau)^-2: the part of the density, an echo with T = 0, that the weight's kink leaves */
     double of_turn;
-    /* for a table without modes l = 0. Chosen: the error of the tail is as large as the tail. */
+    /* for a table whose modes l = 0 cannot be continued. Chosen: the error of the tail is as large as the tail. */
     double unknown;
 } factors = {.echo_low = 0.7,
              .half_echo_low = 0.4,
@@ -84,7 +84,7 @@ void cor_rayleigh_weigh_modes(struct cor_rayleigh_table *table, size_t i, size_t
     for (int j = 0; j < chunk->count; j++) {
         chunk->omega[j] = mode[j].omega;
         chunk->weights.strength[j] = mode[j].c * mode[j].c;
-        /* surface waves l = 0 are continued one by one; modes of n <= 1 are not surface waves */
+        /* surface waves, l = 0 and n > 1, are continued one by one */
         beyond[j] = mode[j].l != 0 || mode[j].n <= 1;
         through[j] = mode[j].l != 0;
     }
@@ -153,7 +153,7 @@ static void surface_init(struct cor_surface_modes *surface, const struct cor_ray
         return;
     divide_differences(fit->node, fit->omega);
     divide_differences(fit->node, fit->strength);
-    /* After a complete table the next mode l = 0 follows closely, and travels at about the surface speed. */
+    /* accepts the fit if its next mode follows the table closely, at about the surface speed */
     double omega[COR_LINES], strength[COR_LINES];
     set->surface(fit, last + 1, omega, strength);
     if (omega[0] > surface->highest && omega[0] < surface->highest + 2 && omega[0] < 1.5 * fit->speed * last)
@@ -185,7 +185,7 @@ int cor_surface_modes_next(struct cor_surface_modes *surface, const struct cor_r
     double omega[COR_LINES], strength[COR_LINES];
     if (surface->known == 0)
         return 0;
-    /* the last chunk has reached the end unless its last frequency is below `end` */
+    /* ends when the last frequency of the previous chunk has reached `end` */
     set->surface(&surface->fit, surface->n, omega, strength);
     if (surface->n > surface->known && !(omega[0] < end))
         return 0;
@@ -205,7 +205,7 @@ int cor_surface_modes_next(struct cor_surface_modes *surface, const struct cor_r
 
 /* Returns the sum over the surface modes beyond mode n, the last that was computed. Mode k has the term (n/k)^3, and
  * the phase advances by the same angle from mode to mode. The sum is about n/(2 - i n z) - 1/2, where z is 2 tan of
- * half the angle. The formula is right for small and for large n z, and within some percent between. */
+ * half the angle. Its error vanishes for small and for large n z, and is a few percent in between. */
 static double surface_rest(const struct cor_spectrum *spectrum, const struct cor_surface_modes *surface)
 {
     struct cor_lines lines;
@@ -223,8 +223,8 @@ static double surface_rest(const struct cor_spectrum *spectrum, const struct cor
 
 /* ---- the modes beyond the table ---- */
 
-/* Weighted integrals. mean: of the density 2 omega times the mean response. curvature: of the mean response. half: of 2
- * omega times the part of the response that oscillates with omega tau/2 */
+/* Integrals over omega with the weight of the cutoff. mean: of 2 omega mean_response. curvature: of mean_response.
+ * half: of 2 omega times the amplitude of the part of the response that oscillates with omega tau/2 */
 struct integrals {
     double mean, curvature, half;
 };
