@@ -446,7 +446,7 @@ enum cor_fault {
     COR_FAULT_NO_SECOND_BODY, /* `number` belongs to a second viscoelastic body, which is absent */
     COR_FAULT_RANGE,          /* `number`, a number of the contact, or the speed is out of range */
     COR_FAULT_STEP,           /* cor_scene_step_error lists the causes */
-    COR_FAULT_NO_STIFFNESS,   /* no stiffness gives this damping and this duration, C or A */
+    COR_FAULT_NO_STIFFNESS,   /* no stiffness gives the contact its damping and its duration (or C, or A) */
     COR_FAULT_PRESSED,        /* under a constant force the damping is too strong to be integrated */
     COR_FAULT_GRAVITY,        /* gravity needs a wall or a plate: it does not press free bodies together */
     COR_FAULT_ADHESION,       /* adhesion and an adhesion model go together */
@@ -456,7 +456,7 @@ enum cor_fault {
     COR_FAULT_YIELD_DAMPING,  /* elastic-plastic spheres do not accept `number` */
     COR_FAULT_LIQUID,         /* `number` is missing: viscosity and both gaps go together */
     COR_FAULT_GAPS,           /* the outer gap is not larger than the inner one */
-    COR_FAULT_NO_DURATION,    /* no damping gives this duration and this stiffness, C or A */
+    COR_FAULT_NO_DURATION,    /* no damping gives the contact its duration and its stiffness (or C, or A) */
     COR_FAULT_TWO_DURATIONS,  /* two contacts may have this dissipation time and this duration at zero overlap */
     COR_FAULT_EQUIVALENT /* cor_scene_equivalent needs bodies, a speed, the linear law, and for some numbers an end */
 };

@@ -89,7 +89,7 @@ static double time_factor(const struct cor_scene_contact *contact)
                            1 / (cor_elastic(&contact->law) + 1));
 }
 
-/* Returns beta/zeta if q = 0, otherwise 1, because the damping is then beta at 1 m/s. */
+/* Returns beta/zeta if q = 0, otherwise 1: contact->damping is zeta if q = 0, otherwise beta at 1 m/s. */
 static double beta_per_damping(const struct cor_scene_contact *contact)
 {
     return cor_law_is_constant(&contact->law) ? sqrt(2 * (cor_elastic(&contact->law) + 1)) : 1;
@@ -101,7 +101,7 @@ static double beta_per_coefficient(const struct cor_scene_contact *contact)
     return cor_quiet_quotient(cor_quiet_power(time_factor(contact), cor_damping(&contact->law) + 1), contact->mass_kg);
 }
 
-/* Returns |C_1| = (2/(a+1)) X_0^(b+1) B((b+1)/(a+1), 3/2), X_0 = ((a+1)/2)^(1/(a+1)) (docs/theory.md, 9). */
+/* Returns |C_1| of eps = 1 + C_1 beta + ... (docs/theory.md, 9): (2/(a+1)) ((a+1)/2)^s B(s, 3/2), s = (b+1)/(a+1). */
 static double first_coefficient(const struct cor_exponents *law)
 {
     const double a1 = cor_elastic(law) + 1, s = (cor_damping(law) + 1) / a1;
@@ -203,7 +203,7 @@ double cor_scene_quantity(const struct cor_scene_contact *contact, int number)
 /* ---- collisions ---- */
 
 /* law: the law of libcor's table that gives eps, from zeta if q = 0, otherwise from beta; COR_LAWS if no law does.
- * times: the source of durations and overlap: the table, functions of the elastic exponent, or the solver. */
+ * times: what gives durations and overlap: the table, functions of the elastic exponent, or the solver. */
 struct functions {
     enum cor_law law;
     enum { OF_TABLE, OF_EXPONENT, OF_SOLVER } times;
@@ -350,7 +350,7 @@ static int dry_impact(struct cor_full_impact *impact, const struct cor_scene_con
         *impact = none;
     if (status != COR_FAULT_NONE || contact->adhesion_j_m2 > 0)
         return status;
-    if (contact->plate) /* the force is only K x^a; the damping term of the equation is the motion of the plate */
+    if (contact->plate) /* the damping term describes the motion of the plate; the force is only K x^a */
         impact->force_max = cor_quiet_power(impact->max_overlap, cor_elastic(&contact->law));
     impact->force_max = cor_quiet_product(impact->force_max, unit.force_n);
     impact->max_overlap = cor_quiet_product(impact->max_overlap, unit.length_m);
@@ -507,7 +507,7 @@ static int solved_beta(double *beta, const struct cor_scene_contact *contact, do
             return status;
         const double rest = eps == 0            ? isgreater(got, 0)
                             : isgreater(got, 0) ? log(got) - wanted
-                                                : -1; /* for eps = 0, the first beta that gives 0 is the result */
+                                                : -1; /* for eps = 0 the result is the smallest beta that gives it */
         if (fabs(rest) < 1e-15 * fmax(1, fabs(wanted)) ||
             (cor_is_bracketed(&bracket) && bracket.high - bracket.low < 1e-15 * fmax(1, fabs(x))))
             return COR_FAULT_NONE;

@@ -36,8 +36,8 @@ static int is_slow(const struct motion *m)
     return c * c * (cube - 1) > 4 * stiffness && towards >= 0 && towards < c / 2 * (overlap_of(high) - overlap_of(low));
 }
 
-/* True if the bodies stay together: the energy, which never grows, is below the potential energy at the next end. The
- * potential energy is 0 at first touch. */
+/* True if the bodies stay together: the energy, which never grows, is below the potential energy at the next of the two
+ * ends. The potential energy is 0 at first touch. */
 static int does_stay(const struct motion *m)
 {
     const double u = cor_motion_start(m), cube = u * u * u;
@@ -64,7 +64,7 @@ static int solve_jkr(struct cor_full_impact *impact, double kappa, int power, do
     for (int k = 0; cor_motion_start(&m) > broken_at[COR_END_ZERO_OVERLAP] && !does_stay(&m) && !is_slow(&m); k++) {
         if (k == MOTION_MOST_STEPS || !cor_motion_expand(&m))
             return COR_FAULT_PRESSED;
-        if (cor_motion_v(&m, m.step, 0) > 0) /* the bodies turn again: the step ends there */
+        if (cor_motion_v(&m, m.step, 0) > 0) /* the bodies approach again: the step ends at this turning point */
             m.step = cor_motion_root(&m, inward_speed, k == 0 ? m.step * 0x1p-20 : 0, m.step, 0);
         for (int end = 0; end < COR_SCENE_ENDS; end++)
             if (cor_motion_start(&m) > broken_at[end] && cor_motion_u(&m, m.step, broken_at[end]) <= 0) {

@@ -85,7 +85,7 @@ struct text {
     const struct cor_simulator *simulator;
     int commented; /* each line becomes a comment */
     int at_start;  /* the next character begins a line */
-    int known;     /* set to 1 before a line; 0 after an unknown number */
+    int known;     /* 0 if the line so far has an unknown number */
 };
 
 static void put_raw(struct text *t, const char *from)
@@ -104,7 +104,7 @@ static void put_text(struct text *t, const char *from)
     for (; *from; from++) {
         const char one[] = {*from, '\0'};
         if (t->commented && *t->simulator->comment_end && from[0] == '-' && from[1] == '-') {
-            from++; /* XML does not allow the hyphens of options */
+            from++; /* XML comments must not contain --: leave it out */
             continue;
         }
         if (t->commented && t->at_start && *from != '\n')
@@ -149,8 +149,7 @@ static struct number number_text(double value, int digits)
 
 /* ---- the request to a simulator ---- */
 
-/* Contacts in the lines: the pair, two bodies 1, and two bodies 2. Contacts for the time step only: each body at each
- * wall */
+/* PAIR: bodies 1 and 2. LIKE_1, LIKE_2: two bodies 1 or 2. PAIRS and above, for the time step only: a body at a wall */
 enum { PAIR, LIKE_1, LIKE_2, PAIRS, CONTACTS = PAIRS + 4 };
 static const struct {
     int body, other, wall;
@@ -163,11 +162,11 @@ struct task {
     int has_law;  /* some model has the law of the contact */
     int pressed;  /* gravity presses the bodies together; eps depends on it */
     int slides;   /* some contact has friction */
-    int same_eps; /* the next block shows the requested eps even if a damping was given */
+    int same_eps; /* fill_block keeps the requested eps at the model's end, even if a damping was given */
     /* one version for each end at which the restitution may have been measured */
     struct cor_scene_contact contact[CONTACTS][COR_SCENE_ENDS];
     struct cor_simulator_target target[CONTACTS];
-    struct cor_simulator_request own; /* the request, changed by soften_wall or for one contact of several materials */
+    struct cor_simulator_request own; /* changed copy of the request: for soft walls, or for one of several contacts */
     size_t i, j;                      /* types of this contact, from 0 */
     struct cor_scene_contact soft[COR_SCENE_ENDS];
     double k1, hardening, depth;        /* for put_luding: k_1, k_p/k_1, plasticity depth */
@@ -224,12 +223,12 @@ struct block {
     double number[CONTACTS];
     double damping, speed_m_s; /* damping of the pair in the request, and the speed at which it holds */
     double time_step_s;        /* NaN: not known */
-    int same_eps;              /* the model has the requested eps, but not at the requested end */
+    int same_eps;              /* the model has the requested eps at its own end, not at the requested one */
     char reason[SENTENCE];     /* why the model has no numbers, or no corrected numbers */
 };
 
-/* Returns the type that `made_of` names, the source of the elasticity. Returns `type` if `made_of` is NULL, and the
- * number of types if the name is unknown. */
+/* Returns the type from which this type gets its elasticity: the type named `made_of`, or itself if `made_of` is NULL.
+ * Returns the number of types if the name is unknown. */
 static size_t source_of(const struct cor_simulator_request *request, size_t type)
 {
     const char *const name = material_of(request, type)->made_of;
@@ -239,7 +238,7 @@ static size_t source_of(const struct cor_simulator_request *request, size_t type
     return source;
 }
 
-/* Returns a body of a type with the elasticity of its material. */
+/* Returns a body of a type, with the elasticity of source_of. */
 static struct cor_body body_of(const struct cor_simulator_request *request, size_t type)
 {
     const struct cor_body source = material_of(request, source_of(request, type))->body;
@@ -408,9 +407,9 @@ static int has_contact(const struct block *block, const struct task *task, int p
 }
 
 /* Returns the time step of one contact at a speed: its duration divided by the number of steps, or the largest step for
- * the tolerance. Infinite if the bodies never part, NaN if not known. *steps: the requested number; for the pair, set
- * to its own number. Other contacts, whose damping may be replaced, get the smallest step of both ends and of the
- * undamped contact. */
+ * the tolerance. Infinite if the bodies never part, NaN if not known. *steps: the requested number; PAIR sets it to its
+ * own. Users may change the damping of other contacts: their result is the smallest of the steps for both ends and
+ * without damping. */
 static double step_of(const struct cor_scene_contact *c, const struct task *task, int pair, int end, double speed,
                       double *steps)
 {
@@ -500,9 +499,9 @@ static int ends_elsewhere(const struct cor_simulator_model *model, const struct 
            (end == COR_END_APPROACH_ONLY || cor_scene_ends_differ(task->request->contacts));
 }
 
-/* Changes the damping so that contacts have the requested eps at the model's end of contact instead of the requested
- * end. Returns 0 if eps is not known or no damping gives it. Sets *eps and *speed_m_s to the requested values; the
- * speed is NaN if eps does not depend on it. */
+/* Sets *eps to the eps of the contact at the requested end. Changes the damping so that the contact has this eps at the
+ * model's end. *speed_m_s: the speed at which this holds; NaN if eps does not depend on it. Returns 0 if eps is not
+ * known or no damping gives it. */
 static int meet_eps(struct cor_scene_contact *contact, double *eps, double *speed_m_s, const struct task *task,
                     const struct cor_simulator_model *model)
 {
@@ -521,8 +520,7 @@ static int meet_eps(struct cor_scene_contact *contact, double *eps, double *spee
             cor_scene_set_damping(contact, COR_SCENE_RESTITUTION, *eps, *speed_m_s, (int)model->end) == COR_FAULT_NONE);
 }
 
-/* Finds the numbers of a model. Returns 1 if they exist. If a restitution is given, they realise it at the model's
- * end. */
+/* Finds the numbers of a model. Returns 1 if they exist. They realise a given restitution at the model's end. */
 static int fill_block(struct block *block, struct task *task, const struct cor_simulator_model *model)
 {
     enum cor_simulator_status status = COR_SIMULATOR_OK;
@@ -579,7 +577,7 @@ static int law_with_name(const struct cor_exponents *law)
     return -1;
 }
 
-/* Writes the command that makes a header for this contact. g* applies to every law whose eps depends on the speed. */
+/* Writes the command for a header of this contact. g* gives the damping of every law whose eps depends on the speed. */
 static void put_embed(struct text *t, const struct task *task)
 {
     const struct cor_simulator_request *const request = task->request;
@@ -808,7 +806,7 @@ static const char *put_line(struct text *t, const char *from, const struct block
         const char *const close = strchr(from, '}');
         const size_t length = close ? (size_t)(close - from) : 0;
         char word[WORD];
-        /* A pair of braces in the simulator's language encloses a line break; braces of a template do not. */
+        /* Braces of a template enclose one word. Braces of the simulator's language enclose a line break. */
         if (*from == '{' && length > 1 && length < sizeof word && !memchr(from, '\n', length)) {
             memcpy(word, from + 1, length - 1);
             word[length - 1] = '\0';
@@ -853,8 +851,8 @@ static int put_template(struct text *t, const char *template, const struct block
 
 /* ---- comments of a block ---- */
 
-/* Returns the factor by which the number grows if the mass grows by the factor `masses`: with the same eps for q = 0,
- * otherwise with the same material. */
+/* Returns the factor by which the number grows if the mass grows by the factor `masses`. If q = 0, eps stays the same,
+ * otherwise the material. */
 static double mass_factor(const struct block *block, const struct task *task, double masses)
 {
     const struct cor_simulator_model *const model = block->model;
@@ -1107,7 +1105,7 @@ static void put_yielding(struct text *t, struct task *task)
 
 /* ---- choice ---- */
 
-/* Returns a rank for a model, by which the requested end counts most, then the version. */
+/* Returns the rank of a model: 2 if it has the requested end, plus 1 if the packaged version has the model. */
 static int rank_model(const struct cor_simulator_model *model, const struct task *task)
 {
     const int end = task->request->scene->end;
@@ -1541,8 +1539,8 @@ static int check_materials(struct task *task)
             if ((p->a == other->a && p->b == other->b) || (p->a == other->b && p->b == other->a))
                 return refuse_task(task, "%s and %s: two pairs of these materials; leave out one", a->name, b->name);
     }
-    /* turn 0: pairs of one material. turn 1: pairs of one type that is made of another material, whose damping they
-     * may need. turn 2: all other pairs. */
+    /* turn 0: contacts of a type with itself. turn 1: the same, for types `made_of` another one; they may use its
+     * damping. turn 2: contacts of two types. */
     for (int turn = 0; turn < 3; turn++)
         for (size_t i = 0; i < balls; i++)
             for (size_t j = i; j < types; j++)
@@ -1566,8 +1564,8 @@ static int start_contact(struct task *own, struct task *task, size_t i, size_t j
     return refuse_contact(task, i, j, own->refusal);
 }
 
-/* Finds the numbers of a model for all contacts, and the contact with the smallest time step, which is NaN if a step is
- * not known. Returns the rank of the model, or -1 if it is unsuitable. */
+/* Finds the numbers of a model for all contacts. *shortest: the contact with the smallest time step, or with an unknown
+ * one (NaN). Returns the rank of the model, or -1 if it is unsuitable. */
 static int fill_contacts(struct task *task, const struct cor_simulator_model *model, struct block *shortest)
 {
     const size_t types = task->request->material_count, balls = count_balls(task->request);
@@ -1704,7 +1702,7 @@ static int put_materials(struct text *t, struct task *task)
     const struct cor_simulator_model *const model = best.model;
     task->own.step_corrected = given->step_corrected;
     task->own.time_step_s = isless(best.time_step_s, INFINITY) ? best.time_step_s : 0;
-    if (fill_contacts(task, model, &block) < 0) /* once more, with the smallest step of all contacts */
+    if (fill_contacts(task, model, &block) < 0) /* again, with best.time_step_s for all contacts */
         return 0;
     put_comment(t, "%s, %s (%s): contacts end at %s", s->title, model->model, model->version,
                 cor_end_names[model->end]);

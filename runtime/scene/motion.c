@@ -60,7 +60,7 @@ static double polynomial_at(const double *c, double s)
     return y;
 }
 
-static int order_of(const struct motion *m) /* returns d with x = u^d, for a motion that follows its energy */
+static int order_of(const struct motion *m) /* returns d of x = u^d; only if m->follows_energy */
 {
     return m->time[0].exponent + 1;
 }
@@ -73,7 +73,7 @@ static double longest_step(const struct motion *m)
     const double size = fmax(fabs(u[0]), fabs(v[0]));
     double least = u[0] == 0 ? 0.1 / m->unit : INFINITY, u_size = size, v_size = size;
     if (m->follows_energy &&
-        u[0] > 0) { /* v can be far smaller than u, so that u stays linear until it has grown many times */
+        u[0] > 0) { /* u and v differ in size: each has its own scale, and u grows at most fivefold */
         least = v[0] > 0 ? 4 * u[0] / v[0] / m->unit : least;
         u_size = u[0];
         v_size = fmax(fabs(v[0]), sqrt(m->press * whole_power(u[0], order_of(m))));
@@ -141,7 +141,7 @@ int cor_motion_expand(struct motion *m)
     return 0;
 }
 
-/* Sets v from the energy if the spring's energy is below half the work of `press`: no large numbers then cancel. */
+/* Sets v from the energy, which is accurate while the spring's energy is below half the work of `press`. */
 static void restore_speed(struct motion *m)
 {
     const int d = order_of(m);

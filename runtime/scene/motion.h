@@ -60,8 +60,8 @@ struct motion {
     struct motion_power power[MOTION_POWERS];
     double v[MOTION_ORDER + 1], t[MOTION_ORDER + 1], force[MOTION_ORDER + 1];
     double step, unit; /* the unit of s: 1, or smaller where coefficients would overflow */
-    /* True if `press` outweighs the inertia at the start. v then follows from the energy, v^2/2 + spring - press x =
-     * energy - loss: a difference of two large speeds would have no accuracy for small speeds at x = 0. */
+    /* True if `press` dominates the inertia at the start. v is then computed from v^2/2 + spring - press x = energy -
+     * loss, because the series gives a small speed at x = 0 as an inaccurate difference. */
     int follows_energy;
     double energy, loss[MOTION_ORDER + 1]; /* loss: the work of the damper */
 };

@@ -16,12 +16,12 @@
 #include "runtime/scene/motion.h"
 
 enum { ORDER = MOTION_ORDER, MOST_STEPS = 20000, MOST_IDLE = 6, MOST_PARTS = 200 };
-#define TOLERANCE 2e-15 /* a test below this fraction of its terms counts as 0 */
+#define TOLERANCE 2e-15 /* a test counts as 0 below this fraction of the sum of its terms */
 #define RATIO 0.26      /* largest step as a fraction of the radius of convergence: RATIO^ORDER = 1e-14 */
 #define STRETCH 1.6     /* largest step as a multiple of the step of motion.c, whose last terms are 1e-17 */
 #define MOMENT 1e-11    /* negligible fraction of a step */
-#define NEAR 0.01       /* fraction of a step in which an event is located accurately */
-#define JUMP 1e-12      /* largest jump of w at which creep may begin */
+#define NEAR 0.01       /* an event is accurate if it is in this first fraction of a step */
+#define JUMP 1e-12      /* largest jump of w, in units of `size`, at which creep may begin */
 #define POWER_MOST 1e280
 #define PRESS_MOST 1e12
 #define KAPPA_MOST 1e24
@@ -32,7 +32,7 @@ enum mode { STICKS, SLIPS, CREEPS };
 
 struct slide {
     struct motion m;
-    int memory, damper_in_cap, slips, d, mode, idle, parts; /* idle: number of changes of the mode at one place */
+    int memory, damper_in_cap, slips, d, mode, idle, parts; /* idle: successive changes of the mode without a step */
     int least;                                              /* `held` and T u x^p contain the factor u^least */
     int time, spring, rate, damper;                         /* indices in m.power of T/d, x^r, T x^(p-r)/d and x^b */
     int stiff, elastic, damping;                            /* indices of u^-least times T u x^p/d, x^a and x^b */
@@ -202,7 +202,7 @@ static double longest_step(const double *c, double size)
 }
 
 /* Begins a mode at the start of the step of m. A contact that slipped and now sticks keeps its spring force. At x = 0 a
- * damper in the cap leaves a spring force of the order of x^b, b < a. If b < r, no finite q gives this force; the
+ * damper in the cap leaves a spring force of the order of x^b, b < a. If b < r, this force needs an infinite q; the
  * contact then slips in the opposite direction. */
 static void change_mode(struct slide *s, int mode, double side)
 {
@@ -243,7 +243,7 @@ static double expand_mode(struct slide *s, double end, int *next, double *side)
         step = fmin(step, longest_step(s->series_q, s->size / fmax(1, sqrt(s->kappa))));
     if (!s->slips)
         return step;
-    if (s->idle >= MOST_IDLE) /* only rounding errors distinguish the modes: keep this mode for a moment */
+    if (s->idle >= MOST_IDLE) /* only rounding errors distinguish the modes: keep this mode for a short step */
         return *next = s->mode, fmin(step, s->moment);
     if (s->mode == SLIPS) {
         if (s->memory == COR_REMEMBERS_NOTHING)
@@ -286,8 +286,8 @@ static struct scales speed_scales(const struct cor_scene_contact *contact, doubl
     return (struct scales){cor_quiet_product(time, speed_m_s), time};
 }
 
-/* Sets the units of the normal motion. The speed determines them, unless damping or a constant force outweighs the
- * inertia; they are then smaller. Returns 0 if the motion overflows. */
+/* Sets the units of the normal motion. The impact speed sets them, or, if damping or a constant force exceeds the
+ * inertia, these set smaller ones. Returns 0 if the motion overflows. */
 static int begin(struct slide *s, const struct cor_scene_contact *contact, const struct cor_tangential *tangential,
                  double speed_m_s)
 {
@@ -436,9 +436,10 @@ NOT_INLINE int follow_impact(struct cor_oblique_impact *oblique, const struct co
     return COR_FAULT_NONE;
 }
 
-/* Returns time_step_s. A damper that fills the cap in the first step leaves the spring outside the other side of the
- * cap. The spring reaches that side at `spread` times the overlap of this step, and the slip there ends at slip_end.
- * Until the contact slips, the force differs from its limit by at most twice the cap: `early` bounds the effect. */
+/* Returns time_step_s. If the damper exceeds the cap at first touch, the first step gives the spring an opposite force,
+ * which then grows faster than the damper's. At `spread` times the overlap of the first step the contact slips
+ * backwards, up to the overlap slip_end. With infinitely small steps it slips backwards from the touch on. Until it
+ * does, the force is wrong by at most twice the cap; up to the overlap `early` this is tolerable. */
 static double needed_step(const struct cor_scene_contact *contact, const struct cor_tangential *t, double friction,
                           double speed_m_s, double tangent)
 {

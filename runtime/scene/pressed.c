@@ -82,7 +82,7 @@ static double overlap_of_rest(const struct motion *m)
                            (double)order_of(m) / m->spring[0].exponent);
 }
 
-/* True if the overlap cannot exceed its value x_e at rest: x'/(x_e - x) is below half the damping coefficient. */
+/* True if x rises to its rest x_e and never passes it: c > 2 sqrt(dF/dx) and x'/(x_e - x) < c/2 for c = damper x^b. */
 static int creeps_up(const struct motion *m)
 {
     const double a = (double)m->spring[0].exponent / order_of(m), rest = overlap_of_rest(m), x = overlap_of(m);
@@ -128,7 +128,7 @@ static void part_at_surface(struct cor_full_impact *impact, const struct motion 
 static int follow_rebound(struct cor_full_impact *impact, struct motion *m, int ends_differ, const struct scales *unit)
 {
     const double release = ends_differ ? release_height(m) : -1; /* the force can vanish at this w or more */
-    int held = !ends_differ, parted = 0;                         /* held: the force has vanished or cannot vanish */
+    int held = !ends_differ, parted = 0; /* held: the end at the surface is found or cannot occur */
     for (int k = 0; !parted && energy_of(m) >= 0; k++) {
         if (k == MOTION_MOST_STEPS || !cor_motion_expand(m))
             return COR_FAULT_PRESSED;
@@ -157,7 +157,7 @@ static int follow_rebound(struct cor_full_impact *impact, struct motion *m, int 
 #define SLOW 1e-8           /* the largest speed; its square is neglected */
 #define WEAK 1e-16          /* the largest damping */
 #define EXPONENT_MOST 100.0 /* largest argument of the beta functions */
-#define RELEASE_SHARE 1e-17 /* the largest part of the energy in the spring when the force vanishes */
+#define RELEASE_SHARE 1e-17 /* largest share of the impact energy in the spring when the force vanishes */
 
 static double beta_function(double x, double y)
 {
@@ -202,7 +202,7 @@ static void solve_slow(struct cor_full_impact *impact, const struct cor_exponent
 /* ---- a collision ---- */
 
 #define MOST_SPEED 1e140 /* higher speeds overflow */
-#define SLOWEST 1e-12    /* lower speeds give the same result, unless the damping is WEAK */
+#define SLOWEST 1e-12    /* lower speeds count as this one: above WEAK damping the bodies stick in any case */
 
 /* Returns the units of a motion. The speed sets them; if it is small, the constant force and a strong damping do. */
 static struct scales motion_scales(const struct cor_exponents *law, double damping, double speed, int *is_forced)
@@ -229,7 +229,7 @@ int cor_pressed_solve(struct cor_full_impact *impact, const struct cor_exponents
         solve_slow(impact, law, damping, speed);
         return COR_FAULT_NONE;
     }
-    if (speed < SLOWEST && damping < WEAK) /* a weak spring retains energy when the force vanishes */
+    if (speed < SLOWEST && damping < WEAK) /* too slow for the series, and is_slow excludes solve_slow */
         return COR_FAULT_PRESSED;
     const struct scales unit = motion_scales(law, damping, fmax(speed, SLOWEST), &is_forced);
     const double acceleration = cor_quiet_quotient(unit.length, cor_quiet_product(unit.time, unit.time));
@@ -252,7 +252,7 @@ int cor_pressed_solve(struct cor_full_impact *impact, const struct cor_exponents
 /* ---- the sticking speed ---- */
 
 #define LARGEST_OVERLAP 1e15
-#define START 1e-8 /* fraction of the energy that damping and spring change at the start; its square is neglected */
+#define START 1e-8 /* share of the energy that damping and spring change up to the first x; its square is neglected */
 
 double cor_pressed_sticking_speed(const struct cor_exponents *law, double damping, int end)
 {

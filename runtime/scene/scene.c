@@ -286,8 +286,9 @@ static int set_stiffness(struct cor_scene_contact *contact, double rate)
 }
 
 /* Sets the damping with which a contact of given C, A or (source = -1) K lasts for duration_s, by the Illinois method
- * on the logarithms. Damping prolongs a contact of given K or C. At zero force it shortens a contact of given K or A.
- * With given A and the end zero overlap, two contacts can have the same duration. */
+ * on the logarithms. Damping prolongs a contact of given C, and a contact of given K that ends at zero overlap. It
+ * shortens a contact of given K or A that ends at zero force. Two contacts of given A that end at zero overlap can have
+ * the same duration. */
 static int set_damping_of_duration(struct cor_scene_contact *contact, int source, double value, double duration_s,
                                    double speed_m_s, int end)
 {
@@ -392,7 +393,7 @@ static int set_damping(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *c
         status = check_way(fault, scene, &contacts[0], way);
     if (status != COR_FAULT_NONE || way < 0 || (is_material(way) && has_bodies(scene)))
         return status; /* already set by set_materials */
-    /* For q = 0, a restitution given without a speed belongs to the contact without the force. */
+    /* For q = 0, a restitution given without a speed was measured without gravity and adhesion. */
     const double speed = cor_scene_given(scene, COR_SCENE_AT) ? scene->number[COR_SCENE_AT]
                          : way == COR_SCENE_RESTITUTION && (contacts[0].force_n > 0 || contacts[0].adhesion_j_m2 > 0)
                              ? (double)NAN

@@ -60,7 +60,7 @@ static double thornton_yade(double e)
     return e == 1 ? 0 : thornton(e);
 }
 
-/* Returns zeta as Kratos computes it: e is raised to 0.001, and above 0.999 there is no damping. */
+/* Returns zeta as Kratos computes it: e below 0.001 counts as 0.001, and above 0.999 there is no damping. */
 static double thornton_kratos(double e)
 {
     return e > 0.999 ? 0 : thornton(e < 0.001 ? 0.001 : e);
@@ -459,7 +459,7 @@ static const struct cor_simulator_model mercurydpm[] = {
         MERCURYDPM_MANY("HertzianBSHPViscoelastic", MERCURYDPM_DISSIPATION)),
 };
 
-/* Chrono combines numbers of two materials by a strategy. Here they are types, and the strategy looks up the pair. */
+/* Chrono combines numbers of two materials by a strategy. Here the numbers are types; it looks up the pair's number. */
 #define CHRONO_PAIRS(what, number, numbers)                                                                            \
     "-    float Combine" what "(float i, float j) const override\n-    {\n"                                            \
     "-        static const float pair[] = {\n-            " numbers "\n-        };\n"                                  \
@@ -1028,7 +1028,7 @@ static double exact_damping(const struct cor_simulator_model *model, const struc
     const int own_end = given && target->scene->end == COR_BOTH_ENDS && !pressed;
     if (model->law == COR_LAW_IMPULSE || (!same_law && !pressed) || (constant && own_end))
         return cor_law_damping(model->law, model->end, target->eps);
-    if (!same_law) { /* this eps is for the speed and under gravity */
+    if (!same_law) { /* target->eps holds at target->speed_m_s, under gravity */
         struct cor_scene_contact c = cor_model_contact(*contact, &cor_law_exponents[model->law], 0, 1);
         return has_end && cor_law_has_spring_of(&c.law, &contact->law) &&
                        cor_scene_set_damping(&c, COR_SCENE_RESTITUTION, target->eps, target->speed_m_s, end) == 0

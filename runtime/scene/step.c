@@ -38,7 +38,7 @@ enum {
 #define FIRST_PHASE 1e-14
 /* Bodies in contact with an energy below m (STUCK g)^2/2 part with at most STUCK times the impact speed g, if ever. */
 #define STUCK 1e-8
-#define HARDLY 1e-6 /* a smaller eps may follow any pattern of steps; jumps between such patterns are ignored */
+#define HARDLY 1e-6 /* smaller eps have the pattern 0, so jumps between them are ignored */
 /* The largest change of the speed by the constant force in a step, in units of the impact speed. Above it, bodies that
  * part with the impact speed return within a step. */
 #define MOST_PRESS 2.0
@@ -49,9 +49,9 @@ struct stepped {
     double press; /* constant force */
     double exact; /* eps */
     double still; /* speed below which bodies with little energy stay in contact */
-    double deep;  /* energy below which bodies creep to rest: half of the least energy */
+    double deep;  /* half of the lowest energy_at: below it bodies creep to rest */
     double most;  /* bound of place and velocity, so that no force overflows */
-    double ahead; /* the damping force uses the velocity this number of steps after the last half step */
+    double ahead; /* the damping force uses the velocity this part of a step after the last half step */
     int roots;    /* this number of square roots gives x^(1/denominator); negative: use pow */
     int implicit; /* the force at the end of the step acts */
     int no_pull;  /* the contact force is never negative */
@@ -94,7 +94,7 @@ static double energy_at(const struct stepped *m, double x, double v)
 }
 
 /* True if the contact force has ended and the bodies fly freely with the velocity `full`. A force of 0 may become
- * positive again if b > a, or if it is positive at the predicted velocity. */
+ * positive again if b > a, or if it is positive at the velocity that the damper uses. */
 static int has_ended(const struct stepped *m, double x, double v, double full, double f)
 {
     return !(x > 0) || (f == 0 && full < 0 && m->a >= m->b && force_at(m, x, v + m->ahead * m->step * m->press) == 0 &&
@@ -257,8 +257,8 @@ int cor_scene_step_error(struct cor_step_error *error, const struct cor_scene_co
 
 /* ---- the step for an error, and the damping for a step ---- */
 
-/* True if bias and scatter are within the tolerance at this number of steps and up to one more. Between whole numbers
- * of steps the scatter of some laws rises and falls by its own size. */
+/* True if bias and scatter are within the tolerance at this number of steps and up to one more. Between two whole
+ * numbers of steps the scatter of some laws varies by 100 %. */
 static int is_within(int *status, const struct cor_scene_contact *contact, double speed_m_s, int end, double steps,
                      int integrator, double tolerance)
 {
@@ -324,7 +324,7 @@ int cor_scene_step_corrected(struct cor_scene_contact *corrected, const struct c
         if (status == COR_FAULT_NONE &&
             (beta == 0 || fabs(error.bias) < converged ||
              (cor_is_bracketed(&bracket) && bracket.high - bracket.low < 1e-15 * bracket.high))) {
-            if (beta > 0 && fabs(error.bias) > promised) /* the mean jumps */
+            if (beta > 0 && fabs(error.bias) > promised) /* no damping gives this mean eps: it jumps */
                 return COR_FAULT_NO_DAMPING;
             corrected->damping = contact->damping * factor;
             return COR_FAULT_NONE;
