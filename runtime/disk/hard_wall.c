@@ -27,7 +27,7 @@ enum { MAX_LEVELS = COR_DISK_HARD_WALL_MAX_LEVELS, LEAST_LEVELS = 2 };
 #define RANGE 2.6       /* range of the angles divided by sqrt(v) */
 
 /* The error estimate is the sum of three parts. The first is the largest of the last changes of the extrapolated value,
- * times the weights below, or if larger, EXTRAPOLATED times the distance of this value from the highest level. The
+ * times the weights below. It is at least EXTRAPOLATED times the distance of this value from the highest level. The
  * second bounds the effect of waves that no level has shown yet and that return while contact ends or splits. The third
  * is the noise of steps and angles. Fitted: with these factors the estimate is at least the error, as two more levels
  * show, in 200 random scenes at six tolerances. */
