@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # The loops of array functions and disks. Each <stem>_kernel.c is compiled once for each instruction set
-# (runtime/number/sets.h), in its part of the library. cor_defaults forbids contraction, so every set gives the same
-# bits. The loops vectorise only if sqrt need not set errno and comparisons may be evaluated ahead. -Wno-psabi, because
-# functions with vectors as arguments are always inlined here.
+# (runtime/number/sets.h). cor_defaults forbids contraction, so every set gives the same bits. The loops vectorise only
+# if sqrt need not set errno and comparisons may be evaluated ahead. -Wno-psabi omits a warning on functions with
+# vectors as arguments, which are always inlined here.
 set(cor_array_options $<IF:$<CONFIG:Debug>,-Og,-O3> -fno-math-errno -fno-trapping-math -Wno-psabi)
 set(avx2 -mavx2)
 # AVX-512 has fused operations, which gcc 12 uses when it vectorises straight code, in spite of -ffp-contract.

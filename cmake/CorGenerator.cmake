@@ -48,13 +48,13 @@ if(FLINT_FOUND)
   target_link_libraries(corgen_core PUBLIC FLINT::FLINT m Threads::Threads PRIVATE cor_defaults)
   # corgen spends most of its time in FLINT; -O2 for its own code takes longer to compile and gains little
   target_compile_options(corgen_core PRIVATE $<$<AND:$<CONFIG:Release>,$<C_COMPILER_ID:GNU,Clang,AppleClang>>:-O1>)
-  # -O2 only for paths, which are computed in doubles, and for formulas, which each node of an integral evaluates
+  # -O2 only for complex_*.c, which computes in doubles, and formula.c, which each node of an integral calls
   file(GLOB of_corgen CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gen/enclosure/complex_*.c)
   set_source_files_properties(${of_corgen} ${PROJECT_SOURCE_DIR}/gen/support/formula.c PROPERTIES
     COMPILE_OPTIONS $<$<AND:$<CONFIG:Release>,$<C_COMPILER_ID:GNU,Clang,AppleClang>>:-O2>)
-  # FLINT's headers take half the time of a compilation, so gcc precompiles them. Exceptions are sources with other
-  # options and sources that need more of the C library than POSIX. With clang nothing is
-  # precompiled, because tools read the compile commands before a build has made the precompiled header.
+  # FLINT's headers take half the time of a compilation, so gcc precompiles them, except for sources with other options
+  # or with feature macros such as _GNU_SOURCE. With clang nothing is precompiled, because tools read the compile
+  # commands before a build has made the precompiled header.
   if(CMAKE_C_COMPILER_ID STREQUAL GNU)
     target_precompile_headers(corgen_core PRIVATE ${PROJECT_SOURCE_DIR}/gen/support/flint.h)
     set(other support/console.c support/formula.c support/output.c support/parallel.c tables/directory.c)

@@ -27,7 +27,7 @@ install_library(cor_scene "Contacts as simulators have them" cor)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/cor DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 install(FILES ${PROJECT_SOURCE_DIR}/generated/cor_sphere.h ${PROJECT_SOURCE_DIR}/generated/sphere_rows.h
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-foreach(file LICENSE README.md CITATION.cff CHANGELOG.md CONTRIBUTING.md) # the README links to them, and into docs/
+foreach(file LICENSE README.md CITATION.cff CHANGELOG.md CONTRIBUTING.md)
   install(FILES ${PROJECT_SOURCE_DIR}/${file} DESTINATION ${CMAKE_INSTALL_DOCDIR})
 endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -126,20 +126,18 @@ msvc_reads() {
         -isystem "$(clang -print-resource-dir)/include" -isystem /usr/share/mingw-w64/include "$1"
 }
 
-# turn_of N: prints which of the N parts of a long test a short run does (tests/run --turn K).
+# turn_of N: prints the part, 0 to N - 1, of a long test that a short run does (tests/run --turn K): K modulo N.
 turn_of() {
     echo $((${COR_TEST_TURN:-0} % $1))
 }
 
-# some_in_turn N TURN: selects lines of standard input whose number is TURN modulo N. A line is a name, or a name, a
-# tab and a text. Prints the text, or the name.
+# some_in_turn N TURN: prints the last column, separated by tabs, of the input lines whose number is TURN modulo N.
 some_in_turn() {
     awk -F '\t' -v n="$1" -v turn="$2" 'NR % n == turn { print $NF }'
 }
 
 # builds_whole CC [--long]: true if a test run builds everything with this compiler: always with gcc, with others in
-# long runs and in every fifth turn. In that turn tests/hygiene/run only runs valgrind. Otherwise
-# build_tested builds the library and its tests, and parses the rest.
+# extended runs and in every fifth turn. In that turn tests/hygiene/run only runs valgrind.
 builds_whole() {
     [ "$1" = gcc ] || [ "${2-}" = --long ] || [ "$(turn_of 5)" -eq 2 ]
 }
@@ -153,7 +151,7 @@ parse_rest() {
         (cd "$1" && xargs -r -P "$jobs" -d '\n' -n 1 sh -c)
 }
 
-# build_tested CC DIR [--long]
+# build_tested CC DIR [--long]: builds everything if builds_whole, otherwise the library and its tests; parses the rest.
 build_tested() {
     if builds_whole "$1" "${3-}"; then
         build "$2"

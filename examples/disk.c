@@ -12,7 +12,7 @@ int main(void)
     const enum cor_disk_datum datum = COR_DISK_DATUM_CENTRE_OF_MASS;
     printf("   speed  contact time  compression  eps, first order  modes  eps, all modes\n");
     for (int i = -6; i <= -2; i++) {
-        const double speed = pow(10, i); /* in sqrt(E/rho), lengths in R */
+        const double speed = pow(10, i); /* in units of sqrt(E/rho); lengths in units of R */
         struct cor_disk_rayleigh r;
         size_t modes;
         const int status = cor_disk_rayleigh_tolerance(&cor_disk_modes_nu033, datum, speed, 1e-3, &r, &modes);

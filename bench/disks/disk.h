@@ -25,8 +25,8 @@ struct disk_bench {
 void disk_rayleigh(struct disk_bench *bench);
 void disk_collision(struct disk_bench *bench);
 
-/* A line of disks.csv, which is also printed. A field is empty if it is NaN or 0 modes. Errors of collisions are
- * absolute errors of eps, all others are relative. */
+/* A line of disks.csv, which is also printed. NaN and 0 modes become empty fields. Errors of collisions are absolute
+ * errors of eps; all others are relative. */
 struct disk_row {
     const char *table, *method;
     double speed, setting; /* setting: a tolerance, the points of a panel, or alpha */
@@ -49,7 +49,7 @@ static inline void disk_csv(struct disk_bench *bench, const struct disk_row *row
     fflush(stdout);
 }
 
-/* Exits with the text of the status, unless it is COR_OK or `other`. */
+/* Prints the text of the status and exits, unless the status is COR_OK or `other`. */
 static inline void disk_must(int status, int other)
 {
     if (status != COR_OK && status != other) {

@@ -43,8 +43,8 @@ static long double response(const struct cor_disk_mode *mode, long double fracti
     return fraction * square * square / ((long double)mode->c * mode->c);
 }
 
-/* Returns the largest relative error of a fraction, over the modes whose cosine does not cancel. Except for the cosine,
- * (2 I)^2 omega^4 varies slowly. A mode counts if it is above 1/100 of the largest of 25 neighbours on each side. */
+/* Returns the largest relative error of the modes' fractions. Omits modes near a zero of the cosine in their integral,
+ * whose response() is below 1/100 of the largest response of 25 neighbours on each side. */
 static double worst_error(const struct cor_disk_mode *mode, const double *fraction, const long double *reference)
 {
     double worst = 0;
@@ -110,7 +110,7 @@ static void all_modes(struct disk_bench *bench)
         const struct task *const t = &task[i];
         const bool sum = i >= TOLERANCES;
         if (!sum && (t->status != COR_OK || t->n >= truth.n / 2))
-            continue; /* failed, or used half of the reference's modes or more */
+            continue; /* the sum failed, or has too many modes for this reference */
         const double found = t->out.fraction + (sum ? 0 : t->out.tail);
         disk_csv(bench, &(struct disk_row){"energy", sum ? "truncation" : "cor", USUAL_SPEED, t->tolerance, t->n,
                                            job[i].best_ns / 1e9, fmax(fabs(found / energy - 1), unsure)});

@@ -123,8 +123,7 @@ static void print_cell(const char *separator, const char *text)
     printf("\"");
 }
 
-/* Writes the simulator's number, divided by the damping, as a product of powers of mass, stiffness, radius and
- * speed. */
+/* Writes the ratio of the model's number to the damping, as a product of powers of mass, stiffness, radius, speed. */
 static void write_factor(char *text, size_t size, const struct cor_simulator_model *m)
 {
     const struct cor_scene_contact one = {.mass_kg = 1, .stiffness = 1, .radius_m = 1};

@@ -127,7 +127,7 @@ static double formula_sphere_newton(double e)
     return v * v;
 }
 
-/* Solves f(-h) = f(beta), f(z) = z - ln(1 + z), by Newton's method. */
+/* Returns eps = h/beta by Newton's method, where h solves f(-h) = f(beta), f(z) = z - ln(1 + z). */
 static double formula_crossley(double beta)
 {
     const double wanted = beta - log1p(beta);
@@ -278,7 +278,6 @@ static const struct method {
 };
 enum { METHODS = sizeof methods / sizeof *methods };
 
-/* One line of the result */
 struct line {
     const struct method *method;
     int set; /* SCALAR: the scalar function */

@@ -128,8 +128,8 @@ static struct task task_of(const struct method *method, const struct scene *scen
     return (struct task){method, scene, random, in->out, method->flags & ARRAY ? IN_CACHE : SCALARS};
 }
 
-/* Prints a row and writes it to the table of its input. A time of NaN was not measured. Without `error`, or for a copy,
- * the error is empty. */
+/* Prints a row and writes it to the table of its input. A time of NaN leaves its cell empty. The cell of the error is
+ * empty if `error` is NULL, and for a plain copy of an array. */
 static void report_row(FILE *const csv[2], const struct task *t, const char *form, double ns, double ns_chained,
                        const double *error)
 {
@@ -176,8 +176,8 @@ static void measure_scene(FILE *const csv[2], const struct methods *methods, con
     inputs_free(&in);
 }
 
-/* Returns the number of elements of an array with the size of the last-level cache; its eps need the same size again.
- * At least 64 MiB, at most 512 MiB and an eighth of the memory. Uses 512 MiB if the cache is unknown. */
+/* Returns the number of elements of an array with the size of the last-level cache, 512 MiB if it is unknown. The size
+ * is at least 64 MiB, and at most 512 MiB and an eighth of the memory. */
 static size_t large_elements(void)
 {
     const double mib = 1 << 20;

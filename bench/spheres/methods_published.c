@@ -7,7 +7,7 @@
 
 #include "methods.h"
 
-/* Returns (35) with Table I of Phys. Rev. E 60, 4465 (1999), x = (g/g*)^(1/5); zero overlap. */
+/* Returns eps at zero overlap by equation (35) and Table I of Phys. Rev. E 60, 4465 (1999), x = (g/g*)^(1/5). */
 static double published(double x)
 {
     return (1 + 2.5839 * x) / (1 + x * (3.5839 + x * (2.9839 + x * (1.1487 + x * 0.3265))));

@@ -8,7 +8,6 @@
 
 enum { SLOW_SAMPLES = 4 };
 
-/* Returns the time of a run, from `repeats` runs. */
 static double sample(const struct job *job, long repeats)
 {
     const double start = clock_seconds();
