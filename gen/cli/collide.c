@@ -10,12 +10,12 @@
 #include "support/formula.h"
 #include "support/local.h"
 
-/* The columns of the table. name: dimensionless and in SI units; NULL: no such column. end: the end of contact of the
- * number. Under a constant force the surface replaces zero force. */
+/* The columns of the table. name: for dimensionless arguments and for SI units; NULL: no such column. Under a constant
+ * force, the columns of the surface replace the columns of zero force. */
 enum { BETA, FORCE_MAX = 9, STICKING, COLUMNS = STICKING + 2 };
 static const struct {
     const char *name[2], *meaning;
-    int end; /* OPTIONS_NOT_GIVEN: no end */
+    int end; /* end of contact that the column is for; OPTIONS_NOT_GIVEN: any */
 } column[COLUMNS] = {
     {{"beta", "beta"}, "damping, the one parameter", OPTIONS_NOT_GIVEN},
     {{"x_max", "max_overlap_m"}, "largest overlap", OPTIONS_NOT_GIVEN},

@@ -26,7 +26,7 @@ struct series_arguments {
 
 struct pade_arguments {
     struct option_common common;
-    struct pade_request request; /* `kind` and `law` are not set; OPTIONS_NOT_GIVEN: no such degree given */
+    struct pade_request request; /* without `kind` and `law`; a degree that is not given is OPTIONS_NOT_GIVEN */
     slong digits;
     bool two_point, as_published, force;
     const char *header; /* file of the C header, or NULL */
@@ -97,7 +97,7 @@ struct sample_arguments {
 
 struct tables_arguments {
     struct option_common common;
-    struct tables_request request; /* without its directory */
+    struct tables_request request; /* `directory` is not set */
 };
 
 extern const struct subcommand command_trajectory, command_series, command_pade, command_collide, command_disk_modes,

@@ -286,7 +286,7 @@ static int run_contact(const void *arguments)
     if (o->materials && !o->simulator)
         return usage_error(
             "--materials needs --for SIMULATOR, for example --for lammps; --for list prints all simulators");
-    /* a list, an unknown name, and materials need no contact */
+    /* no contact is needed to print a list, refuse an unknown simulator, or read materials from a file */
     if (o->simulator && (o->materials || (o->version && strcmp(o->version, CONTACT_SIMULATOR_LIST) == 0) ||
                          !cor_simulator_named(o->simulator)))
         return print_for_simulator(o, NULL);

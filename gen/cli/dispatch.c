@@ -76,7 +76,7 @@ static int run_word(const struct subcommand *const *table, const char *version, 
     const struct subcommand *const cmd = subcommand_named(table, argc < 2 ? NULL : name);
     if (!cmd)
         return STATUS_USAGE;
-    struct option_common *const common = xmalloc(cmd->size); /* the whole struct of arguments, not only `common` */
+    struct option_common *const common = xmalloc(cmd->size); /* the whole struct of arguments starts with it */
     memcpy(common, cmd->defaults, cmd->size);
     bool help;
     progress_start(cmd->name);

@@ -12,7 +12,7 @@
 #include "support/formula.h"
 #include "support/local.h"
 
-enum { LONG_OPTION = 256 /* beyond every character */ };
+enum { LONG_OPTION = 256 /* above every char */ };
 
 static const char help_name[] = "help";
 
@@ -81,7 +81,7 @@ static bool is_unit(int *power, const char *text, size_t length, const char *uni
         if (strlen(whole) == length && strncmp(whole, text, length) == 0)
             return true;
     }
-    *power = 3; /* g/cm^3 in kg/m^3 */
+    *power = 3; /* 1 g/cm^3 = 10^3 kg/m^3 */
     return strcmp(unit, "kg/m^3") == 0 &&
            ((length == 6 && strncmp(text, "g/cm^3", 6) == 0) || (length == 5 && strncmp(text, "g/cm3", 5) == 0));
 }
@@ -183,7 +183,7 @@ static int parse_value(void *field, const struct option_rule *rule, const char *
 #undef LETTERS
 }
 
-/* True if the number is in the range. text: a constant of the program */
+/* True if the number in `text`, which is a valid decimal, is in the range. */
 static bool accepts_number(const struct decimal_range *range, const char *text)
 {
     struct decimal number = {0};

@@ -49,9 +49,9 @@ struct option_rule {
         const char *const *words; /* ends with NULL */
         const struct values_rule *values;
     } range;
-    const struct cor_scene_option *scene; /* the number of a scene that the option sets; NULL: none */
+    const struct cor_scene_option *scene; /* row of cor_scene_options with the option's unit and range; NULL: none */
     const char *unit;                     /* unit of a number, such as "Pa"; NULL: no unit */
-    const char *why;      /* reason for the upper limit; for words: their kind, as "an end of contact" */
+    const char *why;      /* for messages: reason of an upper limit; or the kind of the words, as "a type" */
     const char *excludes; /* options that contradict this one, space separated, or NULL */
     const char *needs;    /* the option that this one requires, or NULL */
 };

@@ -52,7 +52,7 @@ static int write_header(const struct problem *problem)
     const slong beta_max = two_point ? HEADER_BETA_MAX_TWO_POINT : HEADER_BETA_MAX;
     char exponents[TEXT_MAX] = "sphere", options[TEXT_MAX] = "", z[32] = "";
     struct references references;
-    /* Table I uses another variable and other coefficients, so no comparison is possible. */
+    /* the reference values are eps as a function of the sphere's beta; published coefficients have another variable */
     const bool assessed = sphere && !printed;
     if (assessed && references_init(&references, law, beta_max, HEADER_EVEN, HEADER_SMALL))
         return STATUS_FAILED;

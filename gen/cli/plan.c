@@ -27,7 +27,7 @@ static void remove_force(struct embed_request *request, struct decimal *damping,
 
 static int plan_of_spheres(struct plan *plan, const struct plan_arguments *o)
 {
-    /* the scene for the formulas, which have no constant force */
+    /* without the constant force, which the formulas lack */
     struct embed_request scene = o->scene;
     struct contacts contacts, pressed;
     struct decimal damping = {0};

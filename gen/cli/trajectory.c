@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* corgen trajectory prints the exact x_k(t) of (48), (49). */
+/* corgen trajectory prints the exact rows x_k(t) of the trajectory (docs/theory.md, 2). */
 #include <stdlib.h>
 #include <string.h>
 

@@ -48,7 +48,7 @@ int contacts_of_request(struct contacts *contacts, const struct embed_request *r
 {
     char text[COR_SCENE_FAULT_TEXT];
     struct cor_scene_fault fault;
-    struct own_law own; /* rejects the options of an own law */
+    struct own_law own; /* only to refuse options of own laws */
     int status = own_law_init(&own, request);
     if (status == STATUS_OK)
         status = embed_request_scene(&contacts->scene, request);

@@ -15,7 +15,7 @@ struct contacts {
     struct cor_scene scene;
     int count;
     struct cor_scene_contact contact[COR_SCENE_ENDS];
-    struct cor_scene_contact hertz; /* contact that an equivalent linear spring replaces; stiffness 0: no such spring */
+    struct cor_scene_contact hertz; /* the Hertz contact that an equivalent spring replaces; stiffness 0: none */
     double at_m_s;                  /* the speed at which spring and hertz are equivalent */
 };
 
@@ -37,7 +37,7 @@ int contact_status(int status);
 cor_scene_solver contact_enclosed;
 
 /* Returns the malloc'ed lines of --for SIMULATOR that call the header of an own law, for these speeds. NULL after a
- * message: the simulator calls no function of the speed */
+ * message if the simulator cannot call a function eps(speed). */
 char *contact_own_lines(const struct own_law *law, const struct embed_request *request, const char *simulator,
                         const double *speed_m_s, size_t speeds);
 
@@ -58,11 +58,10 @@ void contact_summary(struct table *table, const struct contacts *contacts, doubl
  * equivalent spring. */
 void contact_print_ranges(FILE *file, const struct contacts *contacts, bool rows);
 
-/* Adds a row for each contact and speed of the request, with its time step, in the columns of corgen contact. The last
- * column, measured_end, exists only for two contacts. The errors of the step fill two columns, or two columns for each
- * end if the end matters and is not given. An equivalent spring adds three columns for the Hertz contact that has the
- * same eps at the speed --at and at the row's end (not given: zero overlap). A corrected damping needs a single end.
- * Returns STATUS_OK or STATUS_FAILED. */
+/* Adds a row for each contact and speed of the request, with its time step, in the columns of corgen contact. Two
+ * contacts also have the column measured_end. The errors of the step fill two columns, or two for each end if
+ * contact_end() is COR_BOTH_ENDS; a corrected damping needs a single end. An equivalent spring adds three columns for
+ * the Hertz contact with the same eps at the speed --at. Returns STATUS_OK or STATUS_FAILED. */
 int contact_rows(struct table *table, const struct contacts *contacts, const struct cor_simulator_request *request,
                  int digits);
 

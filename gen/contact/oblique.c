@@ -11,7 +11,8 @@
 #define DEGREE 0.017453292519943295
 enum { NAMES = 512 };
 
-/* Returns the tangential model with this name, or a simulator's model for this spring; -1 after a message */
+/* Returns the tangential model of that name. For a simulator's name, returns its model for the contact's normal spring,
+ * linear or not. -1 after a message */
 static int model_of(const char *name, const struct cor_scene_contact *contact)
 {
     const struct cor_simulator *const simulator = cor_simulator_named(name);
@@ -87,7 +88,7 @@ static int impact_of(struct cor_oblique_impact *impact, double *least, const str
 
 /* ---- Walton's three numbers ---- */
 
-/* Returns the largest error of max(-beta_0, 1 - slip/tangent), and the mean error. */
+/* Returns the largest difference of `restitution` from max(-beta_0, 1 - slip/tangent). *mean: the mean difference */
 static double largest_error(double *mean, const double *tangent, const double *restitution, size_t n, double slip,
                             double beta_0)
 {
@@ -101,8 +102,8 @@ static double largest_error(double *mean, const double *tangent, const double *r
     return largest;
 }
 
-/* Searches both numbers on grids that shrink around the best pair. If one angle determines the largest error for many
- * frictions, the mean error, with a small weight, decides. Returns the largest error. */
+/* Minimises the largest error plus 1e-4 times the mean error, on grids that shrink around the best pair. The mean error
+ * decides between pairs with the same largest error. Returns the largest error. */
 static double fit_walton(double *slip, double *beta_0, const double *tangent, const double *restitution, size_t n)
 {
     enum { GRID = 40, ROUNDS = 12 };

@@ -275,7 +275,7 @@ static double reach_right(const struct sampler *c, double left, double error, do
             bad = guess;
         if (got <= error && got > error * (1 - 1e-7))
             break;
-        /* slightly before the root, so that both sides of the bracket move */
+        /* slightly below the estimated root, where the error meets the condition above */
         guess = left + (guess - left) * pow(error / fmax(got, 1e-30), 1 / power) * (got > error ? 1 - 1e-8 : 1 - 2e-8);
         if (!(guess > good && guess < bad))
             guess = (good + bad) / 2;
