@@ -39,7 +39,7 @@ static struct embed_form form_blank(const struct embed_scene *s, enum embed_fami
                            .origin = s->origin,
                            .speed_min = s->speed_min,
                            .speed_max = s->speed_max};
-    if (variable >= FIFTH_ROOT_OF_SPEED) /* find the least refinement that the tolerance permits */
+    if (variable >= FIFTH_ROOT_OF_SPEED) /* use the coarsest fifth root that the tolerance permits */
         while (f.refinement < EMBED_REFINEMENTS - 1 &&
                8 * s->slope * embed_root_error(f.refinement, s->single) > s->tolerance)
             f.refinement++;
@@ -95,8 +95,8 @@ static bool try_quotient(struct embed_form *best, const struct embed_scene *s, c
     return try_form(best, form_blank(s, best->family, variable, m, n), s, f);
 }
 
-/* The radius of convergence of eps in powers of beta: h*, rounded (docs/theory.md, 3). A failed search reports this
- * radius as the reason if beta exceeds a chosen fraction of it. */
+/* The radius of convergence of eps in powers of beta (docs/theory.md, 3), and the fraction of it above which beta is
+ * the stated reason of a failed search */
 #define CONVERGENCE 1.388
 #define NEAR_CONVERGENCE 0.97
 

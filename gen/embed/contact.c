@@ -115,7 +115,7 @@ static int beta_of_restitution(arb_t beta, const arb_t force, const struct embed
                                const struct cor_scene_contact *contact, const struct cor_exponents *law)
 {
     const exact eps = request->number[COR_SCENE_RESTITUTION].value, at = request->number[COR_SCENE_AT].value;
-    const struct ratio q = law_speed_exponent(law), power = RATIO("-2*law->a/(law->a + 1)", law); /* of the force */
+    const struct ratio q = law_speed_exponent(law), power = RATIO("-2*law->a/(law->a + 1)", law);
     if (fmpq_is_one(eps) || law_is_linear(law)) {
         arb_set_d(beta, cor_scene_beta(contact, 1));
         return STATUS_OK;
@@ -191,7 +191,8 @@ int embed_contact_numbers(arb_t beta_per_root, arb_t force, arb_t yield_speed, a
     if (embed_given(request, COR_SCENE_RESTITUTION))
         return contact->plastic ? yield_speed_of_restitution(yield_speed, request, contact->yield_speed_m_s, prec)
                                 : beta_of_restitution(beta_per_root, force, request, contact, law);
-    if (contact->plastic) /* v_y^2 = (pi^5/30) p_y^5 R^3/(E*^4 m), E* = 3 K/(4 sqrt(R)); p_y = 1.6 p, p is given */
+    /* plastic: v_y^2 = (pi^5/30) p_y^5 R^3/(E*^4 m), E* = 3 K/(4 sqrt(R)), p_y = 1.6 p for the yield stress p */
+    if (contact->plastic)
         LET(yield_speed, prec, "sqrt((p*8/5*pi)^5/30*R^5/(K*3/4)^4/m)", p, R, K, m);
     else if (embed_given(request, COR_SCENE_G_STAR))
         beta_of_g_star(beta_per_root, number[COR_SCENE_G_STAR].value, law, prec);

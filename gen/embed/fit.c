@@ -130,7 +130,7 @@ bool embed_fit_rational(struct embed_form *f, const struct embed_scene *s)
 {
     const slong m = f->numerator, n = f->denominator, count = m + n + 1;
     const double power = 1 / (double)embed_roots[f->variable].degree;
-    /* start slightly inside the range, because x^5 must not leave it */
+    /* slightly inside the range, because the rounded speed of a point must not leave it */
     const double lo = pow(s->speed_min, power) * (1 + 1e-13), hi = pow(s->speed_max, power) * (1 - 1e-13);
     const slong scale = lround(log2(lo * hi) / 2);
     LOCAL(arb, x, eps, term);
@@ -165,7 +165,7 @@ bool embed_fit_quotient(struct embed_form *f, const struct embed_scene *s, const
     const slong m = f->numerator, n = f->denominator;
     LOCAL_VECTOR(c, m + n + 2);
     LOCAL(arb, unit);
-    arb_root_ui(unit, s->beta_per_root, (ulong)s->series_root, EMBED_BITS); /* z = unit speed^(1/(5 series_root)) */
+    arb_root_ui(unit, s->beta_per_root, (ulong)s->series_root, EMBED_BITS); /* z = unit*speed^(1/(5*series_root)) */
     for (slong k = 0; k <= m + n + 1; k++) {
         const slong degree = k <= m ? k : k - m - 1;
         arb_poly_get_coeff_arb(c + k, k <= m ? p : q, degree);

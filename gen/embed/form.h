@@ -51,7 +51,7 @@ extern const struct embed_root {
     int square_roots;
 } embed_roots[];
 
-/* Levels of refinement of the fifth root that starts from the bits of the speed, and its relative error at a level */
+/* The number of refinement levels of the fifth root, and the relative error of this root at a level */
 enum { EMBED_REFINEMENTS = 4 };
 double embed_root_error(int refinement, bool single);
 
@@ -67,16 +67,16 @@ double embed_root_error(int refinement, bool single);
  * fifth smaller. Rows of tables are short and are not split. */
 enum { EMBED_SPLIT = 4 };
 
-/* Largest size of a table in bytes, chosen for the processor's cache. A table in speed may have the second size if the
- * first does not suffice. */
+/* Largest size of a table in bytes, chosen for the processor's cache. A table in speed may be larger, up to
+ * EMBED_TABLE_BYTES_MOST, if no smaller one meets the tolerance. */
 enum { EMBED_TABLE_BYTES = 4096, EMBED_TABLE_BYTES_MOST = 16384 };
 
 struct embed_form {
     enum embed_family family;
     enum embed_variable variable;
     double speed_min, speed_max;
-    double onset; /* up to this speed eps is `before`; 0: no such speed */
-    double before;
+    double onset;  /* 0: none */
+    double before; /* eps at speeds up to the onset */
     double origin; /* origin, which is subtracted from every speed of this struct except the onset */
     slong numerator, denominator;
     slong rows;     /* number of rows of a table of polynomials of degree `numerator`; 0: no table */
@@ -85,7 +85,7 @@ struct embed_form {
     double slope, shift;
     /* pieces in speed: the row is the bits of the speed, shifted down by low_bits, minus `first` */
     uint64_t first;
-    /* starts of the rows, and the end: a row is the last start not above the speed; NULL: found by bits */
+    /* pieces in speed: start of each row, and end of the last one; NULL: the row follows from the bits */
     const double *knot;
     double error, error_at; /* worst relative error of the samples, and its speed */
     double cost[USES];      /* ns */
@@ -107,7 +107,7 @@ enum embed_code {
     STEP_START,         /* the start value of x^(-1/5) */
     STEP_ROW_OF_BITS,   /* x minus the start of its row, whose number comes from the upper bits of x */
     STEP_ROW_OF_SEARCH, /* x minus the start of its row, which is searched in a table */
-    STEP_ROW_OF_PLACE,  /* the fraction of x slope + shift, whose integer part is the row */
+    STEP_ROW_OF_PLACE,  /* the fractional part of x slope + shift; the integer part is the row */
     STEP_SQRT,
     STEP_HORNER,  /* c[0] + c[stride] x + ... + c[degree] x^(degree/stride); c NULL: the numbers of a row */
     STEP_DIV,     /* x/y */
@@ -145,7 +145,8 @@ void embed_form_assess(struct embed_form *f, const struct embed_samples *samples
 /* Sets `operations`, the counts of one evaluation, and `cost`. */
 void embed_form_price(struct embed_form *f);
 
-/* Returns the cost for a purpose. The balanced cost is the mean of one single call and four numbers of an array. */
+/* Returns the cost for a purpose. The balanced cost is the mean of a single call (weight 1) and an array element
+ * (weight 4). */
 double embed_cost(const double cost[USES], enum embed_purpose purpose);
 
 /* Returns the name of a family. For spheres without a constant force the name has beta in place of speed^(1/5). */
@@ -201,8 +202,8 @@ struct embed_proof {
     double from;
 };
 
-/* Bounds the error of a form that embed_form_assess has sampled. Returns STATUS_OK, also without a proof, or
- * STATUS_FAILED after a message if an interpolant is shown to be wrong. */
+/* Bounds the error of a form that embed_form_assess has sampled. If the proof fails, `proved` is false. Returns
+ * STATUS_OK, or STATUS_FAILED after a message if an interpolant is shown to be wrong. */
 int embed_prove(struct embed_proof *proof, const struct embed_form *f, const struct embed_scene *s);
 
 /* Proved bounds of the rounding errors of a form in the arithmetic of its header (rounding.c). They assume IEEE 754
@@ -211,7 +212,7 @@ int embed_prove(struct embed_proof *proof, const struct embed_form *f, const str
 struct embed_rounding {
     double error; /* relative error of the result; includes the error of the root of the speed */
     double root;  /* relative error of that root */
-    double place; /* absolute error of the place in a table in beta; 0 for other forms */
+    double place; /* absolute error of x slope + shift (pieces in beta); 0 for other forms */
 };
 
 /* Returns false if no bound was found. */

@@ -124,7 +124,7 @@ static int init_table(struct own_law *law, const char *path)
 /* ---- a law ---- */
 
 static const struct form {
-    int first, second; /* numbers of the request */
+    int first, second; /* indices of the parameters in request->number; -1: none */
     const char *options, *formula, *text;
 } forms[] = {{EMBED_COEFFICIENT, EMBED_EXPONENT,
               "--coefficient A --exponent B, for example --coefficient 0.1157 --exponent 0.234", "exp(-x*b)*a",

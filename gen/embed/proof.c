@@ -13,7 +13,7 @@
 enum {
     FIRST_PARTS = 4, /* parts of an interval in sqrt(beta) at the start */
     DEPTH = 12,      /* largest number of halvings of a part */
-    HALVINGS = 2,    /* halvings of a part to bound a polynomial */
+    HALVINGS = 2,    /* halvings of a part by enclosed_largest_ratio */
     POINTS = 6,      /* points on each side of a part's middle at which the error is evaluated first */
     FAR = -1         /* number of the range beyond the last interval */
 };
@@ -24,7 +24,7 @@ enum {
  * sampled error. */
 #define NEAR_KNOWN 1.01
 #define NEAR_SAMPLED 1.005
-/* The error of the interpolant of another law may be this fraction of the form's error. */
+/* Allowed error of the interpolant of another law, as a fraction of the form's error */
 #define LAW_PART_OF_ERROR 1e-3
 /* Proofs begin at this multiple of the sticking speed v_s, because their cost grows like 1/(v - v_s). */
 #define STICKING_PROVED 1.01
@@ -214,7 +214,7 @@ static bool part_from(struct part *part, double *end, const struct prover *w, do
     const struct interpolant_layout *const layout = &interpolant_sphere_proof;
     *part = (struct part){.by_log = true, .lo = u};
     *end = HUGE_VAL;
-    if (w->s->own.law) /* a few ulps beyond a knot, its two cubics differ by the square of that distance */
+    if (w->s->own.law) /* u may be off by ulps: next to a knot, the cubics of both rows agree to first order */
         part->interval = (int)own_law_row(end, &w->s->own, u);
     if (w->s->by_speed)
         return true;
@@ -303,7 +303,7 @@ int embed_prove(struct embed_proof *proof, const struct embed_form *f, const str
     if (!embed_rounding_bound(&rounding, f))
         return STATUS_OK;
     proof->rounding = rounding.error;
-    const bool overlap = s->end == COR_END_ZERO_OVERLAP || !law_force_ends(&s->law); /* a <= b: the two ends coincide */
+    const bool overlap = s->end == COR_END_ZERO_OVERLAP || !law_force_ends(&s->law); /* ends coincide if a <= b */
     struct prover w = {.f = f,
                        .program = embed_program_of(f),
                        .s = s,
@@ -313,7 +313,7 @@ int embed_prove(struct embed_proof *proof, const struct embed_form *f, const str
     int status = STATUS_OK;
     if (!s->by_speed && (!law_is_sphere(&s->law) || s->pressed)) {
         double beta[2] = {s->beta_min, s->beta_max};
-        if (s->pressed) { /* the proof begins where its cost is bounded */
+        if (s->pressed) { /* see STICKING_PROVED */
             const double speed = arf_get_d(arb_midref(s->sticking_speed), ARF_RND_UP) * STICKING_PROVED - s->origin;
             LOCAL(arb, x);
             w.from = fmax(s->speed_min, speed);

@@ -57,7 +57,7 @@ int embed_check_numbers(const struct decimal *number, double min, double max, do
 
 int embed_request_check(const struct embed_request *request)
 {
-    /* the range of the header's type, and the attainable accuracy of eps */
+    /* allowed speeds, and least tolerance, of a header of each type */
     static const struct limits {
         const char *name;
         double speed_least, speed_most, tolerance_least;

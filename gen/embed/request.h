@@ -35,7 +35,7 @@ extern const char *const embed_type_names[];
 extern const char *const embed_adhesion_names[]; /* words of --adhesion-model by enum cor_adhesion; ends with NULL */
 
 struct embed_request {
-    struct decimal number[EMBED_NUMBERS]; /* text NULL: not given, or a viscosity */
+    struct decimal number[EMBED_NUMBERS]; /* text NULL: not given; viscosities: see `viscosity` */
     const char *viscosity[2];             /* "ETA1,ETA2" in Pa s of each body; NULL: not given */
     int end;                              /* index of the word of --end; or COR_BOTH_ENDS */
     enum embed_purpose purpose;
@@ -72,8 +72,8 @@ int embed_request_check(const struct embed_request *request);
 /* True if a constant force acts, from gravity or DMT adhesion */
 bool embed_is_pressed(const struct embed_request *request);
 
-/* Makes the scene of a request, without a solver. Its end for `surface` is COR_END_ZERO_FORCE. A viscosity
- * that cannot be read becomes -1. Returns STATUS_OK, or STATUS_USAGE after a message. */
+/* Makes the scene of a request, without a solver. The end `surface` becomes COR_END_ZERO_FORCE. A viscosity that cannot
+ * be read becomes -1. Returns STATUS_OK, or STATUS_USAGE after a message. */
 int embed_request_scene(struct cor_scene *scene, const struct embed_request *request);
 
 /* Do the same as cor_scene_of_body and cor_scene_mass_is_given, with the decimal numbers as the user wrote them. */

@@ -18,8 +18,8 @@ enum {
     ROOT_HALVINGS = 12
 };
 
-/* RAISE covers the rounding errors of the few operations on doubles that compute a bound. Bounds near 1e-16 are added,
- * or pass through expm1 and log1p, because computing 1 + bound - 1 would lose them. */
+/* Covers the rounding errors of the few operations on doubles that compute a bound. Bounds may be near 1e-16, so 1 +
+ * bound is never computed: see add_relative and power_of_error. */
 #define RAISE (1 + 1e-12)
 /* Upper limit of |1 - g r^5| for the start of the fifth root. Above this limit the series are of little use. */
 #define SEED_LIMIT 0.2
@@ -151,7 +151,7 @@ static double start_bound(const struct embed_form *f)
     return e * (1 + 1e-9) + 1e-12;
 }
 
-/* Bounds the relative error of the variable of the polynomials. `more` covers products of the errors of its roots. */
+/* Bounds the relative error of the variable of the polynomials. more: allowance for terms of second order */
 static double variable_bound(const struct embed_form *f, const struct embed_program *p, const struct arithmetic *a)
 {
     static const double more[] = {[FOURTH_ROOT_OF_SPEED] = 1e-6, [TENTH_ROOT_OF_SPEED] = 1e-4};
@@ -199,7 +199,7 @@ static double least_size(const arb_t x)
 }
 
 /* Bounds the relative rounding error of the result for arguments lo <= x <= hi of the polynomials. The absolute error
- * of the argument is at most x_error, by which the cell is widened. */
+ * of an argument is at most x_error. */
 static double cell_bound(const struct embed_form *f, const struct embed_program *program, const double *c, double lo,
                          double hi, double x_error)
 {
@@ -227,7 +227,7 @@ static double cell_bound(const struct embed_form *f, const struct embed_program 
     }
     const double of_x = expm1(ball_magnitude(slope) * x_error);
     const double bound = add_relative(relative, of_x) * RAISE + 1e-18;
-    return least > 0 ? bound : HUGE_VAL; /* a NaN becomes a failure below */
+    return least > 0 ? bound : HUGE_VAL; /* if the bound is NaN, embed_rounding_bound fails */
 }
 
 struct cells {
@@ -255,7 +255,7 @@ static void bound_cell(void *context, slong i)
         const double start = embed_row_start(f, row);
         lo = fmax(f->speed_min - start, 0);
         hi = fmin(embed_row_start(f, row + 1), f->speed_max) - start;
-        place = f->knot ? arithmetic[f->single].unit * hi * RAISE : 0; /* the difference rounds if start < speed/2 */
+        place = f->knot ? arithmetic[f->single].unit * hi * RAISE : 0; /* speed - start is rounded if start < speed/2 */
     }
     const double width = (hi - lo) / (double)ROW_CELLS, first = lo + width * (double)(i % ROW_CELLS);
     w->bound[i] = cell_bound(f, &w->program, f->number + row * (f->numerator + 1), first, first + width, place);

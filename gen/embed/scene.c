@@ -12,10 +12,10 @@
 #include "support/local.h"
 #include "support/parallel.h"
 
-/* For this beta and above, eps at zero overlap is h*^5 beta^-5 with relative error EMBED_FAR_ERROR (form.h). The
- * interpolant ends at 8.25. */
+/* For beta >= 7, eps at zero overlap is h*^5 beta^-5 with relative error EMBED_FAR_ERROR (form.h). At zero force the
+ * interpolant in sqrt(beta) is used for beta < 16.9, the interpolant in ln(beta) for ln(beta) < 9.99, and three orders
+ * in beta^(-5/3) above. */
 #define OVERLAP_FAR 7.0
-/* At zero force the interpolant ends at 17. For beta = exp(10) and above, three orders in beta^(-5/3) suffice. */
 #define FORCE_FAR 16.9
 #define LOG_FAR 9.99
 /* Smallest useful eps of a double and of a float */
@@ -29,9 +29,9 @@ double embed_rounded(const struct embed_scene *s, double x)
 
 /* ---- eps ---- */
 
-/* Computes eps of spheres. At zero force, for u = ln(beta) > 10 and mu = beta^(-5/3), eps is mu (((a_8 u + ...) mu +
- * (a_4 u + ...)) mu + a_1 u + a_0). The interpolant's samples count as exact, so the radius covers only rounding errors
- * of this function. */
+/* Computes eps of spheres. At zero force, for u = ln(beta) >= LOG_FAR and mu = beta^(-5/3), eps is mu (((a_8 u + ...)
+ * mu + (a_4 u + ...)) mu + a_1 u + a_0). The interpolant's samples count as exact, so the radius covers only rounding
+ * errors of this function. */
 static void eps_of_beta(arb_t eps, const struct embed_scene *s, const arb_t beta)
 {
     static const int first[] = {0, 2, 5, INTERPOLANT_FAR}; /* indices of the first coefficients: a_0, ... */
@@ -57,7 +57,7 @@ static void eps_of_beta(arb_t eps, const struct embed_scene *s, const arb_t beta
     }
 }
 
-/* Refuses a range of speeds that begins or ends too low. fact: a statement that holds up to the speed `limit` */
+/* Refuses a range of speeds that begins or ends too low. fact: the behaviour of the bodies up to the speed `limit` */
 static int refuse_speed(const char *option, const char *fact, double limit)
 {
     return usage_error("--%s: %s up to %.6g m/s; give a speed above it", option, fact, limit);
@@ -155,11 +155,10 @@ static int scene_collide(struct embed_scene *s)
 /* The interpolant begins where the speed exceeds the sticking speed by this fraction. There, ln(beta) differs from its
  * value at the sticking speed by q times this fraction. */
 #define STICKING_MARGIN 1e-10
-/* An interval in ln(beta) is as long as its distance from the sticking speed, where eps has a branch point, but at most
- * this long. */
+/* Distances d in ln(beta) are from the sticking speed, where eps has a branch point. An interval that begins at d has
+ * length d, but at most LONGEST_PRESSED. For d < NEAR_STICKING it has length 3 d and more points, because few proofs
+ * reach these intervals (STICKING_PROVED). */
 #define LONGEST_PRESSED 0.5
-/* Closer to the sticking speed than this, where nothing is proved, intervals are three times as long and have more
- * points. */
 #define NEAR_STICKING 1e-3
 enum { PRESSED_POINTS = 30, NEAR_POINTS = 38, PRESSED_BITS = 76, STICKING_BITS = 100, MOST_PRESSED = 200 };
 
@@ -176,9 +175,10 @@ static double rounded_down(const struct embed_scene *s, double x)
     return y > x ? neighbour_of(s, y, 0) : y;
 }
 
-/* Sets c of f = c beta^(-2a/n), and the sticking speed, from f_1. In units in which the force is 1, the damping is B =
- * beta_1 f_1^(n/(2a)) at every speed, and the unit of speed is f_1^((a+1)/(2a)). Then sets origin, onset and the first
- * speed. The origin is a multiple of the last place of speed_max, so v - origin is exact up to speed_max. */
+/* Sets press, the c of the force f = c beta^(-2a/n), and the sticking speed, from the force f_1 and the beta_1 at 1
+ * m/s. In units in which the force is 1, the damping is beta_1 f_1^(n/(2a)) at every speed, and the unit of speed is
+ * f_1^((a+1)/(2a)) m/s. Also sets origin, onset and speed_min. The origin is a multiple of the last place of speed_max,
+ * so v - origin is exact for v <= speed_max. */
 static int set_pressing(struct embed_scene *s, const arb_t force)
 {
     const struct ratio a = law_elastic(&s->law), n = law_fall_power(&s->law), q = law_speed_exponent(&s->law);
