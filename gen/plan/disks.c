@@ -44,7 +44,7 @@ enum {
  * tolerance, because the contact time converges like 1/Omega. */
 #define COARSE_TOLERANCE 1e-3
 #define LEAST_TOLERANCE 1e-6
-#define MIN_SPEED 1e-3 /* a little below this speed, alpha v = 56 would need alpha > COR_DISK_COLLISION_MAX_ALPHA */
+#define MIN_SPEED 1e-3 /* keeps alpha = 56/v below COR_DISK_COLLISION_MAX_ALPHA */
 #define COLLISION_TOLERANCE 1e-6
 /* Nanoseconds of a step of a collision, and of each mode in a step, measured once (docs/plan.md). */
 #define NS_STEP 1000.0
@@ -53,7 +53,7 @@ enum {
 #define NS_RAYLEIGH 80e3
 #define NS_RAYLEIGH_MODE 45.0
 #define NS_LEADING_LOG 40.0
-/* The name of a quantity, its field of a collision, and nanoseconds of its quasistatic law */
+/* name: of a quantity. field: of struct cor_disk_collision. ns_law: cost of the quasistatic law in nanoseconds */
 static const struct {
     const char *name, *field;
     double ns_law;
@@ -62,7 +62,7 @@ static const struct {
 
 struct disks {
     struct plan *plan;
-    const struct decimal *number; /* of the request */
+    const struct decimal *number; /* the request's numbers */
     enum plan_quantity quantity;
     struct cor_disk_modes modes;
     struct cor_disk_collision *collision; /* [dynamics][point] */
@@ -190,8 +190,7 @@ static void add_rayleigh(const struct disks *d)
             struct cor_disk_rayleigh out;
             const int status =
                 cor_disk_rayleigh(&cut, taken[k], COR_DISK_DATUM_CENTRE_OF_MASS, plan->speed[i], &out, NULL);
-            /* beyond the contact law no value exists; beyond the theory the value is NaN if the collision creates
-             * energy */
+            /* NaN if the loss by this theory exceeds the energy (COR_BEYOND_THEORY) */
             if (status == COR_OK || status == COR_BEYOND_THEORY)
                 m->value[i] = sqrt(1 - (out.fraction + out.tail));
             m->outside = m->outside || status != COR_OK;

@@ -41,7 +41,7 @@ struct plan_model {
     double cost;            /* nanoseconds for each collision */
     const char *leaves_out; /* the neglected effects, as text */
     char *use;              /* the exact command or call; malloc'ed, lines that end with \n */
-    double elsewhere;       /* a known error between the points; 0: none */
+    double elsewhere;       /* largest error at samples other than the points; 0: none */
     bool outside, shown;
     bool promised; /* the error is the library's bound and does not depend on the reference */
     enum plan_verdict verdict;
@@ -79,7 +79,6 @@ void plan_model_is(const struct plan *plan, struct plan_model *model, double cos
  * reference meets the tolerance at every point. Among equally cheap models it is the most accurate one. */
 void plan_choose(struct plan *plan);
 
-/* Prints a plan in any format. */
 void plan_print(const struct plan *plan, enum output_format format, FILE *file);
 
 /* Fill a plan, which the caller always clears. Return STATUS_OK, or another status after a message. request, contact:

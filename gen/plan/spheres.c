@@ -39,7 +39,7 @@ struct spheres {
     struct plan *plan;
     const struct embed_request *request, *with_force;
     const struct cor_scene_contact *contact, *pressed;
-    struct embed_scene scene, pressed_scene; /* for the models, without the constant force; for the header, with it */
+    struct embed_scene scene, pressed_scene; /* without and with the constant force; headers use the latter */
     struct embed_form form[FAMILIES];
     arb_t h_star;        /* of spheres */
     arb_t force, damped; /* at 1 m/s: the force in units of m g/T, and beta with this force */
@@ -359,7 +359,7 @@ static void add_header(const struct spheres *s, const char *tolerance)
 {
     const enum embed_family chosen = embed_choose(s->form, s->request->purpose);
     if (chosen == FAMILIES)
-        return; /* the library remains */
+        return;
     const struct embed_form *f = &s->form[chosen];
     const struct embed_scene *const scene = is_pressed(s) ? &s->pressed_scene : &s->scene;
     char size[PLAN_NAME];
@@ -610,7 +610,7 @@ int plan_spheres(struct plan *plan, const struct embed_request *request, const s
         return status;
     struct spheres s = {
         .plan = plan, .request = request, .contact = contact, .with_force = with_force, .pressed = pressed};
-    struct embed_request embed = *request, forced = *with_force; /* with a tolerance that headers allow */
+    struct embed_request embed = *request, forced = *with_force; /* tolerance: EMBED_COARSEST at most */
     struct decimal coarsest = {0};
     decimal_set(&coarsest, TEXT_OF(EMBED_COARSEST));
     if (tolerance > EMBED_COARSEST)

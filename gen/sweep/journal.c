@@ -208,7 +208,7 @@ int journal_read(struct journal *journal, void (*visit)(void *context, const cha
     uint64_t rows = 0;
     uint32_t check = COR_MODE_FILE_CHECK_START;
     bool damaged;
-    fflush(journal->stream); /* discards the stream's buffer, because the file may have changed */
+    fflush(journal->stream); /* discards buffered input, because the file may have changed */
     rewind(journal->stream);
     if (read_line(journal, &line))
         check_line(&check, line);

@@ -28,12 +28,12 @@ struct collide {
 
     struct journal journal; /* lines go to the journal if it has a path, otherwise to the printer */
     struct sweep_printer printer;
-    struct output out; /* of the printer */
+    struct output out; /* file of the printer */
     const char *again; /* last line of an earlier run, computed again as a check, or NULL */
     uint64_t again_row;
 
-    double modes_seconds, rows_seconds, rows_started; /* times of this run; modes_seconds: time of one material */
-    uint64_t rows, finished, done;                    /* rows of the part; existing rows; new rows of this run */
+    double modes_seconds, rows_seconds, rows_started; /* times: a material's modes; finished rows; start of a loop */
+    uint64_t rows, finished, done;                    /* number of rows: of the part; finished; finished by this run */
     uint64_t first;                                   /* first row of a loop over ROWS_AT_A_TIME rows */
     struct sweep_result *result;
     size_t materials_left;

@@ -115,7 +115,7 @@ void sweep_collide(struct sweep_result *result, const struct sweep *sweep, uint6
         const int status = hard_wall_collide(&h, tables, sweep->tolerance, 0, row.speed);
         *result = (struct sweep_result){
             {row.speed, row.nu, h.one_minus_eps2, h.eps, h.contact_time, h.max_compression, h.error_estimate}, status};
-    } else if (sweep->rayleigh) { /* the tail must not depend on the modes of other rows */
+    } else if (sweep->rayleigh) { /* a table of row.modes modes, because the tail depends on the size of the table */
         const struct cor_disk_modes cut = {modes->nu, row.modes, modes->mode};
         struct cor_disk_rayleigh r = {NAN, NAN, NAN, NAN};
         const int status = cor_disk_rayleigh(&cut, row.modes, COR_DISK_DATUM_CENTRE_OF_MASS, row.speed, &r, NULL);
@@ -188,7 +188,7 @@ void sweep_line(char line[SWEEP_LINE], const struct sweep *sweep, const struct s
     char text[DECIMAL_TEXT];
     const char *const kinds = layout_of(sweep)->kinds;
     const double error = result->value[strlen(kinds) - 2];
-    /* decimals up to the second digit of the error, or all if it is unknown */
+    /* number of decimals: up to the second significant digit of the error; `all` if the error is unknown */
     const int all = DECIMAL_TEXT / 2, decimals = error > 0 ? (int)fmin(fmax(1 - floor(log10(error)), 1), all) : all;
     size_t at = 0;
     for (int j = 0; kinds[j] != COLUMN_STATUS; j++)

@@ -111,7 +111,6 @@ bool journal_next(struct journal *journal, char **line); /* *line: NULL or the p
 /* Adds a row, given without its line end. The file then contains the row even if this process is killed. */
 int journal_add(struct journal *journal, const char *line);
 
-/* Calls visit() for every row. */
 int journal_read(struct journal *journal, void (*visit)(void *context, const char *line), void *context);
 
 /* Closes the journal, and removes the file if `done`. */

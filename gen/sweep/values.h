@@ -10,7 +10,7 @@
 
 #include "support/decimal.h"
 
-#define VALUES_MAX 1000000 /* in one list */
+#define VALUES_MAX 1000000 /* values of a list */
 
 struct values_rule {
     const char *option; /* without its dashes */
@@ -21,7 +21,7 @@ struct values_rule {
 struct values {
     const char *text; /* text of the list as the user wrote it; not copied */
     size_t count;
-    fmpq *exact;     /* exact values; inside a log range, nearest doubles */
+    fmpq *exact;     /* the values; values inside a log range are rounded to doubles */
     double *nearest; /* the double nearest to each */
     double least, largest;
     uint32_t check; /* checksum of the file of a list @FILE; 0: the list is on the command line */

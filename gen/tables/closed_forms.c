@@ -71,7 +71,7 @@ struct closed_form {
     const char *stem, *title;
     bool is_crossley;
     exponent_function *exponent;
-    slong slope, over; /* dL/dx at x = 0 is slope/over, times pi for a damping ratio */
+    slong slope, over; /* dL/dx at x = 0 is slope/over, or pi slope/over if x is a damping ratio */
     double near_end, end;
     int least_octave;
     exponent_function *inverse; /* NULL: x is found by iteration, which requires a concave L */
@@ -108,7 +108,7 @@ static bool exponent_below(arb_t f, const arb_t x, const void *context, slong pr
     return true;
 }
 
-/* Computes the x at which L is `wanted` > 0. For a concave L, x stays left of the root until an enclosure is proved. */
+/* Computes the x at which L is `wanted` > 0. The first guess is not above the root if L is concave. */
 static int damping_of(arb_t x, const struct closed_form *law, const arb_t wanted)
 {
     enum { ROOT_BITS = 200 };
@@ -132,7 +132,7 @@ struct closed_rows {
     enum form form;
 };
 
-/* Computes the closed form's quantity at the place y of a cell. */
+/* Computes the quantity of a table (enum form) at the variable y of a cell; x = y 2^octave. */
 static int closed_form_at(arb_t f, const void *context, const struct pieces *p, const struct cell *cell, const arb_t y)
 {
     (void)p;

@@ -55,7 +55,7 @@ enum { DISK_TABLE_MODES = 1800, DISK_TABLE_POISSON = 60 /* characters */, DISK_T
 struct disk_table {
     struct decimal poisson; /* text of nu, not owned; file names and comments contain it unchanged */
     slong count;
-    bool embed; /* C++ also compiles the header; doubles are decimal */
+    bool embed; /* a header for a user's program: decimal numbers, which C++ accepts */
     struct disk_modes modes;
 };
 
@@ -81,11 +81,10 @@ struct cor_disk_limit_piece;
 /* These functions return STATUS_OK, or STATUS_FAILED after reporting the reason. */
 int disk_limits_collide(void); /* computes all collisions */
 /* True if a table is in memory: the table of disk_limits_collide, otherwise the table with which corgen was built. If
- * `piece` is not NULL, the pieces at `piece` replace the table's own pieces. A corgen of COR_BOOTSTRAP is built without
- * a table. */
+ * `piece` is not NULL, the table in memory becomes the built-in table with these pieces. A corgen of COR_BOOTSTRAP is
+ * built without a table. */
 bool disk_limits_known(const struct cor_disk_limit_piece *piece);
 
-/* Writes the table in memory. */
 int disk_limits_write(FILE *file);
 
 /* Recomputes collisions at points of a cell that the seed chooses, or at all points of all cells, and prints the
@@ -121,7 +120,7 @@ struct tables_request {
     const char *directory;  /* NULL: generated, or the current directory for a material */
     bool check;             /* compare without writing */
     bool digits;            /* write the digits of the coefficients to standard output instead, as csv */
-    bool all;               /* compute the collisions at all points of disk_limits.h */
+    bool all;               /* compute all collisions of disk_limits.h again */
     slong seed;             /* chooses the points at which a check recomputes collisions; below 0: by the clock */
 };
 

@@ -119,9 +119,9 @@ static void tsuji_duration_zero_overlap(arb_t t, bool proved, const arb_t zeta, 
     LET(t, prec, "t*exp(2*pi*y)*(1 - zeta^2)^(-2/5)", t, y, zeta);
 }
 
-/* For zeta < 0.7 the singularity of the integrand at om s = pi is near. The integral therefore runs from the other end.
- * The duration is t_0, the one at zero overlap, minus exp(pi zeta/(5 om)) times the integral with -zeta up to
- * 2 asin(zeta)/om. */
+/* For zeta < 0.7 the singularity of the integrand at om s = pi is near the end of the integral. There the time from
+ * zero force to zero overlap is integrated backwards: it is exp(pi zeta/(5 om)) (5/4)^(-3/5) G(2 asin(zeta)/om) for
+ * -zeta. */
 static void tsuji_duration_zero_force(arb_t t, bool proved, const arb_t zeta, slong prec)
 {
     LOCAL(arb, end, minus, part);
@@ -139,10 +139,10 @@ static void tsuji_duration_zero_force(arb_t t, bool proved, const arb_t zeta, sl
     LET(t, more, "t - part*exp(pi*zeta/(5*sqrt(1 - zeta^2)))", t, part, zeta);
 }
 
-/* The force is twice the elastic force for a time (5/8)^(2/5) (2/5) B(m; 2/5, 1/2), m = 8 zeta^2/(1 + 8 zeta^2). After
- * phase phi = atan2(2 zeta om, 1 + 2 zeta^2) the law without limit holds. Its part of the duration is
- * exp(-zeta phi/(5 om)) (t_F - (5/4)^(-3/5) G(phi/om)). Here t_F is the duration at zero force, and phi/om =
- * k 2F1(1/2, 1; 3/2; -(k om)^2), k = 2 zeta/(1 + 2 zeta^2). */
+/* At first the limit holds, and the force is twice the elastic force, for a time (5/8)^(2/5) (2/5) B(m; 2/5, 1/2), m =
+ * 8 zeta^2/(1 + 8 zeta^2). Then the law without limit holds from its phase phi = atan2(2 zeta om, 1 + 2 zeta^2) on, for
+ * a time exp(-zeta phi/(5 om)) (t_F - (5/4)^(-3/5) G(phi/om)). Here t_F is the duration at zero force, and phi/om = k
+ * 2F1(1/2, 1; 3/2; -(k om)^2), k = 2 zeta/(1 + 2 zeta^2). */
 static void tsuji_duration_limited(arb_t t, bool proved, const arb_t zeta, slong prec)
 {
     const slong more = prec + 2 * GUARD_BITS;
@@ -375,13 +375,13 @@ static const struct time_rows disk_rows[] = {
 
 /* ---- beyond the rows ---- */
 
-/* A formula for strong damping: `known` constants, then `terms` coefficients of a sum. The sum agrees with enclosed
- * values at `terms` places. The row contains the nearest doubles; a remainder follows each of the first `split`
- * doubles. */
+/* A formula for strong damping with `known` constants (see constants()), followed by `terms` coefficients c_k, the
+ * solution of `terms` equations. Its row in the file contains these numbers as doubles. Each of the first `split`
+ * doubles is followed by its rounding error. */
 struct far_form {
     const char *name;
     const char *comment; /* comment above this form and the following ones */
-    /* sets equation i of `terms`: sum_k c_k basis_k = value */
+    /* sets equation i: sum_k c_k basis_k = value, an enclosed value of the function */
     void (*equation)(arb_ptr basis, arb_t value, const struct far_form *f, slong i);
     slong known, terms, split;
     /* for tsuji_equation */
@@ -531,8 +531,8 @@ static void loading_constant(arb_ptr K, const struct far_form *f)
     LET(K, FAR_BITS, "digamma(1) - digamma(1 - f->k)", f->k);
 }
 
-/* Computes the c_p of the time of the rebound, beta > 64. With U = beta + 1 - ln(1 + beta), in units of
- * beta^(2k - 1) ((a + 1))^-k, this time is
+/* Computes the c_p of the time of the rebound, ln(1 + beta) >= 4.5. With U = beta + 1 - ln(1 + beta), in units of
+ * beta^(2k - 1) (a + 1)^-k, this time is
  *
  *     (a + 1) U^(1 - k) + U^-k sum_p c_p U^-p,   c_p = sum_(j=1..p) binom(k+j-1, j) binom(k+p-1, p-j) (p-j)!/j^(p-j+1)
  *
@@ -606,7 +606,8 @@ static int rows_write(struct emit *e, const struct time_rows *rows, slong head_b
     return sampled_function_write(e, &p, time_at, rows);
 }
 
-/* Writes n tables with head_bits bits of c_0 (0: all), and the far forms up to the first one without a name. */
+/* Writes n tables, and the forms for strong damping at `far`, which end with a form without a name. head_bits: bits of
+ * the c_0 of each row; 0: all */
 static int file_write(FILE *file, const char *name, const char *what, const char *how, const struct time_rows *rows,
                       int n, slong head_bits, const struct far_form *far)
 {

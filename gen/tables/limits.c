@@ -17,7 +17,7 @@
 #include "support/parallel.h"
 #include "sweep/hard_wall.h"
 
-/* The plane and its first division into cells, the roots */
+/* The plane of speed and Poisson's ratio, and the roots: its cells before any division */
 #define FIRST_SPEED 1e-5
 #define LAST_SPEED 0.3
 #define FIRST_NU (-0.2)
@@ -25,9 +25,9 @@
 enum { X_ROOTS = 20, NU_ROOTS = 5, ROOTS = X_ROOTS * NU_ROOTS };
 #define LAST_NU (FIRST_NU + (double)NU_ROOTS * NU_STEP)
 /* MOST_CUTS: largest number of divisions of a cell; a fifth division helps little (docs/disks.md). The unit of
- * coordinates is a sixth of the side of a cell after FINEST divisions, so coordinates do not depend on MOST_CUTS. */
+ * coordinates, a sixth of the side of a cell that was divided FINEST times, does not depend on MOST_CUTS. */
 enum { MOST_CUTS = 4, FINEST = 8, SIXTHS = 6, ROOT_SIDE = SIXTHS << FINEST };
-/* The side of a root cell has PER_ROOT of the smallest cells and pieces. */
+/* PER_ROOT: number of the smallest cells, which are also the smallest pieces, along a side of a root */
 enum {
     PER_ROOT = 1 << MOST_CUTS,
     SMALLEST = ROOT_SIDE / PER_ROOT,
@@ -261,7 +261,7 @@ static void fill_cell(struct cell *cell, const struct scenes *scenes)
 {
     int32_t estimate = 0;
     double missed = 0;
-    for (int odd = 0; odd < 2; odd++) /* the values first */
+    for (int odd = 0; odd < 2; odd++) /* the values, then the tests (point_of) */
         for (int k = 0, i, j; k < PLACES; k++) {
             const struct scene *const s = known_scene(scenes, point_of(cell, k, &i, &j));
             double x_weight[SIDE], nu_weight[SIDE];
@@ -285,7 +285,6 @@ static double wanted_at(int32_t x)
     return is_calm(x + 1) ? CALM_WANTED : FAST_WANTED;
 }
 
-/* Divides a cell into four. */
 static void cell_cut(const struct cell *cell, struct cell *quarter)
 {
     const int32_t half = SIXTHS / 2 * sixth_of(cell);
@@ -425,7 +424,7 @@ static bool add_pieces(const struct part *part, uint16_t piece_at[ROWS][COLUMNS]
     return true;
 }
 
-/* Returns the least a for which 2^a equal parts of a square along an axis contain one piece each. */
+/* Returns the least a for which the piece does not change along an axis within each of 2^a equal strips of a square. */
 static int square_bits(uint16_t piece_at[ROWS][COLUMNS], int x, int nu, int axis)
 {
     int bits = 0;

@@ -94,7 +94,7 @@ static const struct {
     {DURATION_ZERO_FORCE, "cor_rows_far_duration_zero_force"},
     {MAX_OVERLAP, "cor_rows_far_max_overlap"},
     {TIME_OF_MAX_OVERLAP, "cor_rows_far_time_of_max_overlap"},
-    {BETA_ZERO_FORCE, "cor_rows_far_beta_zero_force"}, /* the inverse of the first formula */
+    {BETA_ZERO_FORCE, "cor_rows_far_beta_zero_force"}, /* the inverse of eps_zero_force */
 };
 enum { FAR_TABLES = sizeof far_tables / sizeof *far_tables };
 
