@@ -30,7 +30,7 @@ sys.path.insert(0, str(HERE))
 from bindings import cffi_source, python_source  # noqa: E402
 from bindings.declarations import Declarations  # noqa: E402
 
-PLAIN_FLAGS = ["-O2", "-DNDEBUG", "-DCOR_ROWS_SHARED", "-std=c99", "-fvisibility=hidden"]  # cmake/CorDefaults.cmake
+PLAIN_FLAGS = ["-O2", "-DNDEBUG", "-DCOR_ROWS_SHARED", "-std=c99", "-fvisibility=hidden"]  # as cmake/CorDefaults.cmake
 PLAIN_FLAGS += ["-ffp-contract=off"] + ["-fexcess-precision=fast"] * (platform.machine() == "s390x")
 
 
@@ -95,7 +95,7 @@ class BuildModules(build_py):
 
 
 class BuildLibrary(build_ext):
-    """Compiles the library in groups of flags, and links its objects into the C module."""
+    """Compiles each source of the library with its flags, and links the objects into the C module."""
 
     def build_extension(self, ext: Extension) -> None:
         temp = Path(self.build_temp)
@@ -135,7 +135,7 @@ class SourceDistribution(sdist):
 
 EXTENSION = Extension(
     "cor._cor",
-    [],  # a file of its own name is needed before the C module is written
+    [],  # build_extension writes and adds _cor.c
     include_dirs=[str(INCLUDE)],
     libraries=["m"],
     extra_compile_args=[] if BUNDLED else pkg_config("--cflags"),

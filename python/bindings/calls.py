@@ -24,10 +24,10 @@ class Call:
     """A function, its loop over an array, and the kind of call.
 
     kind is one of
-        elementwise  a number from numbers, and from structs that are the same for all elements
-        record       a status and a struct of results, likewise
-        init         a status and a struct that other functions accept
-        other        anything else; it needs a wrapper written by hand
+        elementwise  returns a number; arguments are numbers, and structs that are the same for all elements
+        record       returns a status and a struct of results; the same kinds of arguments
+        init         returns a status and a struct that other functions accept
+        other        any other function; it needs a wrapper written by hand
     """
 
     kind: str

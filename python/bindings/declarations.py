@@ -105,7 +105,7 @@ class Declarations:
         self.constants: Dict[str, Constant] = {}
         self.objects: Dict[str, Object] = {}
         self.types: List[str] = []  # structs and enums as C text, in order
-        self.modules: Dict[str, str] = {}  # the subject of a header: its name or its includer's
+        self.modules: Dict[str, str] = {}  # of each header: itself, or the header that includes it, if not cor.h
         self._include = include
         self._read("cor.h", "version")
 
@@ -122,7 +122,7 @@ class Declarations:
             return
         self.modules[header] = module
         text = (self._include / header).read_text(encoding="utf-8").rstrip()
-        at, docs = 0, ["", ""]  # the comments before
+        at, docs = 0, ["", ""]  # docs: the last two comments
         while at < len(text):
             found = _TEXT.match(text, at)
             if not found:
@@ -146,7 +146,7 @@ class Declarations:
             self.objects[name] = Object(name, squeeze(found["object"]), header)
         elif found["function"]:
             name, words = found["function"], squeeze(found["parameters"])
-            if re.search(rf"\b{name}\b", docs[0].split(".")[0]):  # a comment on several functions comes first
+            if re.search(rf"\b{name}\b", docs[0].split(".")[0]):  # the comment on several functions
                 doc = docs[0] + "\n\n" + doc
             parameters = () if words == "void" else tuple(parameter(word) for word in words.split(","))
             self.functions[name] = Function(name, squeeze(found["result"]), parameters, header, doc)

@@ -85,7 +85,7 @@ def module(declared: Declarations) -> str:
 
 def _binding(function: Function, name: str, pure: str = "") -> str:
     """Returns the interface of a C function under a Fortran name. One interface for all functions of a kind would be
-    shorter, but gfortran 12 ignores the attribute value there."""
+    shorter, but gfortran 12 ignores the attribute VALUE in it."""
     arguments = ", ".join(p.name for p in function.parameters)
     what = "subroutine" if function.result == "void" else "function"
     result = "" if function.result == "void" else KINDS.get(function.result, "type(c_ptr)") + " "
@@ -96,7 +96,7 @@ def _binding(function: Function, name: str, pure: str = "") -> str:
 
 
 def _grouped(declared: List[Tuple[str, str]]) -> List[str]:
-    """Returns declarations, one for each kind. declared: kind and name."""
+    """Returns one declaration for each kind, with all its names. declared: pairs of kind and name."""
     kinds: Dict[str, List[str]] = {}
     for kind, name in declared:
         kinds.setdefault(kind, []).append(name)

@@ -34,7 +34,7 @@ __all__ = {names!r}
 def __dir__() -> "list[str]":
     return __all__
 """
-# Matches "double cor_f(double x), cor_g(double y): " in a comment, or only its first function
+# Matches "double cor_f(double x), cor_g(double y): " in a comment, or "double cor_f(double x)" without a colon
 PROTOTYPE = re.compile(r"\bdouble cor_([\w<>]+)\([^)]*\)((?:,\s+\w+(?:\([^)]*\))?)*:\s+)?")
 
 

@@ -64,12 +64,12 @@ class Contact:
     """A contact of two bodies in SI units, with all numbers that corgen contact computes.
 
     bodies: one cor.Body for two equal bodies; two, of which the second may be a wall (infinite radius and mass); or
-    none if keywords describe them. Keywords are the options of corgen contact with _ for each hyphen; numbers are in SI
-    units. A keyword for damping replaces the dissipation times of the bodies.
+    none if keywords describe the bodies. Keywords are the options of corgen contact, with _ for each hyphen and numbers
+    in SI units. A keyword for damping replaces the dissipation times of the bodies.
 
         bodies      young, poisson, radius, density or mass; young_2, ...; wall=True; plate_thickness
-        a spring    stiffness or duration, effective_mass; equivalent="energy" or "duration" with law="linear", bodies
-                    and at: the spring that equals Hertz's contact at that speed
+        a spring    stiffness or duration, and effective_mass; or law="linear", bodies, a speed `at` and equivalent
+                    ("energy" or "duration"): the spring that matches Hertz's contact at this speed
         an engine   erp, cfm and time_step with effective_mass: the linear spring of implicit steps, as in ODE
         damping     dissipation_time, viscosity and bulk_viscosity, g_star, restitution and at, damping_coefficient,
                     beta and at, or zeta
@@ -77,12 +77,12 @@ class Contact:
                     x'' + beta x^damping x' + x^elastic = 0, as "3/2"
         effects     gravity; adhesion and adhesion_model ("dmt", "jkr"); yield_stress; viscosity_liquid, gap_outer,
                     gap_inner
-        end         "zero_overlap" or "zero_force"; "surface" in its place under a constant force; "tail" or
-                    "largest_pull" with JKR: where restitution or duration was measured and eps is computed
+        end         the end of contact at which restitution or duration was measured and eps is computed:
+                    "zero_overlap" or "zero_force" ("surface" under a constant force); with JKR "tail", "largest_pull"
 
-    Accuracy (cor/scene.h): COR_SCENE_MAX_ERROR; with a constant force COR_SCENE_PRESSED_ERROR, with JKR
-    COR_JKR_EPS2_MAX_ERROR. Exponents that no named law has must be equal, except under a constant force. Otherwise a
-    ValueError refers to corgen contact, which can compute such contacts.
+    Error bounds (cor/scene.h): COR_SCENE_MAX_ERROR; with a constant force COR_SCENE_PRESSED_ERROR, with JKR
+    COR_JKR_EPS2_MAX_ERROR. Without a constant force, exponents must belong to a named law or be equal. For others a
+    ValueError refers to corgen contact, which can compute them.
     """
 
     def __init__(
@@ -147,8 +147,8 @@ class Contact:
 
     @classmethod
     def from_restitution(cls, body_1: Body, body_2: Body, eps: float, speed_m_s: float, end: str) -> "Contact":
-        """Returns the contact of two bodies that rebounds with eps at an impact speed, m/s. The dissipation times of
-        the bodies are ignored."""
+        """Returns the contact of two bodies whose restitution is eps at an impact speed, m/s, and an end of contact.
+        The dissipation times of the bodies are ignored."""
         return cls(body_1, body_2, restitution=eps, at=speed_m_s, end=end)
 
     def __repr__(self) -> str:
@@ -203,7 +203,7 @@ class Contact:
         raise_text(text)
 
     def _one(self) -> Any:
-        """Returns the contact in C. Refuses two contacts, one for each end at which eps may have been measured."""
+        """Returns the contact in C. Raises ValueError for two, which an eps measured at an unknown end allows."""
         if self._count > 1:
             raise ValueError(f"end: the end of the measured contact is missing; allowed: {', '.join(self.ends)}")
         return self._contacts[0]
@@ -245,7 +245,7 @@ class Contact:
         return speeds, rows
 
     def eps(self, speed_m_s: ArrayLike, end: Optional[str] = None) -> Any:
-        """Returns the restitution coefficient at impact speeds, m/s. end: by default the end of this contact."""
+        """Returns the restitution coefficient at impact speeds, m/s. end: by default the contact's argument `end`."""
         result = self._rows(speed_m_s, self._end(end))[1][..., 0]
         narrow = np.asarray(speed_m_s).dtype.kind == "f" and np.asarray(speed_m_s).itemsize < 8
         return like([speed_m_s], result.astype(np.float32 if narrow else np.float64, copy=False)[()])
@@ -261,9 +261,9 @@ class Contact:
     def impacts(self, speed_m_s: ArrayLike, steps: float = 50) -> Any:
         """Returns a record for each impact speed, m/s, with the columns of corgen contact.
 
-        time_step_s is the shortest of all durations over `steps`. contact_radius_m and max_pressure_pa follow Hertz;
-        they are NaN without bodies and with JKR. Durations are infinite if the bodies never part, and NaN without mass
-        and stiffness."""
+        time_step_s is the shortest of all durations, divided by `steps`. contact_radius_m and max_pressure_pa follow
+        Hertz; they are NaN without bodies and with JKR. Durations are infinite if the bodies never part, and NaN
+        without mass and stiffness."""
         if not 1 <= number("steps", steps) < math.inf:
             raise ValueError(f"steps: {steps} is not a finite number, 1 or more")
         speeds, rows = self._rows(speed_m_s, lib.COR_BOTH_ENDS)
@@ -291,10 +291,11 @@ class Contact:
     ) -> Any:
         """Returns a record for each oblique impact, with the columns of corgen contact --friction --angle.
 
-        angle_degrees: the angle of the velocity of the contact point to the normal. speed_m_s: its normal component.
-        tangential: a model of corgen contact --tangential, such as "mindlin_rescale", or a simulator. The stiffness,
-        N/m^(1+p), is Mindlin's if omitted. tangential_damping: the tangential damper over the normal one (0;
-        viscous: 1). COR_OBLIQUE_ERROR bounds the error of tangential_restitution. NaN: the bodies stay together.
+        angle_degrees: between the normal and the velocity of the contact point. speed_m_s: this velocity's normal part.
+        tangential: a model of corgen contact --tangential, such as "mindlin_rescale", or the name of a simulator.
+        tangential_stiffness: N/m^(1+p), where the stiffness is proportional to overlap^p; by default Mindlin's.
+        tangential_damping: tangential damper over normal damper, by default 0, or 1 for a model without a spring.
+        COR_OBLIQUE_ERROR bounds the error of tangential_restitution, which is NaN if the bodies stay together.
         """
         contact = self._one()
         models = [string(model.name) for model in lib.cor_tangential_models]

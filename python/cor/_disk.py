@@ -183,7 +183,7 @@ def _record(struct: str, call: Callable[[Any], int]) -> Any:
 
 def _records(struct: str, speed: ArrayLike, function: Any, given: Tuple[Any, ...], more: Tuple[Any, ...] = ()) -> Any:
     """Returns an array of records, shaped like speed, with results and status. more: arguments of function
-    between the results and the statuses, for all speeds at once."""
+    after the results; with them, one call computes all speeds."""
     speeds = np.array(speed, np.float64, order="C")
     mask = mask_of([speed], speeds.shape)
     out = np.zeros(speeds.size, plain_dtype(struct))
@@ -251,9 +251,9 @@ class _Detail:
     """Optional results of one collision, filled by the function that receives this object.
 
     energy_after, energy_average   arrays with one element for each mode
-    observe                        is called at every step with the moment, a record, and the arrays q and q_dot of
-                                   the amplitudes, which must be copied to be stored. If it raises an exception, the
-                                   function raises it at its end.
+    observe                        is called at every step with a record (the moment) and the arrays q and q_dot of
+                                   the amplitudes. Copy the arrays to store them. An exception from observe is raised
+                                   after the collision.
     """
 
     _struct: str

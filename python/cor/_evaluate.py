@@ -27,7 +27,7 @@ _POINTER = {
 _INTC: "np.dtype[Any]" = np.dtype(np.intc)
 _FLOAT64: "np.dtype[Any]" = np.dtype(np.float64)
 _FLOAT32: "np.dtype[Any]" = np.dtype(np.float32)
-_DTYPE = {ffi.typeof("double"): _FLOAT64, ffi.typeof("size_t"): np.dtype(np.uintp)}  # _INTC for others
+_DTYPE = {ffi.typeof("double"): _FLOAT64, ffi.typeof("size_t"): np.dtype(np.uintp)}  # others: _INTC
 _number = np.float64
 _NUMBERS = frozenset((float, int, _number))
 
@@ -223,8 +223,8 @@ def prepared_array(array: Array, dtype: "np.dtype[Any]") -> Array:
 
 
 class _Function:
-    """A function of C. names: the arguments without the struct of results, whose index in C is out. The first `fixed`
-    arguments and all structs are shared by all elements; the others are numbers or arrays."""
+    """A function of C. names: the arguments except the struct of results, which is argument number `out` in C.
+    The first `fixed` arguments and all structs are shared by all elements; the others are numbers or arrays."""
 
     def __init__(self, name: str, names: str, out: Optional[int] = None, fixed: int = 0) -> None:
         self._c = getattr(lib, name)

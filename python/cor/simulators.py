@@ -2,7 +2,8 @@
 """Computes contacts in simulators: lines for inputs, the realised restitution, the audit of an input, and the error of
 a time step. The functions correspond to cor/scene.h, corgen contact and cor audit.
 
-A contact is a cor.Contact, or one cor.Body, a pair of them or nothing, with the keywords of cor.Contact.
+An argument `contact` is a cor.Contact. It can also be a cor.Body, a pair of them or None; keywords of cor.Contact then
+describe the rest of the contact.
 """
 
 import math
@@ -62,7 +63,7 @@ _SIMULATORS = [lib.cor_simulators[i] for i in range(lib.cor_simulator_count)]
 
 
 def names() -> List[str]:
-    """Returns the simulators that lines supports."""
+    """Returns the names of the simulators that lines() supports."""
     return [string(s.name) for s in _SIMULATORS if s.comment != ffi.NULL]
 
 
@@ -77,9 +78,9 @@ def models(simulator: str) -> Dict[str, str]:
 
 
 def realised(simulator: str, model: str, e: ArrayLike) -> Any:
-    """Returns the restitution that a simulator's model realises at a user's e with a time step of zero
-    (cor_simulator_realised); NaN if the model has no e, or refuses it. model: an id of models(simulator), with or
-    without the name of the simulator."""
+    """Returns the restitution that a simulator's model gives for the input e in the limit of small time steps
+    (cor_simulator_realised). NaN if the model has no input e, or refuses this value. model: an id of
+    models(simulator), with or without the name of the simulator."""
     allowed = models(simulator)
     asked, prefix = (re.sub("[- ]", "_", str(name).lower()) for name in (model, simulator))
     found = asked if asked in allowed else f"{prefix}_{asked}"
@@ -157,11 +158,11 @@ def lines(
     **scene: Any,
 ) -> str:
     """Returns the input lines with which a simulator realises a contact, as printed by corgen contact --for. Raises
-    ValueError if impossible. speeds: impact speeds at which the text states eps.
+    ValueError if the simulator cannot realise it. speeds: impact speeds, m/s, at which the lines state eps.
 
-    materials: instead of a contact, rows as from csv.DictReader with the columns of corgen contact --materials;
-    pairs: rows of the measured pairs; friction: of all other pairs. Keywords are then law, elastic, damping and end,
-    and speeds are required."""
+    materials: in place of a contact, rows with the columns of corgen contact --materials, for example from
+    csv.DictReader. pairs: rows of measured pairs. friction: the coefficient of all other pairs. With materials, speeds
+    are required, and the other keywords are law, elastic, damping and end."""
     request = ffi.new("struct cor_simulator_request *")
     if materials is None and friction:
         raise TypeError("friction: allowed with materials")
@@ -170,7 +171,7 @@ def lines(
     elif contact is not None or set(scene) - {"law", "elastic", "damping", "end"} or not np.size(speeds):
         raise TypeError("materials: give only speeds, law, elastic, damping and end, and no contact")
     else:
-        made = Contact(restitution=0.5, at=1.0, **scene)  # provides law and end
+        made = Contact(restitution=0.5, at=1.0, **scene)  # for its law and end; numbers are unset
         made._scene.number = [math.nan] * lib.COR_SCENE_NUMBERS
         kept = _many(request, materials, pairs)  # noqa: F841
     _positive(time_step=time_step, steps=steps, step_tolerance=step_tolerance)
@@ -206,11 +207,12 @@ def step_error(
     integrator: Optional[str] = None,
     **scene: Any,
 ) -> Any:
-    """Returns the error of eps from a time step (cor_scene_step_error): a record, or an array of records. It has the
-    mean of the error over all phases of the first step (bias), its standard deviation (scatter), least and most. steps:
-    time steps in the duration of a contact without damping at the speed, m/s. A contact of erp and cfm has its own
-    steps and the integrator implicit-euler; others have verlet-half-step. NaN: the motion leaves the range of doubles,
-    or needs too many steps."""
+    """Returns the error of eps that a time step causes, as a record or an array of records (cor_scene_step_error). Its
+    fields are the mean of the error over all phases of the first step (bias), the standard deviation (scatter), least
+    and most. They are NaN if the motion leaves the range of doubles, or needs too many steps.
+
+    speed: m/s. steps: time steps in the duration of a contact without damping at this speed; by default the steps of a
+    contact with erp and cfm. integrator: by default implicit-euler with erp and cfm, otherwise verlet-half-step."""
     made = _contact(contact, scene)
     own = made._options["time_step"]
     method = one_of("integrator", integrator or ("implicit-euler" if own else _VERLET), _INTEGRATORS)
@@ -265,8 +267,8 @@ def audit(
     include: Optional[Callable[[str, str], Optional[str]]] = None,
 ) -> List[Finding]:
     """Computes the restitution that each contact in a simulator's input really gives, like the command cor audit. text:
-    the input itself, or a path. include(name, of): returns the text of a file that the input includes, or None. Raises
-    ValueError for an input without contacts."""
+    the input as a str, or its path as a pathlib.Path. include(name, of): returns the text of the file `name` that the
+    file `of` includes, or None. Raises ValueError for an input without contacts."""
     from ._audit import physics
     from ._audit.deck import MAX_BYTES, DeckError, Options
     from ._command import read_text

@@ -5,9 +5,9 @@ file, so it imports only the standard library."""
 import math
 from typing import Callable, Tuple
 
-SMALL = 100  # small steps in one time step of the deck
+SMALL = 100  # the deck's time step over the small step of the second measurement
 PHASES = 4  # start phases within a time step; a measured eps is the mean over them
-FEW, MOST = 2000, 2_000_000  # limits of the number of steps of a collision
+FEW, MOST = 2000, 2_000_000  # least and largest number of steps of a collision
 
 
 class Failed(Exception):
@@ -31,7 +31,7 @@ def eps_of(advance: Callable[[int], Tuple[float, float]], speed: float, touch: f
             return max(velocity / speed, 0.0), steps
         still = distance < touch and abs(velocity) < 1e-6 * speed and steps > 50 * begun
         if begun and (still or steps > 100 * turned > 0):
-            return 0.0, steps  # they stick, or part too slowly to be detected
+            return 0.0, steps  # the bodies stick, or part too slowly to be detected
         chunk, before = max(4, steps // 4), velocity
     raise Failed(f"the bodies have not parted after {steps} steps")
 

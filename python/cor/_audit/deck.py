@@ -36,8 +36,8 @@ class Spring(Enum):
     HOOKE = auto()  # stiffness: K, N/m
     HERTZ = auto()  # stiffness: K/sqrt(R), Pa
     MATERIAL = auto()  # Hertz, from Young's modulus and Poisson's ratio of both bodies
-    CHARACTERISTIC = auto()  # linear, from the materials and spring_speed
-    CONTACT_TIME = auto()  # linear; stiffness: duration of a contact that ends at zero overlap
+    CHARACTERISTIC = auto()  # linear; LIGGGHTS: from the materials and the characteristic speed spring_speed
+    CONTACT_TIME = auto()  # linear; stiffness: in place of K, the duration of a contact that ends at zero overlap
     PER_MASS = auto()  # linear; stiffness: K/m
 
 
@@ -90,13 +90,13 @@ class Contact:
     """One contact of two bodies, as found by a reader.
 
     model: the id of a model of cor_simulators without COR_, such as "LAMMPS_HOOKE_VELOCITY". If it is "", cor does not
-    support the model, and `unknown` is the reason. style: the deck's own name of the model; it replaces the table's.
-    number: e, or the number that the user of the model sets. limited: the contact ends at zero force. zeta_factor:
-    damping of this contact over the damping that the model computes from e. slots: parts [start, end) of repair.text
-    that contain e. gravity: acceleration that presses the bodies together, for walls. global_damping: the fraction by
-    which YADE increases each force against the motion and decreases it along the motion. losses: sentences about losses
-    outside contacts. cohesion: LIGGGHTS's sjkr or sjkr2, and its energy density. notes: sentences for the advice.
-    unknown: reason why eps is not computed."""
+    support the model, and `unknown` is the reason. style: the deck's name of the model; reports prefer it to the name
+    in cor_simulators. number: the model's input, which is e or a damping number. limited: the contact ends at zero
+    force. zeta_factor: damping of this contact over the damping that the model computes from e. slots: parts
+    [start, end) of repair.text that contain e. gravity: acceleration that presses a sphere against a wall.
+    global_damping: the fraction by which YADE increases forces against the motion and decreases forces along it.
+    losses: sentences about losses outside contacts. cohesion: LIGGGHTS's sjkr or sjkr2, and its energy density. notes:
+    sentences for the advice. unknown: reason why eps is not computed."""
 
     file: str
     line: int
@@ -111,7 +111,7 @@ class Contact:
     spring_speed: float = NAN
     limited: bool = False
     zeta_factor: float = 1.0
-    solimp: Optional[Tuple[float, ...]] = None  # MuJoCo's five numbers
+    solimp: Optional[Tuple[float, ...]] = None  # MuJoCo: dmin, dmax, width, midpoint, power
     cohesion: Tuple[str, float] = "", 0.0
     unknown: str = ""
     notes: List[str] = field(default_factory=list)
@@ -188,9 +188,9 @@ COLUMNS = (
 
 @dataclass
 class Row:
-    """One contact at one speed, or, with an empty model, a remark on a line. COLUMNS are reported. The rest is for the
-    text, cor.simulators.audit and measure. as_asked: None if no e was requested or eps is unknown. judged: False
-    makes the exit status 4. A row contains its contact and the size of the bodies: 0 least, 1 largest."""
+    """One contact at one speed, or, with an empty model, a remark on a line. COLUMNS are the columns of csv and json.
+    as_asked: True if eps agrees with the requested e; None if no e was requested or eps is unknown. judged: False
+    makes the exit status 4. size: 0 if the bodies have their least radius and mass, 1 if they have the largest."""
 
     file: str
     line: int

@@ -77,7 +77,7 @@ def collide_all() -> None:
     """Measures each collision whose materials interact in this run."""
     loops = [e for e in omega.engines if type(e).__name__ == "InteractionLoop"]
     newtons = [e for e in omega.engines if type(e).__name__ == "NewtonIntegrator"]
-    own = {b.mat.label: b.mat for b in omega.bodies if b and b.mat and b.mat.id < 0}  # materials that functions made
+    own = {b.mat.label: b.mat for b in omega.bodies if b and b.mat and b.mat.id < 0}  # materials made by functions
     materials, dt = [*omega.materials, *own.values()], omega.dt
     if not loops or not newtons or not materials:
         return

@@ -45,8 +45,9 @@ _KNOWN = _BY_MASS + _BY_ROOT + ("HOOKE_VELOCITY", "HERTZ_VELOCITY")
 _MIXES_SINCE = 20221103  # earlier, LAMMPS uses damping velocity for every mixed pair
 _MODELS = ("hertz", "hooke", "hertz/stiffness", "hooke/stiffness")  # of LIGGGHTS
 _OLD_MODEL = re.compile(r"gran/(hertz|hooke)(/history|/incremental)?(/energy)?(/stiffness)?")  # before version 3
-_TANGENTIAL = ("mindlin", "mindlin/force", "mindlin_rescale", "mindlin_rescale/force")  # follow the contact radius
-_OLD = {"hooke": "linear_nohistory", "hooke/history": "linear_history", "hertz/history": "mindlin"}  # by their force
+_TANGENTIAL = ("mindlin", "mindlin/force", "mindlin_rescale", "mindlin_rescale/force")  # K ~ contact radius
+# The tangential model with the force of an old pair style
+_OLD = {"hooke": "linear_nohistory", "hooke/history": "linear_history", "hertz/history": "mindlin"}
 _MIXED = "LAMMPS mixes the tangential forces of two types"
 _STILL = "a fix without /sphere moves the particles, or they are discs"
 _RIGID = "\0rigid"  # the group of atoms inserted as parts of bodies
@@ -136,9 +137,9 @@ class Granular(System):
         self.version = lib.cor_simulator_version(options.version.encode()) if options.version else 0
         self.seen: Dict[str, Contact] = {}
         self.repairs: Dict[Tuple[str, int, str], Repair] = {}
-        self.runs = [0]  # of all worlds
-        self.courses: List[FrozenSet[str]] = []  # the contacts of each world
-        self.found: List[str] = []  # of this world
+        self.runs = [0]  # number of runs; one list for all worlds
+        self.courses: List[FrozenSet[str]] = []  # keys of the contacts of each world that ended; shared, too
+        self.found: List[str] = []  # keys of this world's contacts
         self.restart()
 
     def restart(self) -> None:
@@ -521,7 +522,7 @@ class Granular(System):
         if any(f[2] in c.groups for f in self.has("freeze")):
             return "freeze"
         moved = [f for f in self.fixes.values() if _INTEGRATES.match(f[3]) and f[3] != "nve/noforce"]
-        is_from_restart = c.kind == "file" and self.has_unread_atoms  # its groups are unknown
+        is_from_restart = c.kind == "file" and self.has_unread_atoms  # then its groups are unknown
         is_moved = not moved or is_from_restart or any(f[2] in c.groups or f[2] not in self.group_names for f in moved)
         return "" if is_moved and not any(f[2] in c.groups for f in self.has("nve/noforce|move")) else "fixed"
 
@@ -888,7 +889,7 @@ class Granular(System):
 
     def walls_of_lammps(self, words: Words) -> List[Tuple[Coefficient, int, str, str]]:
         style, unknown, at = _ACCELERATED.sub("", words[4]), "", 5
-        if re.match(r"[\d.]", style):  # before 2017 the pair style gives the force
+        if re.match(r"[\d.]", style):  # before 2017 a wall has no style: it has the force of the pair style
             style, at = self.style[0].style if self.style else "", 4
             if style in ("", "granular"):
                 unknown = "This form from before 2017 uses the force of a pair style gran/..., which is absent."
@@ -937,7 +938,7 @@ class Granular(System):
         if plane:
             size = total["xyz".index(words[plane][0])]
             if not self.is_liggghts and words[plane + 1 if size < 0 else plane + 2] == "NULL":
-                size = 0.0  # away from the wall
+                size = 0.0  # gravity points to the side that has no wall
         return abs(size) or NAN
 
 

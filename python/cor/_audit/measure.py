@@ -20,8 +20,8 @@ from .collision import Failed
 from .deck import Contact, Options, Row
 from .process import ALL_S, Process, copy_folder_of
 
-SLOW = 0.01  # overlap over radius, if any speed may be used
-TOLERANCE = 2e-3  # allowed between measured and computed eps, besides the error of the step
+SLOW = 0.01  # impact speed times duration over radius, if eps is the same at every speed
+TOLERANCE = 2e-3  # allowed |measured eps - computed eps|, before allowances for the error of the step
 
 
 def measure(path: str, options: Options, rows: List[Row], program: str, keep: bool) -> None:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Runs collisions in the user's own LAMMPS or LIGGGHTS. The program reads its script line by line from a pipe, up to
-each run. Then it gets two particles, or one and a plane wall. The program evaluates all variables and conditions.
-This module follows the order of lines (if, jump, label, include) to check each command before execution."""
+"""Runs collisions in the user's own LAMMPS or LIGGGHTS. The program reads the user's script line by line from a pipe.
+In place of each run, two particles collide, or one particle and a plane wall. The program evaluates all variables and
+conditions. This module follows the order of lines (if, jump, label, include) to check commands before execution."""
 
 import itertools
 import math
@@ -25,9 +25,10 @@ LEFT_OUT = (
 ).split()
 # Commands omitted without a report, because no result depends on them
 UNNAMED = "log echo print label thermo thermo_log thermo_modify thermo_style info timer balance processors".split()
-WRITING = re.compile(r".*\$|print$|ave/|python|external$|plumed|colvars|ipi$|imd$|mdi|qmmm|couple/")  # styles of fix
+# Styles of fix that write files or execute programs
+WRITING = re.compile(r".*\$|print$|ave/|python|external$|plumed|colvars|ipi$|imd$|mdi|qmmm|couple/")
 PLANES = "xplane yplane zplane zcylinder region".split()
-KEPT = re.compile(r"property/|mesh/|particle|freeze$|adapt$|lb/|check/")  # fixes that move nothing
+KEPT = re.compile(r"property/|mesh/|particle|freeze$|adapt$|lb/|check/")  # styles of fix that move nothing
 
 
 @dataclass
@@ -49,7 +50,7 @@ class Collision:
 
 
 class Stop(Exception):
-    """The end of the script."""
+    """Raised at the end of the script, or if nothing is left to measure."""
 
 
 def words_of(line: str) -> List[str]:
@@ -374,7 +375,7 @@ class Script:
         end = next(i for i, word in enumerate(words) if word in ("mesh", "primitive") and i > 3)
         rest = words[end + 1 :]
         kind = rest[1] if words[end] == "primitive" else str(c.types[1])
-        skipped = 3 + int(rest[1]) if words[end] == "mesh" else 3  # followed by numbers of the plane and keywords
+        skipped = 3 + int(rest[1]) if words[end] == "mesh" else 3  # the next line skips the plane's numbers
         rest = list(itertools.dropwhile(lambda word: not re.match("[a-z]", word, re.I), rest[skipped:]))
         if "shear" in rest:
             del rest[rest.index("shear") : rest.index("shear") + 3]

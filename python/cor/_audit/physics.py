@@ -33,13 +33,13 @@ _OTHER = {
     "LAMMPS_HOOKE_TSUJI": "LAMMPS_HOOKE_TSUJI_2026",
     "YADE_EN": "YADE_EN_UNTIL_2023",
 }
-_COHESIVE = 600  # integrations of one deck
-_PHASES, _PHASES_LEAST, _STEPS_OF_PHASES = 128, 16, 2**20  # of cor_scene_step_error
-_STEPS_IN_ALL = 2e8  # takes some seconds
-_STEPS_OF_SEARCH, _LEAST_SEARCHED = 2e7, 1e-4  # of cor_scene_step_for
+_COHESIVE = 600  # most contacts with cohesion that are integrated for a deck
+_PHASES, _PHASES_LEAST, _STEPS_OF_PHASES = 128, 16, 2**20  # cor_scene_step_error: phases, least phases, most steps
+_STEPS_IN_ALL = 2e8  # most steps for a deck, some seconds
+_STEPS_OF_SEARCH, _LEAST_SEARCHED = 2e7, 1e-4  # cor_scene_step_for: steps of a call, least tolerance
 _LINEAR = (Spring.HOOKE, Spring.CHARACTERISTIC, Spring.CONTACT_TIME, Spring.PER_MASS)
 _SIZES = (", least", ", largest")
-_NEVER = 1e5  # m/s, Gazebo's default threshold: no impact is so fast
+_NEVER = 1e5  # m/s, Gazebo's default threshold; no impact is faster
 
 
 def model_of(name: str) -> Any:
@@ -144,7 +144,7 @@ class _Audit:
                 row.advice += f" eps is 0 up to the threshold, {contact.threshold:.6g} m/s."
             return int(end)
         impact, eps = ffi.new("struct cor_scene_impact *"), ffi.new("double *")
-        if lib.cor_scene_needs_solver(scene):  # libcor integrates it under a force, here 0
+        if lib.cor_scene_needs_solver(scene):  # libcor integrates it only under a force: set a negligible one
             scene.force_n = 1e-13 * scene.mass_kg * at / lib.cor_scene_elastic_duration_s(scene, at)
         if lib.cor_scene_impact(impact, scene, at) == lib.COR_OK:
             row.realised = impact.eps[end]
@@ -295,7 +295,7 @@ class _Audit:
         if abs(row.realised + row.step_bias - wished) <= allowed and row.step_scatter <= allowed:
             return True
         if abs(row.step_bias) <= allowed and row.step_scatter <= allowed:
-            return False  # the step is not the cause
+            return False  # eps differs from e for another reason than the step
         row.advice += f" The time step changes the mean eps to {row.realised + row.step_bias:.6g}, "
         row.advice += f"with the standard deviation {row.step_scatter:.6g}."
         key = (scene.stiffness, scene.mass_kg, scene.damping, scene.law.elastic, scene.law.damping, at, end, allowed)

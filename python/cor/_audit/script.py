@@ -20,8 +20,8 @@ MAX_WORLDS = 64
 MAX_WORDS = 100000  # of one line
 MAX_CONTINUED = 2000  # continuation lines of one command
 MAX_LINE = 1 << 26
-_MARK = "\0"  # encloses the name of an unknown value within a word, whose blanks are \1
-_BLANK = "\1"
+_MARK = "\0"  # encloses the name of an unknown value within a word
+_BLANK = "\1"  # replaces each blank of such a name
 
 
 class Unknown(Exception):
@@ -34,7 +34,7 @@ class OutOfBounds(Exception):
 
 class Variable(NamedTuple):
     style: str
-    values: Tuple[str, ...] = ()  # values, or the formula; for format: the variable and the format
+    values: Tuple[str, ...] = ()  # equal: formula; format: variable, format; loop: first, format, last
     at: int = 0
 
 
@@ -192,8 +192,8 @@ def _without_comment(text: str) -> str:
 
 
 class Words(List[str]):
-    """The words of a command; "" beyond the last. expanded: the text with its variables replaced. inside: the place of
-    each word in it. pieces: its parts, each with the part of the raw text that it came from."""
+    """The words of a command; "" beyond the last. expanded: the text with its variables replaced. inside: start and
+    end of each word in `expanded`. pieces: parts of `expanded`, each with its start and end in the raw text."""
 
     def __init__(self, line: Line, pieces: Sequence[Tuple[str, int, int]]):
         super().__init__()
@@ -381,7 +381,7 @@ class World:
         if style == "delete":
             self.variables.pop(name, None)
         elif style in ("index", "universe", "uloop", "loop", "world", "getenv", "file", "atomfile") and old:
-            return  # LAMMPS uses the first definition
+            return  # LAMMPS ignores a second definition
         elif style in ("index", "universe", "world") and values:
             if style == "world" and len(values) > 1:
                 self.part(len(values))
@@ -557,7 +557,7 @@ class World:
 
     def quit(self, words: Words) -> None:
         self.stack.clear()
-        self.is_left = bool(self.script.split)  # only one branch of an unknown condition ends here
+        self.is_left = bool(self.script.split)  # after an unknown condition, LAMMPS may not reach this line
 
     def name_only(self, words: Words) -> None:
         self.script.remark(words.line, f"{words[0]} is not executed; contacts that depend on it are wrong.", False)

@@ -388,7 +388,7 @@ def read_pfc(text: str, name: str, options: Options) -> Deck:
 # ---- MercuryDPM ----
 
 _SETTERS = (
-    {  # setter: model; argument indices of e or its number, the stiffness, and the mass of one of two equal particles
+    {  # setter: model; indices of the arguments e, stiffness, and mass of one particle
         "setStiffnessAndRestitutionCoefficient": ("MERCURYDPM_LINEAR", 1, 0, 2),
         "setCollisionTimeAndRestitutionCoefficient": ("MERCURYDPM_LINEAR", 1, 0, 2),
         "setCollisionTimeAndNormalAndTangentialRestitutionCoefficient": ("MERCURYDPM_LINEAR", 1, 0, 3),
@@ -446,7 +446,7 @@ def read_mercurydpm(text: str, name: str, options: Options) -> Deck:
 
 
 def _mercury_tangential(c: Contact, of: str, plain: str, constants: Dict[str, str], both: List[float]) -> Tangential:
-    """Returns the tangential force. Its numbers may be fractions of the normal force's. both: e and e_t, if given."""
+    """Returns the tangential force of the species `of`. both: e and the tangential restitution, if they are given."""
     species = rf"\b{of}\s*(?:->|\.)\s*"
     set_ = re.findall(rf"{species}setSliding(\w+)\(([^;]*)\)\s*;", plain)
     found = {key: constants.get(text.strip(), text) for key, text in set_}
@@ -469,7 +469,7 @@ def _mercury_tangential(c: Contact, of: str, plain: str, constants: Dict[str, st
 def _mercury_dashpot(
     source: Source, m: "re.Match[str]", plain: str, constants: Dict[str, str], step: Any, wall: bool
 ) -> Contact:
-    """Returns the contact of a species with linear spring and dashpot, for the text's first radius; in 2D of discs."""
+    """Returns the contact of a species with linear spring and dashpot, for the first radius in the text (2D: discs)."""
 
     def given(setter: str, of: str = r"\w+") -> float:
         found = re.search(rf"\b{of}\s*(?:->|\.)\s*{setter}\(([^;]*)\)\s*;", plain)

@@ -132,7 +132,7 @@ class Script:
         return self.sequence(node.elts)
 
     def value_Lambda(self, node: ast.Lambda) -> Any:
-        return UNKNOWN if node.args.args else self.value(node.body)  # a material, where YADE accepts a function
+        return UNKNOWN if node.args.args else self.value(node.body)  # for YADE, a function that makes a material
 
     def value_Dict(self, node: ast.Dict) -> Any:
         pairs = zip(node.keys, node.values)

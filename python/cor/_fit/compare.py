@@ -20,7 +20,7 @@ from .likelihood import HUBER, LEAST_RESIDUAL, MANY, Field, Problem, Reduced, Sa
 from .models import POWER_LAW, Curve, Model
 
 SIGNIFICANCE = 0.01  # a curve with a smaller p value does not fit
-REACH = 67  # bounces up to this number after a time determine its error
+REACH = 67  # this number of bounces after a time suffices to estimate its error
 MAX_OUTLIERS = 8
 NO_SCATTER = 1e-12  # smaller residuals of eps are rounding, not errors
 NEAR = 2.0  # models whose AIC differs by less are equally good
@@ -33,7 +33,7 @@ class Estimate:
     problem: Problem
     theta: Floats
     minimum: float  # Q
-    scale: float  # s of the errors, times the root of the determinants for times and heights; nan if errors are given
+    scale: float  # s; for times and heights s (det W/det B)^(1/(2 n)), see likelihood; nan if errors are given
     intervals: Any = None  # [coordinate, level, side], infinite beyond the range of theta
     determined: Tuple[bool, ...] = ()  # False: the minimum is flat
     rms: float = math.nan
@@ -90,7 +90,7 @@ def estimate(
 
 
 def _pilot(sample: Sample, setup: Setup) -> Tuple[Problem, Floats]:
-    """Fit the power law, which approximates any curve, to a part of very many drops."""
+    """Fit the power law, as an approximation of any curve, to about 1000 of the bounces."""
     if sample.pilot is None:
         drop = np.cumsum(sample.begins) - 1
         chosen = drop % max(1, sample.size // 1000) == 0
@@ -215,7 +215,7 @@ class Outlier(NamedTuple):
 
 def distances(e: Estimate) -> Tuple[Ints, Floats]:
     """Return the lines and their distances from the curve in standard deviations. For a point: (eps - eps(v))/s. For a
-    time or a height of a drop: its error over s, where the drop's later bounces determine the error."""
+    time or a height: the estimate of its own error from the bounces that it affects, over the estimate's deviation."""
     p, sample, n = e.problem, e.problem.sample, e.problem.size
     theta = finite_theta(e)
     if not sample.is_chain:
@@ -246,7 +246,7 @@ def distances(e: Estimate) -> Tuple[Ints, Floats]:
 def _distance_of(e: Estimate, line: int) -> float:
     lines, found = distances(e)
     mine = found[lines == line]
-    return float(mine[np.argmax(np.abs(mine))]) if mine.size else 0.0  # its bounces depend on another line
+    return float(mine[np.argmax(np.abs(mine))]) if mine.size else 0.0  # no bounce remains without another removed line
 
 
 def _squares(e: Estimate) -> float:
@@ -254,11 +254,12 @@ def _squares(e: Estimate) -> float:
 
 
 def find_outliers(data: Data, sample: Sample, models: Sequence[Model], setup: Setup, progress: Any) -> List[Outlier]:
-    """Return the lines that are too far from the curve of the first model of the robust fits. The line farthest from
-    the robust fit is removed while n normal errors would reach that distance with a probability below 1/20. At most
-    MAX_OUTLIERS and a fourth of the points are removed. Then the removed line nearest to the curve is restored, as
-    long as its probability, Student's t times the number of lines, is at least SIGNIFICANCE. Given errors have the
-    normal tail. If the given errors are also too small for the other points, they are first scaled to chi^2 = n - k."""
+    """Return the lines that are too far from the curve of the robust fit with the least AIC.
+
+    The farthest line is removed while n normal errors would reach its distance with a probability below 1/20, up to
+    MAX_OUTLIERS lines and a fourth of the points. A removed line has the probability of Student's t, or of the normal
+    distribution if errors are given, times the number of lines. While this is SIGNIFICANCE or more for some lines, the
+    nearest one is restored. Given errors that are too small for the other points are first scaled to chi^2 = n - k."""
     if sample.size > MANY:
         return []
     special = scipy("special")
@@ -279,7 +280,7 @@ def find_outliers(data: Data, sample: Sample, models: Sequence[Model], setup: Se
         if e is None:
             break
         lines, found = distances(e)
-        if np.isnan(found).all():  # a function without numbers
+        if np.isnan(found).all():  # a user's function returned only nan
             break
         k = int(np.nanargmax(np.abs(found)))
         if here.size * special.erfc(abs(found[k]) / math.sqrt(2)) > 0.05:
@@ -300,7 +301,7 @@ def find_outliers(data: Data, sample: Sample, models: Sequence[Model], setup: Se
             f = estimate(curve, rest(put_back=outlier.line), plain, False, e)
             assert f is not None
             distance = _distance_of(replace(e, problem=_on(e.problem, f.problem.sample)), outlier.line)
-            if sample.is_chain:  # without the bounces of this time another lambda may fit by chance
+            if sample.is_chain:  # e's lambda, fitted without these bounces, may be off: compare with f's
                 other = _distance_of(f, outlier.line)
                 other *= math.sqrt((f.problem.freedom - 1) / max(f.problem.freedom - other**2, 1e-9))
                 distance = other if abs(other) < abs(distance) else distance

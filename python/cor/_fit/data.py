@@ -11,7 +11,7 @@ Floats = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]
 
 GRAVITY_M_S2 = 9.80665  # standard gravity
-MAX_BEYOND = 5  # largest distance of a point beyond 0 or 1, in its sigma
+MAX_BEYOND = 5  # eps of a point may be below 0 or above 1 by this number of sigmas
 MAX_FLIGHT_RATIO = 1.2  # noise of a flight or a rebound may raise eps up to this value
 
 

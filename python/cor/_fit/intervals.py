@@ -4,7 +4,7 @@
 In the interval of a coordinate, the least Q over the others exceeds the minimum by at most a threshold. The
 threshold is z^2 if errors are given, otherwise t^2 s^2, with Student's t of n - k degrees of freedom. In the robust
 fit it is multiplied by Huber's factor [sum psi^2/(n - k)]/[sum psi'/n]. The search for an end of the 95 %
-interval starts at the end of the 68 % interval, so that the first interval contains the second.
+interval starts at the end of the 68 % interval, so the 95 % interval contains the 68 % interval.
 """
 
 import math
@@ -64,7 +64,7 @@ def _best(p: Problem, starts: Iterable[Any]) -> Tuple[Floats, float]:
 
 
 def _coarse(p: Problem, most: int, extra: Sequence[float]) -> Tuple[Floats, Callable[..., Any]]:
-    """Return a function of theta, whose elements may be columns: Q of at most `most` points, without covariance."""
+    """Return ln v of at most `most` bounces, and their Q(*theta) without covariance. theta: numbers or columns"""
     curves = len(p.curve.kinds)
     flights = p.at(np.array([*([0.0] * curves), *extra]))
     order = flights.order[:: max(1, -(-p.size // most))]
@@ -163,7 +163,7 @@ def minimise_with_noise(p: Problem, near: Optional[Floats] = None) -> Floats:
     first, theta = theta, settle(p, theta)
     best = (p.scale, p.log_ratio, theta)
     if p.scatters and not p.robust:
-        starts = [(first, -80.0), (first, math.log(1e8))]  # starts with only errors of times and with only scatter
+        starts = [(first, -80.0), (first, math.log(1e8))]  # no scatter; no errors of times
         if p.curve.dry:
             dry = p.like(p.curve.dry)
             without = minimise_with_noise(dry)
@@ -286,7 +286,7 @@ def _other_starts(p: Problem, theta: Floats, j: int) -> Callable[[float], List[F
 
 
 def unit_of(p: Problem, theta: Floats, minimum: float) -> float:
-    """Return the excess of Q at an interval's end over the quantile squared: 1, s^2, or Huber's factor."""
+    """Return the factor of the squared quantile in the threshold of Q: 1, s^2, or Huber's factor."""
     if not p.robust:
         return 1.0 if p.sample.has_sigma else minimum / p.freedom
     root = np.abs(p.residuals(theta))

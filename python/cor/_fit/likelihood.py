@@ -1,17 +1,16 @@
 # SPDX-License-Identifier: MIT
 """The residuals of a curve, whitened by the covariance of the measured times or heights.
 
-Bounce k is between two flights. It has the impact speed v_k, the rebound speed u_(k+1) and eps_k = u_(k+1)/v_k. The
-fit minimises Q, the sum of squares of z. Points have z_k = r_k/sigma_k for the residual r_k = eps_k
-- eps(v_k). For times, c_k = v_k dT/du at flight k + 1 makes r_k an error of the time at its end. To first order in
-the errors e of the times
+Bounce k is between the flights k and k + 1. It has the impact speed v_k, the rebound speed u_(k+1) and eps_k =
+u_(k+1)/v_k, so the residual is r_k = eps_k - eps(v_k). The fit minimises Q, the sum of squares of z. For a point, z_k =
+r_k/sigma_k. For times T of flights and c_k = v_k (dT/du)_(k+1), to first order in the errors e of the bounces' times
 
     c_k r_k = e_(k+2) - (1 + a_k) e_(k+1) + a_k e_k + c_k h_k,   a_k = (dT/du)_(k+1) (dv/dT)_k (eps + d eps/d ln v)(v_k)
 
-with the scatter h_k of eps. The first time and speed of a drop cancel. With the height of the drop, its first bounce
-has the error of a flight, e_2 - e_1. For heights the errors are e_(k+1) - a_k e_k, with dh/du instead of dT/du. The
-covariance is s^2 W, W = B + lambda diag(c^2), with a band B. z = L^-1 (c r) for W = L L^T, times
-sqrt(det W/det B)^(1/n), so that the lambda of the least Q has the greatest restricted likelihood.
+with the scatter h_k of eps. If v_1 follows from the height of the drop, the first bounce has the error of a flight,
+e_2 - e_1. For heights the errors are e_(k+1) - a_k e_k, with dh/du instead of dT/du. The covariance is s^2 W, W =
+B + lambda diag(c^2), with a band matrix B. Then z = L^-1 (c r) (det W/det B)^(1/(2 n)) for W = L L^T. With this factor,
+the lambda of the least Q has the greatest restricted likelihood.
 """
 
 import math
@@ -28,7 +27,7 @@ from .models import Curve
 HUBER = 1.345
 LEAST_RESIDUAL = float(np.finfo(float).eps)  # smaller residuals are raised to this value, so that AIC is finite
 SLOPE_STEP = 1e-4  # in ln v
-STEEPEST = 5.0  # eps + d eps/d ln v; above, where eps drops to 0, errors are not of first order
+STEEPEST = 5.0  # limit of eps + d eps/d ln v in a_k, because first order fails where eps drops to 0
 LOG_RATIO = (math.log(1e-10), math.log(1e8))  # range of ln(lambda times the mean square of c)
 MANY = 20000  # bounces; more are reduced to a basis of curves
 
@@ -178,7 +177,7 @@ class Sample:
         return first, last - 1, last, (place[last] == 1) | ((place[last] == 2) & ~dropped[last])
 
     def _variance(self) -> Optional[Tuple[Floats, Floats]]:
-        """Return the variances of the last and the middle number of each bounce, if they are given."""
+        """Return the variances of the measured numbers `last` and `middle` of each bounce, if they are given."""
         record = self.record
         if isinstance(record, Points):
             given: Tuple[Any, Any] = record.sigma, None

@@ -19,7 +19,7 @@ from .._cor import ffi, lib
 from .._evaluate import address
 from .data import Floats
 
-Range = Callable[[float, float], Tuple[float, float]]  # of theta, for speeds from exp(least) to exp(most)
+Range = Callable[[float, float], Tuple[float, float]]  # ln(least), ln(largest speed) -> range of a coordinate
 BODY = ("young", "poisson", "radius", "density", "mass")
 BODIES = (*BODY, *(f"{name}_2" for name in BODY))
 
@@ -259,7 +259,7 @@ def _models() -> List[Model]:
     ends = {"zero-overlap": SPHERE_ZERO_OVERLAP, "zero-force": SPHERE_ZERO_FORCE}
     g_star, adhesion, liquid = _g_star(), _power("adhesion_speed_m_s"), _power("liquid_speed_m_s")
     dry, zener = _plain("eps_dry"), _power("zener_lambda_at_1_m_s", 1.5)
-    # Laws for one unit of their parameter. v_y is proportional to the power 5/2 of the yield stress.
+    # Laws with the parameter 1, or 1e6 for the yield stress Y. The yield speed is proportional to Y^(5/2).
     plate = {"law": "plate", "plate_thickness": 1.0}
     dashpot = {"law": "hertz-dashpot", "damping_coefficient": 1.0}
     plastic = {"law": "elastic-plastic", "yield_stress": 1e6}

@@ -13,7 +13,7 @@ from .data import MAX_BEYOND, MAX_FLIGHT_RATIO, Apexes, Data, DataError, Floats,
 from .track import find_bounces
 
 MAX_ROWS, MAX_COLUMNS, MAX_LINE, BLOCK, SHOWN = 1000000, 256, 65536, 1 << 22, 40
-MAX_ABOVE, MAX_GAP = 50, 5  # rows above the names; rows of a track in succession without a height
+MAX_ABOVE, MAX_GAP = 50, 5  # most rows above the names; most successive rows of a track without a height
 WAVEFORM_ROWS = 100  # this number of equal steps means samples, not bounces
 
 # ---- names of columns ----

@@ -53,10 +53,10 @@ def _judgement(e: Estimate) -> str:
 class Result:
     """Fits of restitution, made by cor.fit.
 
-    groups: the fits by name of the ball; "" has all data. parameters: a record array with a row for each parameter of
-    each model, the least AIC first. Its columns are group, model, end, parameter, value, low_68, high_68, low_95,
-    high_95, rms, chi2, aic. value nan: not determined, because the minimum is flat. pandas.DataFrame(result.parameters)
-    is a table.
+    groups: the fits of each ball by its name; "" is the fit of all data. parameters: a record array with a row for each
+    parameter of each model, the least AIC first. Its columns are group, model, end, parameter, value, low_68, high_68,
+    low_95, high_95, rms, chi2, aic. A value is nan if it is not determined, because the minimum is flat.
+    pandas.DataFrame(result.parameters) is a table.
     """
 
     def __init__(self, data: Data, setup: Setup, bodies: Bodies, groups: Dict[str, Group]) -> None:
@@ -102,7 +102,7 @@ class Result:
         return np.array(rows, [*texts, *((name, np.float64) for name in COLUMNS)]).view(np.recarray)
 
     def find(self, model: Optional[str] = None, end: Optional[str] = None, group: str = "") -> Tuple[Model, Estimate]:
-        """Return a model and its fit. The default is the model of the verdict or, if none fits, of least AIC."""
+        """Return a model and its fit. Default: the model that the verdict names or, if none fits, of least AIC."""
         if group not in self.groups:
             raise ValueError(f"group: {group!r}; allowed: {', '.join(map(repr, self.groups))}")
         fits = self.groups[group].comparison.fits
@@ -368,16 +368,16 @@ def fit(
     progress: Optional[Progress] = None,
     **bodies: float,
 ) -> Result:
-    """Fit models of restitution to measured bounces, rank them by AIC and judge them. Needs SciPy.
+    """Fit models of restitution to measured bounces, rank them by AIC and judge them. Units are SI. Needs SciPy.
 
     source: a path, an open file, a data frame, or a mapping of arrays with the columns of cor fit (docs/fit.md).
+    unit, separator, decimal_comma, drop_height: how to read the source; see the options of cor fit.
     law: "all", names such as "viscoelastic,power-law", or a list of names and functions eps(speed, a=0.9, b=0.1), whose
-    defaults are the start. end: "zero-overlap" or "zero-force" (both). robust: Huber's function.
-    gravity: m/s^2; fit_gravity: a parameter, for drops of known height. Air: drag_coefficient with mass and diameter,
-    or terminal_speed, or fit_drag; air_density (1.204 kg/m^3). SI units throughout.
-    unit, separator, decimal_comma, drop_height: how to read the source. wall, young, poisson, radius, density, mass and
-    the same with _2: the bodies, which give parameters of materials. viscosity_liquid: Pa s, of "stokes".
-    progress: a function of a word, the number of steps done and of all steps.
+    defaults are the start of the search. end: "zero-overlap" or "zero-force"; default: both. robust: True limits the
+    influence of outliers by Huber's function. fit_gravity: True also fits gravity, from drops of known height.
+    Drag of the air: drag_coefficient with mass and diameter, or terminal_speed, or fit_drag=True.
+    wall, young, poisson, radius, density, mass, young_2, ...: the bodies, for parameters such as the dissipation time.
+    viscosity_liquid: of the model "stokes". progress: a function; its arguments are a name, the steps done, all steps.
     """
     from .records import read
 

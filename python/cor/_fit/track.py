@@ -9,7 +9,7 @@ from .data import Floats, Ints
 from .likelihood import scipy
 
 LEAST_SAMPLES = 4  # of a flight
-FREE_BEND, FREE_SKEW = 8, 12  # samples for a flight's own curvature and, because of drag, its own cubic term
+FREE_BEND, FREE_SKEW = 8, 12  # least samples for a flight's own quadratic and cubic term (drag)
 ALLOWED = "a track of at least three bounces with heights that grow upward, 4 samples or more in each flight"
 
 
