@@ -206,7 +206,7 @@ function wrap(c) {
     cor.contactLaws = () => choices("law").map(([, name, label]) => ({ name, label }));
     cor.simulators = () => choices("for").slice(1).map(([, name, title]) => ({ name, title }));
 
-    // For the page: texts about the last right request, and eps of one of its curves
+    // For the page: texts about the last valid request, and eps of one of its curves
     cor.page = {
         read, header, command: (options) => command("contact", options, range),
         text: (name, ...given) => checked(c[`web_${name}`](...given)),

@@ -13,8 +13,8 @@ const PREFIXES = { n: -9, u: -6, "\u00b5": -6, "\u03bc": -6, m: -3, c: -2, k: 3,
 
 let cor, units; // the module; units by option
 const fields = new Map(); // by option: { input, label, list, word }
-let kept = [], past = [], settled = ""; // curves as addresses; addresses to go back to; the last complete one
-let drawn = null, telling; // the curves of the picture and its scales; the timer of a message
+let kept = [], past = [], settled = ""; // addresses: of other curves; for undo; the present one
+let drawn = null, telling; // the picture's curves and scales; the timer that removes a message
 
 // ---- from text to numbers in SI units ----
 
@@ -186,7 +186,7 @@ function optionsNow() {
     return options;
 }
 
-// Fills the fields from an address. Selections that are not options follow from the given numbers.
+// Fills the fields from an address. The choices of bodies, second body and damping follow from the given options.
 function fill(options) {
     const has = (...names) => names.some((name) => options.has(name));
     for (const [name, { input }] of fields) {
@@ -276,7 +276,7 @@ function answers() {
     return [...found];
 }
 
-// The first speed has the large answer; both ends are shown only where their digits differ.
+// Shows eps for each speed, in large letters for the first one; for both ends only if their digits differ.
 function showAnswer() {
     const lines = answers().flatMap(([speed, ends], line) => {
         const known = ends.filter(({ eps }) => eps !== "nan"), same = known.every(({ eps }) => eps === known[0].eps);
