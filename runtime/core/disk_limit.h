@@ -1,26 +1,26 @@
 /* SPDX-License-Identifier: MIT */
-/* The table of generated/disk_limits.h and its evaluation, which corgen uses too: 1 - eps^2 over the plane of
- * x = v^(1/8) and nu. The grid in x is denser for faster disks: the distance between 0.002 and 0.2 is the same as
- * between 2e-7 and 0.002.
+/* Evaluates the table of generated/disk_limits.h: 1 - eps^2 as a function of x = v^(1/8) and nu. corgen uses this file,
+ * too. In x, 0.002 and 0.2 are about as far apart as 2e-7 and 0.002, so the grid is denser for faster disks.
  *
  * The plane is divided into cells. A cell in which a polynomial of degree 3 in x and in nu is not accurate enough is
- * divided into four, repeatedly. Near smaller cells the function of a cell blends into theirs
- * (docs/theory-disks.md, 17), which makes it continuous on the plane. corgen cuts such a cell into rectangles
+ * divided into four, repeatedly. Near smaller cells the function of a cell blends into their functions
+ * (docs/theory-disks.md, 17), so that 1 - eps^2 is continuous on the plane. corgen cuts such a cell into rectangles
  * ("pieces") in each of which the function is one polynomial. A call finds one piece and evaluates one polynomial. */
 #ifndef COR_RUNTIME_CORE_DISK_LIMIT_H
 #define COR_RUNTIME_CORE_DISK_LIMIT_H
 
 #include "runtime/number/inline.h"
 
-/* Sizes of a root, which is an undivided cell, and of a square, in sides of the smallest piece */
+/* Sides of a root (an undivided cell) and of a square of the index below, in sides of the smallest piece */
 enum { COR_DISK_LIMIT_SQUARE_BITS = 3, COR_DISK_LIMIT_PER_SQUARE = 8, COR_DISK_LIMIT_PER_ROOT = 16 };
 
-/* A neighbour is looked up this far beyond the common side, in units of that side: within the smallest neighbour */
+/* Distance beyond a cell's edge at which its neighbour is looked up, in sides of the cell; below the side of any
+ * neighbour */
 #define COR_DISK_LIMIT_BEYOND 0x1p-10
 
-/* A piece. x, nu: its first corner, in the coordinates of the plane. per_x, per_nu: inverse sides. coefficient[4 j + i]
- * multiplies s^i t^j, where s and t are 0 to 1 in x and nu. uncertainty: of its cell. depth: how often the root
- * cell was divided to make it. Coefficients and uncertainty are in units of COR_DISK_LIMIT_UNIT. */
+/* A piece. x, nu: the corner with the smallest coordinates in the plane. per_x, per_nu: inverse sides. coefficient[4 j
+ * + i] multiplies s^i t^j, where s and t grow from 0 to 1 across the piece in x and nu. uncertainty, depth: of its
+ * cell, which is a root after `depth` divisions. Coefficients and uncertainty are in units of COR_DISK_LIMIT_UNIT. */
 #define COR_DISK_LIMIT_UNIT 1e-7
 enum { COR_DISK_LIMIT_SIDE = 4, COR_DISK_LIMIT_POINTS = 16 };
 struct cor_disk_limit_piece {
@@ -33,13 +33,13 @@ struct cor_disk_limit_piece {
 struct cor_disk_limit_table {
     int x_roots, nu_roots;
     double x_first, x_step, nu_first, nu_step;
-    /* A root has 2 x 2 squares. A square is cut evenly into 2^a by 2^b places; its entry is 16 times its first place,
-     * plus 4 b, plus a. The entry of a place is the number of its piece. In both arrays x varies fastest. */
+    /* A root has 2 x 2 squares. A square is cut evenly into 2^a by 2^b places. square[i] is 16 times the index of its
+     * first place, plus 4 b, plus a. place[i] is the index of its piece. In both arrays x varies fastest. */
     const uint16_t *square, *place;
     const struct cor_disk_limit_piece *piece;
 };
 
-/* Return coordinates in the plane: 0 to x_roots and 0 to nu_roots. */
+/* Return coordinates in the plane, in sides of a root: 0 to x_roots and 0 to nu_roots. */
 COR_INLINE double cor_disk_limit_x(const struct cor_disk_limit_table *table, double speed)
 {
     return (sqrt(sqrt(sqrt(speed))) - table->x_first) * (1 / table->x_step);
@@ -83,7 +83,7 @@ COR_INLINE double cor_disk_limit_weight(double t)
     return (1 - t) * (1 - 3 * t) * (1 - 1.5 * t);
 }
 
-/* Returns the uncertainty at a point. It blends from the cell's value into the larger value of a finer neighbour. */
+/* Returns the uncertainty at a point. It increases from the cell's value to the larger value of a finer neighbour. */
 COR_INLINE double cor_disk_limit_uncertainty(const struct cor_disk_limit_table *table, double x, double nu)
 {
     const struct cor_disk_limit_piece *const own = cor_disk_limit_find(table, x, nu);

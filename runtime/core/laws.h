@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The laws that have a name. Besides enum cor_law this is the only list of laws:
- * row(ENUMERATOR, name, a, b and their denominator, label for a reader). */
+ * row(ENUMERATOR, name, numerators of a and b, their denominator, label in texts for users). */
 #ifndef COR_RUNTIME_CORE_LAWS_H
 #define COR_RUNTIME_CORE_LAWS_H
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Array functions of the linear dashpot's times, for one instruction set (sets.h): the loops of
- * runtime/table/row_loops.h, without rows, followed by kernels that a compiler vectorises. No set may fuse a
- * multiplication with an addition, so all sets and the scalar functions give the same bits. */
+/* Array functions of the linear dashpot's times, for one instruction set (sets.h). The loops of
+ * runtime/table/row_loops.h select the numbers in the domain of a kernel; the compiler vectorises the kernel. No set
+ * may fuse a multiplication with an addition, so all sets and the scalar functions give the same bits. */
 #include "runtime/law/functions.h"
 #include "runtime/law/linear.h"
 #include "runtime/table/row_loops.h"

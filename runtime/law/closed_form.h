@@ -20,7 +20,7 @@ struct cor_closed_form {
     double (*eps_beyond)(double x), (*loss_beyond)(double x), (*damping_beyond)(double eps);
 };
 
-/* damping_of_loss computes losses above 1/2 one by one. */
+/* The table damping_of_loss ends at 1/2; larger losses are computed one by one. */
 #define FORM(law, x, end, LAW, X, END)                                                                                 \
     {                                                                                                                  \
         COR_ROW_TABLE_OF_PARTS(cor_rows_##law##_loss##end, COR_ROWS_##LAW##_LOSS##END, cor_rows_##law##_eps##end,      \
@@ -96,14 +96,14 @@ COR_KERNEL double closed_formula(const struct cor_closed_form *form, enum cor_qu
                                             : closed_damping_of_loss(form, x);
 }
 
-/* Attribute of functions for numbers that are not ordinary; each source has one copy of them */
+/* Attribute of functions for rare arguments, which must not be inlined */
 #ifdef __GNUC__
 #define CLOSED_COLD static __attribute__((noinline, unused))
 #else
 #define CLOSED_COLD static inline
 #endif
 
-/* Computes in the default environment. environment.h explains the volatile operands. */
+/* Computes a quantity in the default environment. environment.h explains the volatile operands. */
 CLOSED_COLD double closed_anywhere(const struct cor_closed_form *form, enum cor_quantity quantity, double x)
 {
     const struct cor_environment caller = cor_environment_enter();
@@ -117,7 +117,7 @@ COR_KERNEL double closed_value(const struct cor_closed_form *form, enum cor_quan
     return law_is_ordinary(x) ? closed_formula(form, quantity, x) : closed_anywhere(form, quantity, x);
 }
 
-/* Returns the damping of a loss. inverse: the damping of an eps, which serves losses above 1/2. */
+/* Returns the damping of a loss. inverse: the damping of an eps; it is called for losses from 1/2 on. */
 COR_KERNEL double closed_value_of_loss(const struct cor_closed_form *form, double (*inverse)(double eps), double loss)
 {
     if (!law_is_ordinary(loss))
@@ -127,7 +127,7 @@ COR_KERNEL double closed_value_of_loss(const struct cor_closed_form *form, doubl
     return loss >= 0.5 && loss <= 1 ? inverse(1 - loss) : (double)NAN;
 }
 
-/* Returns the value of a table on a grid at the pair y, as a pair. */
+/* Returns the value of a table on a grid. Argument y and result are pairs. */
 COR_INLINE struct cor_inline_pair cor_grid_value(struct cor_inline_grid grid, const double *(*rows)(int),
                                                  struct cor_inline_pair y)
 {

@@ -6,9 +6,9 @@
  *     L = 2 zeta A(zeta) at zero force, zeta A(zeta) with damping during the approach only, pi zeta/sqrt(1 - zeta^2) at
  *     zero overlap; L of the limited damper is below
  *
- * This file has zero overlap, times, and all values for which closed_form.h has no row. Kernels, named ..._near, are
- * valid on an interval and have neither jumps nor calls; the array loops consist of them. The other functions accept
- * every double and give the same bits. */
+ * This file computes the times, and eps and its inverse at arguments for which closed_form.h has no row. Kernels, named
+ * ..._near, are valid on an interval and have neither jumps nor calls, so that the array loops can use them. The other
+ * functions accept every double and give the same bits. */
 #ifndef COR_RUNTIME_LAW_DAMPING_RATIO_H
 #define COR_RUNTIME_LAW_DAMPING_RATIO_H
 
@@ -20,7 +20,7 @@
 
 /* Below this zeta, products lose bits to underflow, and eps is 1 - L to the last bit. */
 #define COR_RATIO_TINY COR_INLINE_2_M900
-/* End of the kernels of A(zeta) */
+/* The kernels of A(zeta) are valid up to this zeta. */
 #define COR_RATIO_FORCE_NEAR 3.0
 /* The largest double below 1 */
 #define COR_RATIO_BELOW_ONE 0.99999999999999988898
@@ -196,9 +196,9 @@ COR_INLINE double cor_ratio_zeta_beyond_zero_overlap(double eps)
 
 /* ---- the limited damper: the damping force is at most the elastic one ----
  *
- * While beta v > u, with u = x^((a+1)/2), the force is twice the elastic force. After that the law holds unchanged, and
- * its force vanishes later by the phase psi, where cos(psi) = (4 zeta^2 - 1)/R and R = sqrt(1 + 8 zeta^2). Then L =
- * zeta psi/sqrt(1 - zeta^2), and with half the angle
+ * Let v = x' and u = x^((a+1)/2). While beta v > u, the force is twice the elastic force. From beta v = u onward the
+ * law holds unchanged. The force vanishes after another phase psi, where cos(psi) = (4 zeta^2 - 1)/R and R = sqrt(1 + 8
+ * zeta^2). Then L = zeta psi/sqrt(1 - zeta^2), and with half the angle
  *
  *     L = (R + 1)/(R + 3) 2 C A(C),     C = cos(psi/2) = zeta sqrt(2 (R + 3)/(R (R + 1)))
  */
@@ -207,7 +207,7 @@ struct cor_ratio_limited {
     struct cor_inline_pair c, slope, share, root; /* C, C/zeta, (R + 1)/(R + 3), R */
 };
 
-/* Computes the parts for zeta <= 2^64. */
+/* Computes the members for zeta <= 2^64. */
 COR_KERNEL struct cor_ratio_limited cor_ratio_limited_parts(double zeta)
 {
     const struct cor_inline_pair p = cor_inline_product(zeta, zeta);
@@ -331,13 +331,13 @@ COR_INLINE double cor_ratio_limited_slope(double zeta, double exponent)
     return (exponent / zeta - 4 * zeta * (1 + 2 * square) / (1 + 8 * square)) / ((1 - zeta) * (1 + zeta));
 }
 
-/* Uses Newton's method in ln(zeta), which converges quickly because zeta eps 2 sqrt(2) tends to 1. */
+/* Newton's method in ln(zeta) converges quickly, because zeta eps 2 sqrt(2) tends to 1. */
 COR_INLINE double cor_ratio_zeta_beyond_limited(double eps)
 {
     if (!(eps >= 0 && eps <= 1))
         return (double)NAN;
     if (eps < COR_INLINE_2_M200) { /* 1/(2 sqrt(2) eps) may overflow, so it is computed in units of 2^500 */
-        if (eps == 0 || eps < 1.96670601748920e-309) /* the processor may flush the bound to 0 */
+        if (eps == 0 || eps < 1.96670601748920e-309) /* the bound is subnormal, so the processor may take it as 0 */
             return (double)INFINITY;
         const struct cor_inline_pair scaled = cor_pair(eps * (COR_INLINE_2_500), 0);
         return cor_pair_over(cor_pair(COR_RATIO_FAR_LIMITED, COR_RATIO_FAR_LIMITED_TAIL), scaled).hi * COR_INLINE_2_500;

@@ -3,8 +3,8 @@
 #include <stdint.h>
 #include <string.h>
 
-/* If one function of the evaluator is not inlined, the constants of the law are copied, which takes five times as
- * long. */
+/* All functions of the evaluator must be inlined: otherwise the constants of the law are copied, which takes five times
+ * as long. */
 #ifdef __GNUC__
 #define COR_INLINE static inline __attribute__((always_inline))
 #endif
@@ -19,8 +19,8 @@ COR_INLINE const double *first_row(struct cor_inline_law_table table)
     return table.kind ? table.rows(0) : NULL;
 }
 
-/* Returns the table for the loops. If its values are products with beta, it begins at a beta > 0. Rows in a cube root
- * of beta near 0 are not in it: the scalar function evaluates them. */
+/* Returns the table for the loops. If the function is beta times a row, the table begins at a beta > 0. Where the rows
+ * near 0 are in a cube root of beta, the table omits them, and the scalar function evaluates them. */
 COR_INLINE struct cor_row_table table_of_quantity(struct cor_inline_law_quantity q, enum cor_row_value value)
 {
     const int has_near = q.near.root == 1, has_below = has_near && q.below.kind != 0;

@@ -7,7 +7,7 @@
 #include "generated/hertz_dashpot_tables.h"
 #include "runtime/table/hertz_approach_only.h"
 
-/* Returns a pair with Y = pair 2^(4 *fourth), for finite beta beyond the rows. */
+/* Returns Y 2^(-4 *fourth) as a pair, for finite beta beyond the rows. */
 static inline struct cor_inline_pair cor_inline_hertz_dashpot_overlap(double beta, int *fourth)
 {
     int exponent;
@@ -69,7 +69,7 @@ static inline double dashpot_beta_of_eps(double eps)
         const double off = dashpot_excess(beta, eps), step = (beta - last_beta) / beta;
         if (k > 0 && step != 0)
             slope = (off - last) / (step * (1 + step / 2));
-        const double error = off * last; /* the slope's relative error is about the last residual */
+        const double error = off * last; /* the relative error of the slope is about `last` */
         last = off;
         last_beta = beta;
         beta -= beta * (off / slope);

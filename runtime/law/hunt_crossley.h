@@ -4,8 +4,7 @@
  *     f(beta) = f(-h),  f(z) = z - ln(1 + z),  h = beta eps
  *     beta = y + c, h = y - c, c = y coth(y) - 1;   eps = h/beta, 1 - eps = 2 c/beta
  *
- * This file has the values for which closed_form.h has no row: strong and negative damping. The functions ..._beyond
- * accept every double without a row. */
+ * This file computes the values for which closed_form.h has no row: strong and negative damping. */
 #ifndef COR_RUNTIME_LAW_HUNT_CROSSLEY_H
 #define COR_RUNTIME_LAW_HUNT_CROSSLEY_H
 

@@ -40,8 +40,8 @@ static struct crossley_tables crossley_tables_of(double a)
     return t;
 }
 
-/* Returns beta^(2k - 1) ((1 - k)/(1 + beta))^k from ln(beta), for beta above 2^53, where (1 + beta)^k is beta^k
- * (1 + k/beta). The powers combine to beta^(k - 1) (1 - k)^k. */
+/* Returns beta^(k - 1) (1 - k)^k. For beta above 2^53 this is beta^(2k - 1) ((1 - k)/(1 + beta))^k up to a factor 1 +
+ * k/beta. */
 static struct cor_inline_pair crossley_far_unit(struct cor_inline_pair log_beta, struct cor_inline_pair k)
 {
     const struct cor_inline_pair rest = cor_pair_plus(cor_pair(1, 0), cor_pair(-k.hi, -k.lo));
@@ -64,7 +64,8 @@ static struct cor_inline_pair crossley_max(const struct crossley_tables *tables,
     return cor_inline_pair_times(crossley_far_unit(u, tables->exponent), sum);
 }
 
-/* Returns the time of the rebound for s = ln(1 + beta) >= 4.5. With U = 1 + beta - s, it is
+/* Returns the time of the rebound for s = ln(1 + beta) >= 4.5. With k = a/(a + 1), U = 1 + beta - s and the constants
+ * c_i of the table far_rebound, it is
  * beta^(2k - 1) (a + 1)^-k U^(1 - k) ((a + 1) + (c_1/U + ... + c_11/U^11)/U) */
 static struct cor_inline_pair crossley_far_rebound(const struct crossley_tables *tables, double beta,
                                                    struct cor_inline_pair s)
@@ -107,7 +108,7 @@ static struct cor_inline_pair crossley_power(struct cor_inline_pair x, struct co
 /* ---- every exponent: quadrature ----
  *
  * Let tau = ln((1 + beta)/(1 + beta v)) during loading. During the rebound, let tau = ln((1 + beta v)/(1 - h)), which
- * runs backwards from the end. Each takes the time
+ * runs backwards from the end. Loading and rebound each take the time
  *
  *     beta^(2k - 1) int_0^end (tau B(tau)/(1 - k))^-k d tau,   B = (1 + beta) E(-tau) - 1 or 1 - (1 - h) E(tau)
  *
@@ -116,10 +117,11 @@ static struct cor_inline_pair crossley_power(struct cor_inline_pair x, struct co
  *
  *     ((a + 1) end/beta)^(1/(a+1)) r^-k (1 - k) int_0^1 w^-k b(w)^-k dw
  *
- * b has no singularities. For the loading its zeros are next to tau = 2 pi i m, m != 0. For the rebound they are beyond
- * the end: one at end + ln(1 + beta), where the collision began, and others with imaginary parts of 7 or more. The
- * interval is divided into panels. In each, a polynomial of degree 20 through b^-k at Chebyshev points replaces b^-k;
- * the worst convergence is 3.7^-20. In the first panel the polynomial is integrated with the weight w^-k. */
+ * b has no singularities, but b^-k has them at the zeros of b. For the loading these zeros are next to tau = 2 pi i m,
+ * m != 0. For the rebound they are beyond the end: one at end + ln(1 + beta), where the collision began, and others
+ * with imaginary parts of 7 or more. The interval is divided into panels. In each panel, b^-k is interpolated at
+ * Chebyshev points by a polynomial of degree 20; its error is of order 3.7^-20 or less. In the first panel the
+ * polynomial is integrated with the weight w^-k. */
 
 struct crossley_side {
     double end, rest;   /* rest: 1 - h of the rebound, 0 for the loading */
@@ -213,8 +215,8 @@ static void crossley_rule_make(struct crossley_rule *rule, double a)
     }
 }
 
-/* Returns the beginning of the panel that ends at w. It is 0, or its distance from the singularity of w^-k is about the
- * length of the panel or more. */
+/* Returns the beginning of the panel that ends at w: 0, or a place whose distance from the singularity of w^-k is about
+ * the length of the panel or more. */
 static double crossley_panel(const struct crossley_side *side, double w)
 {
     const double tau = side->end * w, least = 0x1p-52 * side->end; /* shorter panels are negligible */
@@ -252,7 +254,7 @@ static double crossley_side_time(const struct crossley_side *side, const struct 
     const struct cor_inline_pair log_speed = cor_kernel_minus_log(cor_pair(side->speed, 0)),
                                  log_beta = cor_kernel_minus_log(cor_pair(side->beta, 0)),
                                  log_end = cor_kernel_minus_log(cor_pair(side->end / side->beta * rule->plus.hi, 0));
-    /* -ln of the factors: a separate power of beta would lose digits where k ln(beta) is large */
+    /* computes -ln of all factors together: a separate power of beta would lose digits where k ln(beta) is large */
     const struct cor_inline_pair slow = cor_pair_plus(log_beta, cor_pair(-log_speed.hi, -log_speed.lo));
     const struct cor_inline_pair factor = cor_kernel_exp_minus_pair(
         cor_pair_plus(cor_inline_pair_times(rule->share, log_end), cor_inline_pair_times(rule->k, slow)));
@@ -265,7 +267,7 @@ static double crossley_loading(double beta, const struct crossley_rule *rule)
     return crossley_side_time(&side, rule);
 }
 
-/* Returns the time of the rebound. For beta >= 2 its end -ln(1 - h) is computed as
+/* Returns the time of the rebound. For beta >= 2, end = -ln(1 - h) is computed as
  * beta + 1 - ln(1 + beta) - (1 - h). */
 static double crossley_rebound(double beta, const struct crossley_rule *rule)
 {
@@ -310,8 +312,7 @@ static double crossley_duration(double beta, double elastic_exponent)
         return NAN;
     if (isinf(beta))
         return a > 0 ? INFINITY
-                     : 1; /* a constant force: the approach takes no time, and the rebound, with (1 - h) e^tau = 1,
-                           * takes the whole duration */
+                     : 1; /* a = 0, a constant force: the approach takes no time, and the rebound takes the time 1 */
     if (crossley_has_table(beta, a)) {
         const struct crossley_tables tables = crossley_tables_of(a);
         return crossley_table_duration(&tables, beta);
@@ -445,7 +446,7 @@ void cor_hunt_crossley_time_of_max_overlap_array(const double *beta, double elas
 
 /* ---- the functions of the table: x is beta, eps or 1 - eps ---- */
 
-/* The law by name has the elastic exponent 3/2. Its times are restricted to beta >= 0. */
+/* In the table of law.h the elastic exponent is 3/2, and times need beta >= 0. */
 #define ELASTIC 1.5
 
 static double duration_at(double beta)

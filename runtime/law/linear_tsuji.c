@@ -12,8 +12,7 @@
 #define TSUJI_FAR 208980.0
 /* End of the rows in zeta^(1/5): 1.3125^5 is 3.895 */
 #define TSUJI_STRONG 3.89
-/* Below this zeta every duration equals the sphere's elastic duration to the last bit, except for terms in
- * zeta^(4/5). */
+/* Below this zeta a duration is the elastic one to the last bit: the next term is of order zeta^(4/5). */
 #define TSUJI_LEAST COR_INLINE_2_M200
 
 static double tsuji_row(struct cor_inline_grid grid, const double *(*rows)(int), struct cor_inline_pair y)
@@ -82,7 +81,7 @@ static double tsuji_at_duration_limited(double zeta)
 }
 
 /* Returns the duration. Beyond the rows it is exp(2 pi y) (1 - zeta^2)^(-2/5) V(y), y = zeta/(10 sqrt(1 - zeta^2)). For
- * y above 6.5, (1 - zeta^2)^(-2/5) y^(-4/5) is (zeta/10)^(-4/5). For y above 112.9 the duration overflows. */
+ * y above 10 it is exp(2 pi y) (zeta/10)^(-4/5) times a series in 1/y^2. For y above 112.9 the duration overflows. */
 static double tsuji_at_duration_zero_overlap(double zeta)
 {
     if (!(zeta >= 0))

@@ -84,7 +84,8 @@ static inline double cor_in_environment_with(double (*function)(const void *cont
     return value;
 }
 
-/* Sets y[i] to formula(x[i]) in the default environment. A volatile pointer prevents earlier reads. */
+/* Sets y[i] to formula(x[i]) in the default environment. A volatile pointer keeps the reads of x after
+ * cor_environment_enter. */
 static inline void cor_array_in_environment(double (*formula)(double), const double *x, double *y, size_t n)
 {
     const struct cor_environment caller = cor_environment_enter();

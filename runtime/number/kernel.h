@@ -5,8 +5,8 @@
 
 #include "runtime/number/pair.h"
 
-/* Attribute of functions that are never inlined: those called once for each block of numbers, of which a kernel
- * contains one copy, and those called in another floating-point environment */
+/* Attribute of functions that must not be inlined: functions called once for each block of numbers, and functions
+ * called in another floating-point environment */
 #if defined(__GNUC__) && !defined(__clang__)
 #define SHARED static __attribute__((noinline, noclone))
 #elif defined(__clang__)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Vectors of VECTOR doubles for loops that are compiled once for every instruction set, or doubles without GNU's
- * vectors. No set may fuse a multiplication with an addition, and sums must be split into the same parts for all
+/* Vectors of VECTOR doubles, for loops that are compiled once for every instruction set. Without GNU's vectors a vector
+ * is one double. No set may fuse a multiplication with an addition, and sums must be split into the same parts for all
  * widths. All sets then give the same bits. */
 #ifndef COR_RUNTIME_KERNEL_VECTOR_H
 #define COR_RUNTIME_KERNEL_VECTOR_H

@@ -14,8 +14,8 @@ COR_INLINE int cor_halve(double *middle, double low, double high)
     return *middle > low && *middle < high;
 }
 
-/* State of the Illinois method for a decreasing function; all 0 at first. The ends always enclose the root once their
- * values differ in sign. Near a simple root each new value raises the error to the power 3^(1/3) = 1.44. */
+/* State of the Illinois method for a decreasing function; initially all 0. Once the values at the two ends differ in
+ * sign, the ends always enclose the root. Near a simple root each value raises the error to the power 1.44. */
 struct cor_bracket {
     double low, high, above, below, last;
 };

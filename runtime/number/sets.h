@@ -11,8 +11,8 @@
 /* By increasing width */
 enum cor_instruction_set { COR_PORTABLE, COR_AVX2, COR_AVX512, COR_INSTRUCTION_SETS };
 
-/* Number of parts of a sum and of a row of numbers. It is equal for all vector widths, so all sets give the same
- * bits. */
+/* Loops add numbers in this many partial sums, and pad arrays to multiples of this number. It is the same for all
+ * vector widths, so all sets give the same bits. */
 enum { COR_LANES = 8 };
 
 /* True if this build has the set and this processor can run it. */
@@ -37,7 +37,7 @@ COR_INLINE int cor_widest_set(void)
     return set;
 }
 
-/* The name of the table that a kernel defines, and of its set */
+/* Macros for the name of the table that a kernel defines, and of its instruction set */
 #ifndef COR_SET
 #define COR_SET portable
 #endif

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* The array functions of an impact speed, which array_kernel.c adds to the loops of runtime/table/row_loops.h. */
+/* Interface of array_kernel.c: array functions of an impact speed. */
 #ifndef COR_RUNTIME_SPHERE_ARRAY_H
 #define COR_RUNTIME_SPHERE_ARRAY_H
 
 #include "cor/contact.h"
 #include "runtime/table/row_loops.h"
 
-/* A function of contact.h. table: its rows, in beta^5 for CONTACT_EPS and in eps for CONTACT_DISSIPATION. beyond: for
- * CONTACT_EPS, the table in beta. eps_far_root: for CONTACT_EPS, the function of beta^5 beyond the table, or NULL. one
- * or of_eps: the scalar function. */
+/* A function of contact.h. table: its rows, in eps for CONTACT_DISSIPATION, in beta^5 for CONTACT_EPS, otherwise in
+ * beta. one or of_eps: the scalar function. Only CONTACT_EPS uses the others. beyond: a table in beta for beta^5
+ * outside `table`. eps_far_root: a function for beta^5 above `table`, or NULL. */
 struct cor_contact_function {
     enum cor_contact_kind { CONTACT_EPS, CONTACT_BETA, CONTACT_DURATION, CONTACT_OVERLAP, CONTACT_DISSIPATION } kind;
     const struct cor_row_table *table, *beyond;
@@ -17,7 +17,7 @@ struct cor_contact_function {
     double (*of_eps)(const struct cor_sphere_contact *contact, double speed, double eps);
 };
 
-/* The loop of a set. Only CONTACT_DISSIPATION uses the argument `eps`. */
+/* The loop of an instruction set. Only CONTACT_DISSIPATION uses the argument `eps`. */
 struct cor_contact_loops {
     void (*run)(const struct cor_contact_function *f, const struct cor_sphere_contact *contact, const double *speed,
                 const double *eps, double *out, size_t n);

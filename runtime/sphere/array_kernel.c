@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Array functions of an impact speed, for one instruction set (sets.h): the loops of runtime/table/row_loops.h between
- * the operations of contact.c, for speeds at which nothing can overflow (contact_parts.h). */
+/* Array functions of an impact speed, for one instruction set (sets.h). The loops of runtime/table/row_loops.h evaluate
+ * the rows; the functions before and after them convert speeds and results as contact.c does. Speeds at which a product
+ * might overflow (contact_parts.h) are computed one by one. */
 #include "runtime/sphere/array.h"
 #include "runtime/sphere/contact_parts.h"
 
@@ -12,8 +13,8 @@ struct call {
     double root[COR_ROW_BLOCK];
 };
 
-/* Sets x = beta^5, the product of scale and speed. Where this product might overflow, x is -1, which is outside every
- * table. */
+/* Sets x = beta^5, the product of scale and speed. Where this product might overflow, x is negative, which is outside
+ * every table. */
 static void eps_before(void *context, const double *in, double *x, size_t m)
 {
     const struct call *const call = context;
@@ -23,8 +24,8 @@ static void eps_before(void *context, const double *in, double *x, size_t m)
         x[j] = scale * choose_double(is_between(in[j], COR_SI_LEAST, limit), in[j], -1);
 }
 
-/* Where x is beyond its rows, uses the rows in the fifth root of x. Values beyond these rows are computed one by one.
- * */
+/* Where the rows in x end, uses rows in beta, the fifth root of x. Where these rows end, too, values are computed one
+ * by one. */
 static void eps_after(void *context, const struct cor_row_block *block, double *value)
 {
     const struct call *const call = context;
@@ -32,7 +33,7 @@ static void eps_after(void *context, const struct cor_row_block *block, double *
     const double *const in = block->in, *const x = block->x, least = COR_INLINE_2_M900;
     double beta[COR_ROW_BLOCK], taken[COR_ROW_BLOCK], other[COR_ROW_BLOCK];
     for (size_t j = 0; j < block->m; j++) {
-        /* below 2^-180 eps is 1 to the last bit */
+        /* x < 2^-900 is beta < 2^-180, where eps is 1 to the last bit */
         const mask small = is_between(x[j], 0, least), normal = is_between(x[j], least, COR_INLINE_2_900);
         const double root = cor_inline_fifth_root_normal(choose_double(normal, x[j], least));
         /* NaN is not below the end of the table; a negative speed may give x = -0 */

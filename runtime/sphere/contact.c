@@ -101,10 +101,10 @@ int cor_sphere_contact_init(struct cor_sphere_contact *contact, const struct cor
     const double rho = cor_si_quotient(4 * sqrt(radius), 3 * c);
     if (!cor_si_in_range(mass) || !cor_si_in_range(radius) || !cor_si_in_range(rho))
         return COR_ERROR_RANGE;
-    /* the weights come first: they are exactly 1/2 for equal materials, and nothing can overflow */
+    /* weights first: they are exactly 1/2 for equal materials, and nothing can overflow */
     const double a1 = body_1->dissipation_time_s, a2 = body_2->dissipation_time_s;
     const double a = 0.0 + a1 * (c1 / c) + a2 * (c2 / c); /* adding 0.0 turns two times of -0 into 0 */
-    /* the roots come first: rho/m may overflow, but the quotient of the roots cannot */
+    /* roots first: rho/m may overflow, but the quotient of the roots cannot */
     const double root = cor_inline_fifth_root(rho) / cor_inline_fifth_root(mass), square = root * root;
     const int dissipates = (a1 > 0 && c1 > 0) || (a2 > 0 && c2 > 0);
     const double beta_per_root = dissipates ? cor_si_product(1.5 * a, square) : 0;
@@ -157,8 +157,9 @@ double cor_contact_beta(const struct cor_sphere_contact *contact, double speed_m
     return cor_contact_beta_of_root(contact->beta_per_root, cor_inline_fifth_root_parts(speed_m_s));
 }
 
-/* True if x = beta5_per_speed speed should be used. Its two rounding errors change beta less than the rounding error of
- * the root. If x might leave the range of doubles or is unknown, eps is computed from beta. */
+/* True if eps should be computed from x = beta5_per_speed speed = beta^5, not from beta. The two rounding errors of x
+ * change eps less than the rounding error of a fifth root. False if x might leave the range of doubles or is
+ * unknown. */
 static int power_is_good(const struct cor_sphere_contact *contact, double speed)
 {
     return cor_si_in_range(speed) && cor_inline_bits(speed) < cor_contact_speed_limit(contact->beta5_per_speed);

@@ -15,9 +15,9 @@ COR_INLINE int cor_contact_is_ordinary(const struct cor_sphere_contact *contact,
            (!needs_scale || cor_inline_between(contact->scale, COR_INLINE_2_M500, COR_INLINE_2_500));
 }
 
-/* Returns a limit for the bits of a speed. Speeds whose bits are below it are in range or smaller, and their product
- * with `scale` is below 2^902. The bits of two factors add up like their logarithms, within one part in 16. If scale is
- * NaN, no speed is below the limit. */
+/* Returns a limit for the bits of a speed, read as an integer. Speeds with smaller bits do not exceed COR_SI_MOST, and
+ * their product with `scale` is below 2^902: the bits of a double are nearly linear in its logarithm. If scale is NaN,
+ * the limit is 0. */
 COR_INLINE uint64_t cor_contact_speed_limit(double scale)
 {
     const uint64_t bits = cor_inline_bits(scale), most = (uint64_t)(2 * 1023 + 900) << 52;

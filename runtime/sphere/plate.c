@@ -47,8 +47,7 @@ int cor_plate_contact_init(struct cor_sphere_contact *contact, const struct cor_
 {
     if (contact == NULL)
         return COR_ERROR_NULL;
-    /* The elastic constant is the same for a wall of the plate's material as for the plate. Two bodies of NaN give a
-     * contact with NaN in all fields. */
+    /* A wall of the plate's material has the elastic constant of the plate. */
     const struct cor_body none = {NAN, NAN, NAN, NAN, NAN};
     struct cor_body wall = {0, 0, 0, INFINITY, INFINITY}, body = none;
     int status = sphere == NULL || plate == NULL ? COR_ERROR_NULL : COR_OK;

@@ -123,9 +123,9 @@ COR_KERNEL words float_outside(const struct float_table *table, words x)
 }
 
 /* Returns the function at numbers in the table; for other numbers the value is undefined. The error has three parts:
- * the error of the row, the rounding of c_0' + t (...), and the final addition. The second is at most a hundredth of
- * c_0, and the last half a unit of the last place. In a product, head c_0 is exact, because head has 5 bits and c_0 has
- * 19. */
+ * the error of the row, the rounding of c_0' + t (...), a number of at most c_0/100, and the final addition, which adds
+ * half a unit of the last place. In a product, head c_0 is exact, because c_0 has 19 bits and head, the leading part of
+ * x, has 5. */
 COR_KERNEL floats float_values(const struct float_table *table, floats x)
 {
     const int shift = table->shift;

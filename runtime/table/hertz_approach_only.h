@@ -45,11 +45,11 @@ COR_INLINE double cor_hertz_duration_approach_only(struct cor_inline_pair overla
 
 /* ---- functions by rows ----
  *
- * A law whose rows of eps, loss, duration and the inverse start at 0. Functions that take it as an argument must be
- * inlined, so that it is a constant of each caller. */
+ * A law whose rows of eps, loss, duration and the inverse start at 0. Functions with an argument of this type must be
+ * inlined, so that the argument is a constant of each caller. */
 struct cor_hertz_law {
     struct cor_row_table eps, loss, duration, beta;
-    struct cor_inline_pair (*overlap)(double beta, int *fourth); /* Y 2^(-4 fourth), beta finite and beyond the rows */
+    struct cor_inline_pair (*overlap)(double beta, int *fourth); /* returns Y 2^(-4 *fourth) where beta has no row */
     double (*time_of_max_overlap)(double beta);
 };
 
@@ -58,7 +58,7 @@ static inline double cor_hertz_eps_beyond(const void *of, double beta)
     const struct cor_hertz_law *const law = of;
     if (cor_inline_is_refused(beta))
         return NAN;
-    if (beta < 1 || isinf(beta)) /* below beta = 2^-60, a row that is rounded upward may exceed 1 */
+    if (beta < 1 || isinf(beta)) /* beta < 2^-60, where a row that is rounded upward may exceed 1 */
         return beta < 1;
     int fourth;
     const struct cor_inline_pair eps = cor_hertz_eps_approach_only(law->overlap(beta, &fourth));
@@ -102,7 +102,7 @@ static inline double cor_hertz_duration_beyond(const void *of, double beta)
         return NAN;
     if (isinf(beta))
         return INFINITY;
-    int fourth; /* Y = overlap 16^fourth; the duration of the rebound has the factor Y^(-1/4) */
+    int fourth; /* Y = overlap 16^fourth, and the duration of the rebound has the factor Y^(-1/4) */
     const struct cor_inline_pair overlap = law->overlap(beta, &fourth);
     const double time = law->time_of_max_overlap(beta);
     return fourth ? ldexp(cor_hertz_duration_approach_only(overlap, ldexp(time, fourth)), -fourth)

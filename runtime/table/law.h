@@ -5,12 +5,12 @@
  *
  * With increasing beta, these parts give a quantity (docs/theory.md, 9; form: docs/internals.md):
  *
- *    near     a row on a grid in beta or a root of it; eps is 1 minus the value of a row of the loss
+ *   near     a row on a grid in beta or a root of it; eps is 1 minus the value of a row of the loss
  *   middle   a row by octaves of beta
  *   below    where there is a threshold beta_c of zero overlap, a row by octaves of beta_c - beta
  *   tail     a power of beta times a row by octaves of ln(beta)
- *   far      the same power times three orders in mu = beta^(-(a+1)/(b+1)) with their logarithms; eps at zero overlap
- *            is v_f beta^(-1/q)
+ *   far      the same power times a series to second order in mu = beta^(-(a+1)/(b+1)), whose coefficients are
+ *            polynomials in ln(beta); eps at zero overlap is v_f beta^(-1/q)
  *
  * The first coefficient of a row is a double-double and dominates, so the final addition causes nearly all of the
  * rounding error. No function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW or sets errno, whatever its argument. */
@@ -46,7 +46,7 @@ struct cor_inline_law_quantity {
     int far_kind;              /* 0: no far part; 1: sum; 2: power */
     struct cor_inline_law_power power, far_power; /* powers of beta for the rows of the tail and for the far sum */
     struct cor_inline_law_power mu;               /* mu = beta^(-num/den) */
-    const double *(*fall)(int);                   /* a further term of the duration at zero overlap */
+    const double *(*fall)(int);                   /* a term that the far duration at zero overlap adds */
     int has_fall;
     struct cor_inline_law_power fall_power;
     struct cor_inline_pair threshold;   /* beta_c; hi = 0 without a threshold */
@@ -54,7 +54,7 @@ struct cor_inline_law_quantity {
     double infinite;                    /* value at beta = infinity */
     int linear;                         /* q = 0: eps at zero overlap is exp(-pi beta/sqrt(beta_c^2 - beta^2)) */
     struct cor_inline_pair critical;    /* beta_c^2 = 2 (a + 1) for q = 0 */
-    struct cor_inline_law_power fading; /* (a - 1)/(a + 1) for q = 0: `below` is the duration times eps^fading */
+    struct cor_inline_law_power fading; /* (a - 1)/(a + 1) for q = 0: rows of `below` are duration times eps^fading */
 };
 
 /* The inverse of an eps: rows of beta/(1 - eps) near eps = 1, and rows of beta by octaves of eps */
@@ -205,7 +205,7 @@ COR_KERNEL struct cor_inline_place cor_inline_law_octave(struct cor_inline_law_t
                                cor_inline_octaves_t(table.octaves, x));
 }
 
-/* Returns the place of x in a table near 0. */
+/* Returns the place of x in a table on a grid. */
 COR_KERNEL struct cor_inline_place cor_inline_law_near(struct cor_inline_law_table table, double x)
 {
     const double y = cor_inline_root_of(x, table.root);
@@ -221,8 +221,8 @@ COR_KERNEL struct cor_inline_pair cor_inline_law_octave_row(struct cor_inline_la
     return cor_pair(place.row[0], cor_inline_row(place));
 }
 
-/* Returns the second and the third order in mu = beta^(-num/den) at v = ln(beta). mu < 6e-8, so its rounding errors are
- * negligible. Below exp(-60) mu itself is negligible. */
+/* Returns the terms of first and second order in mu = beta^(-num/den) at v = ln(beta). mu < 6e-8, so its rounding
+ * errors are negligible. Below exp(-60) mu itself is negligible. */
 COR_KERNEL double cor_inline_law_orders(struct cor_inline_law_quantity q, double v)
 {
     const double *c = q.far(0);
@@ -230,7 +230,7 @@ COR_KERNEL double cor_inline_law_orders(struct cor_inline_law_quantity q, double
     return mu * ((c[4] + v * (c[5] + v * c[6])) + mu * (c[7] + v * (c[8] + v * (c[9] + v * c[10]))));
 }
 
-/* Returns three orders in mu at u = ln(beta), a_0 + a_1 u + ... */
+/* Returns the series to second order in mu at u = ln(beta), a_0 + a_1 u + ... */
 COR_KERNEL struct cor_inline_pair cor_inline_law_far(struct cor_inline_law_quantity q, struct cor_inline_pair u)
 {
     const double *c = q.far(0);
@@ -258,7 +258,7 @@ COR_INLINE struct cor_inline_pair cor_inline_pair_plus(struct cor_inline_pair x,
     return cor_inline_sum(sum.hi, sum.lo + (x.lo + y.lo * unit));
 }
 
-/* Returns the quantity for beta beyond the middle rows, as a pair times 2^*exponent. */
+/* Returns the quantity for beta beyond the middle rows. The result is a pair times 2^*exponent. */
 COR_KERNEL struct cor_inline_pair cor_inline_law_tail(struct cor_inline_law_quantity q, double beta, int *exponent)
 {
     const struct cor_inline_pair u = cor_inline_log(beta);
@@ -280,7 +280,7 @@ COR_KERNEL struct cor_inline_pair cor_inline_law_tail(struct cor_inline_law_quan
 COR_KERNEL struct cor_inline_pair cor_inline_law_below(struct cor_inline_law_quantity q, double beta)
 {
     return cor_inline_below(beta, COR_INLINE_2_900) ? cor_pair_two_sum(q.threshold.hi - beta, q.threshold.lo)
-                                                    : cor_pair(-1, 0); /* no sum overflows when rounded downward */
+                                                    : cor_pair(-1, 0); /* huge beta: the sum might overflow */
 }
 
 /* For q = 0, returns -ln(eps) at zero overlap, pi beta/sqrt(beta_c^2 - beta^2), 0 < beta < beta_c. The relative error
@@ -466,7 +466,7 @@ COR_KERNEL double cor_inline_law_beta_far(struct cor_inline_law_quantity q, doub
     return cor_inline_pair_scaled(cor_inline_sum(root.hi, root.lo + root.hi * more), exponent);
 }
 
-/* Returns the smallest beta with this eps <= 1/2, which is below the rows near eps = 1. */
+/* Returns the smallest beta for an eps <= 1/2, which has no row near eps = 1. */
 COR_KERNEL double cor_inline_law_beta_low(struct cor_inline_law_quantity q, struct cor_inline_law_inverse inverse,
                                           double eps)
 {

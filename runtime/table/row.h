@@ -15,7 +15,7 @@
  *
  * The first macro is for s = t, the second for an s that is known later than t. Each pair of terms has its own power of
  * t, which is ready before the coefficients are loaded. Seven dependent operations follow the load, nine in the second
- * macro; Horner's rule has twenty. They are macros because the array functions use vectors. pN is t^N.
+ * macro; Horner's rule has twenty. Both are macros because the array functions pass vectors. pN is t^N.
  *
  * Rounding error: the row is at most a few percent of c_0 + row (docs/accuracy.md) and has a relative rounding error of
  * about 3 2^-53. The row therefore contributes a tenth of a unit of the last place of the sum. The final addition
@@ -110,8 +110,8 @@ COR_INLINE struct cor_inline_place cor_inline_grid_place(struct cor_inline_grid 
     return cor_inline_place_of(rows(i), cor_inline_grid_t(grid, y, i));
 }
 
-/* Returns the place of z = sqrt(x). Rows with numbers >= `plain` have s = x - node^2, which is exact. t has the
- * rounding error of the root, which c_1 t would pass on to the row. */
+/* Returns the place of z = sqrt(x). From row `plain` onward, s is x - node^2, which is exact. t has the rounding error
+ * of the root; c_1 t would add this error to the row. */
 COR_INLINE struct cor_inline_place cor_inline_grid_place_of_root(struct cor_inline_grid grid, int plain, double x,
                                                                  const double *(*rows)(int))
 {

@@ -149,7 +149,7 @@ COR_KERNEL void reduce_inverse(struct reduced *r, const struct cor_row_table *ta
     r->m = r->factor;
 }
 
-/* Returns true if some number has a near row. */
+/* Returns true if any number has a near row. */
 COR_KERNEL int reduce_parts(struct reduced *r, const struct cor_row_table *table, const double *x, size_t count,
                             int has_below)
 {
@@ -216,7 +216,7 @@ COR_KERNEL lanes evaluate_lanes(const struct reduced *r, size_t j, int has_s, en
         return c[0] + rest;
     const lanes m = LANES_LOAD(r->m + j), head = lanes_head(m), one = LANES_ALL(1.0);
     const lanes product = head * c[0] + ((m - head) * c[0] + m * rest);
-    if (kind == COR_ROW_EPS) /* m = 1: the product is c_0 + row to the last bit */
+    if (kind == COR_ROW_EPS) /* if m = 1, the product is c_0 + row to the last bit */
         return LANES_CHOOSE_LESS(m, one, one - product, product);
     if (kind == COR_ROW_LOSS) { /* 1 - c_0 exactly, in two parts */
         const lanes hi = one - c[0], part = hi - one;
@@ -286,7 +286,7 @@ SHARED void evaluate_block(double *out, const struct cor_row_table *table, const
     }
 }
 
-/* True if the scalar function is faster: for a few numbers, and for several parts without vectors. */
+/* True if the scalar function is faster: for a few numbers, and, without vectors, for COR_ROW_PARTS. */
 COR_KERNEL int one_by_one(const struct cor_row_table *table, size_t n)
 {
     return n < 8 || (LANES == 1 && table->kind == COR_ROW_PARTS);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Array functions that evaluate a row of a table (row.h) for each number, by instruction set: row_kernel.c. A table is
- * data, so all quantities and laws share the loops. */
+/* Interface of row_kernel.c: array functions that evaluate a row of a table (row.h) for each number. A table is data,
+ * so all quantities and laws share the loops. */
 #ifndef COR_RUNTIME_ROW_LOOPS_H
 #define COR_RUNTIME_ROW_LOOPS_H
 
@@ -10,7 +10,7 @@
 #include "runtime/table/float_lanes.h"
 #include "runtime/table/row.h"
 
-/* Kinds of tables: the parts of each, and where the row of x is in each part */
+/* Kinds of tables. `near`, `middle` and `below` are the parts of a table, each with rows on a grid or by octaves. */
 enum cor_row_kind {
     COR_ROW_NONE,         /* no rows: the value is x */
     COR_ROW_GRID,         /* near: on the grid of x */
@@ -74,8 +74,9 @@ struct cor_row_block {
     const double *in, *x, *taken;
 };
 
-/* For each block, `before` makes the arguments of the table from m numbers. `after` completes the values if an argument
- * is not in the table, or always. Without `after`, `one` computes the numbers that are not in the table. */
+/* For each block, `before` makes the arguments of the table from m numbers. If always_after is true, or an argument is
+ * not in the table, `after` completes the values. Without `after`, `one` computes the numbers that are not in the
+ * table. */
 struct cor_row_call {
     const struct cor_row_table *table;
     double (*one)(double x);
@@ -85,9 +86,9 @@ struct cor_row_call {
     int always_after;
 };
 
-/* The loops of a set. doubles: in double arithmetic. floats: in float arithmetic. block: the values of at most
- * COR_ROW_BLOCK numbers x, into arrays of that length. Where the table does not contain a number, `taken` differs from
- * x, and the value is undefined. */
+/* The loops of an instruction set. doubles: in double arithmetic. floats: in float arithmetic. block: computes the
+ * values of at most COR_ROW_BLOCK numbers x; the arrays have this length. Where the table does not contain a number,
+ * `taken` differs from x, and the value is undefined. */
 enum { COR_ROW_BLOCK = 256 };
 struct cor_row_loops {
     const char *name;

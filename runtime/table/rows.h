@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Placement of the rows of generated/. The library is compiled with COR_ROWS_SHARED and contains them once, in the
- * sources with COR_ROWS_DEFINE. Without COR_ROWS_SHARED every unit that includes them has a copy.
+/* Linkage of the tables of rows in generated/. With COR_ROWS_SHARED, as in the library, only sources that define
+ * COR_ROWS_DEFINE contain them. Otherwise every unit that includes them has a copy.
  *
- * COR_ROWS(type, name, rows, columns) begins the definition of the rows of name(i), or is the whole declaration. */
+ * COR_ROWS(type, name, rows, columns) declares the array of the rows name(i). If COR_ROWS_HERE is defined, an
+ * initializer follows. */
 #ifndef COR_RUNTIME_ROWS_H
 #define COR_RUNTIME_ROWS_H
 
