@@ -370,7 +370,7 @@ COR_INLINE double cor_inline_fifth_root(double x)
  *
  * The first macro is for s = t, the second for an s that is known later than t. Each pair of terms has its own power of
  * t, which is ready before the coefficients are loaded. Seven dependent operations follow the load, nine in the second
- * macro; Horner's rule has twenty. They are macros because the array functions use vectors. pN is t^N.
+ * macro; Horner's rule has twenty. Both are macros because the array functions pass vectors. pN is t^N.
  *
  * Rounding error: the row is at most a few percent of c_0 + row (docs/accuracy.md) and has a relative rounding error of
  * about 3 2^-53. The row therefore contributes a tenth of a unit of the last place of the sum. The final addition
@@ -465,8 +465,8 @@ COR_INLINE struct cor_inline_place cor_inline_grid_place(struct cor_inline_grid 
     return cor_inline_place_of(rows(i), cor_inline_grid_t(grid, y, i));
 }
 
-/* Returns the place of z = sqrt(x). Rows with numbers >= `plain` have s = x - node^2, which is exact. t has the
- * rounding error of the root, which c_1 t would pass on to the row. */
+/* Returns the place of z = sqrt(x). From row `plain` onward, s is x - node^2, which is exact. t has the rounding error
+ * of the root; c_1 t would add this error to the row. */
 COR_INLINE struct cor_inline_place cor_inline_grid_place_of_root(struct cor_inline_grid grid, int plain, double x,
                                                                  const double *(*rows)(int))
 {
@@ -527,14 +527,13 @@ COR_INLINE struct cor_inline_place cor_inline_octaves_place(struct cor_inline_oc
 #undef COR_ROWS
 #undef COR_ROWS_HERE
 #undef COR_ROWS_FUNCTION
-/* The only evaluator of the sphere's tables. The scalar functions, the array functions and the header for embedding use
- * it.
+/* The only evaluator of the sphere's tables, for scalar functions, array functions and the header for embedding.
  *
  * For beta from 0 to 8 (eps: to 7 at zero overlap, to 16 at zero force) a row of a table gives a quantity. A row is a
  * short polynomial around the nearest node of a uniform grid. For larger beta a quantity is a power of beta times a
- * function of ln(beta). Rows give this function up to beta = exp(10), and three orders in mu = beta^(-5/3) with their
- * logarithms beyond it. The first coefficient of a row is a double-double and dominates, so the final addition causes
- * nearly all of the rounding error.
+ * function of ln(beta). Rows give this function up to beta = exp(10). Beyond exp(10) it is a series to second order in
+ * mu = beta^(-5/3), whose coefficients are polynomials in ln(beta). The first coefficient of a row is a double-double
+ * and dominates, so the final addition causes nearly all of the rounding error.
  *
  * Errors are in units of the last place (ulp) of the exact value. "Worst known" is the largest error, and its argument,
  * that tests/accuracy/test_accuracy --points 1e9 found. tests/unit/test_sphere.c tests these arguments.
@@ -559,8 +558,8 @@ COR_INLINE struct cor_inline_pair cor_inline_two_thirds(double beta)
     return cor_inline_sum(square, square * (d * (2.0 / 3 + d * (5.0 / 9))));
 }
 
-/* Returns the logarithmic factor of a tail. Up to u = end, rows in u = ln(beta) give it; their error is the error of u
- * times the slope. For larger u, three orders in mu = beta^(-5/3) give it. */
+/* Returns the logarithmic factor of a tail. Up to u = end, rows in u = ln(beta) give this factor; the error of u causes
+ * its error. For larger u, a series to second order in mu = beta^(-5/3) gives it. */
 COR_INLINE struct cor_inline_pair cor_inline_log_factor(double beta, struct cor_inline_grid grid, double end,
                                                         const double *(*rows)(int), const double *(*far)(int))
 {
@@ -667,8 +666,8 @@ COR_INLINE double cor_inline_eps_zero_force(double beta)
 }
 
 /* Return eps at beta = x^(1/5), where x is the product of an impact speed g and beta_per_root^5. For x from 2^-40 to
- * 2^14 or 2^20 (beta from 1/256 to 7 or 16), rows in x give eps without a root. Only a fifth of the product's rounding
- * error reaches beta. For larger x, eps at zero overlap is h*^5/x. */
+ * 2^14 or 2^20 (beta from 1/256 to 7 or 16), rows in x give eps without a root. Only a fifth of the relative rounding
+ * error of this product reaches beta. For larger x, eps at zero overlap is h*^5/x. */
 COR_INLINE double cor_inline_eps_zero_overlap_root(double x)
 {
     const struct cor_inline_octaves grid = COR_INLINE_OCTAVES(COR_ROWS_POWER_EPS_ZERO_OVERLAP);
@@ -787,7 +786,7 @@ COR_INLINE double cor_inline_time_of_max_overlap(double beta)
 /* ---- the inverse ---- */
 
 /* Returns beta = m (c_0 + row). For eps >= 1/2, m = loss = 1 - eps, which is exact, and the rows contain beta/loss as a
- * function of loss or its root. For eps < 1/2, m = 1, and the rows contain beta by octaves of eps. The function
+ * function of loss or of its root. For eps < 1/2, m = 1, and the rows contain beta by octaves of eps. The function
  * computes both and selects one by bits, because the eps of many collisions scatter around 1/2. The error is the error
  * of the row plus one rounding; at zero force the rounded root adds up to 0.6 ulp. */
 COR_INLINE double cor_inline_inverse(double eps, struct cor_inline_grid near_grid, int root,

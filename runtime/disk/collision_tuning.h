@@ -35,7 +35,7 @@ enum {
 #define COR_TUNING_PHI_OFFSET 0.05
 #define COR_TUNING_PHI_SLOW 0.25
 #define COR_TUNING_PHI_FAST 0.6
-/* Derived: phi angles alias the harmonic 4 phi - n_max, in which n_max/4 of the angles cancel n_max. */
+/* Derived: with phi angles the harmonic 4 phi - n of the pressure aliases n; see cor_collision_quadrature_error. */
 #define COR_TUNING_PHI_PER_N 0.25
 /* Largest ratio of the number of angles to the first choice. Chosen. */
 #define COR_TUNING_PHI_LIMIT 2.5

@@ -48,9 +48,9 @@ enum { ENOUGH_LEVELS = 5 };
 enum { WILD_LEVELS = 8 };
 static const double wild_weight[] = {3, 2, 0.6, 0.2};
 #define UNSEEN_WILD 1.5e-3
-/* In the domain of cor_disk_eps, and slightly beyond it, a second estimate replaces this one if it is smaller and Omega
- * is above USUAL_FROM. It is the usual error at Omega plus a fraction of the last changes. Fitted in this domain, at
- * USUAL_TOLERANCE: docs/theory-disks.md, 17, has the sample, which contains no nu outside the domain. */
+/* In the domain of cor_disk_eps, and slightly beyond it, a second estimate limits the first if Omega is above
+ * USUAL_FROM. The second estimate is the usual error at Omega plus a fraction of the last changes. Fitted at
+ * USUAL_TOLERANCE to random scenes of the domain: docs/theory-disks.md, 17. */
 #define USUAL_SPEED 9e-6
 #define USUAL 6.8e-7
 #define USUAL_OMEGA 680

@@ -117,7 +117,7 @@ COR_KERNEL double closed_value(const struct cor_closed_form *form, enum cor_quan
     return law_is_ordinary(x) ? closed_formula(form, quantity, x) : closed_anywhere(form, quantity, x);
 }
 
-/* Returns the damping of a loss. inverse: the damping of an eps; it is called for losses from 1/2 on. */
+/* Returns the damping of a loss. inverse: the damping of an eps; it is called for losses of 1/2 or more. */
 COR_KERNEL double closed_value_of_loss(const struct cor_closed_form *form, double (*inverse)(double eps), double loss)
 {
     if (!law_is_ordinary(loss))

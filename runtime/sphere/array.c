@@ -12,7 +12,7 @@
     COR_ROW_TABLE_OF_GRID(cor_rows_##quantity, COR_ROWS_##NAME, kind, value, least, near_end)
 #define INVERSE(quantity, NAME, kind)                                                                                  \
     COR_ROW_TABLE_OF_INVERSE(kind, cor_rows_near_##quantity, COR_ROWS_NEAR_##NAME, cor_rows_##quantity, COR_ROWS_##NAME)
-/* The node from which on rows have s = beta - node^2, as in COR_ROW_ROOT_S */
+/* First node whose row has s = beta - node^2 (COR_ROW_ROOT_S) */
 #define FIRST_S(NAME) (COR_ROWS_##NAME##_PLAIN_ROWS * COR_ROWS_##NAME##_STEP)
 
 static const struct cor_row_table

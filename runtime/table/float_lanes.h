@@ -123,8 +123,8 @@ COR_KERNEL words float_outside(const struct float_table *table, words x)
 }
 
 /* Returns the function at numbers in the table; for other numbers the value is undefined. The error has three parts:
- * the error of the row, the rounding of c_0' + t (...), a number of at most c_0/100, and the final addition, which adds
- * half a unit of the last place. In a product, head c_0 is exact, because c_0 has 19 bits and head, the leading part of
+ * the error of the row, the rounding of c_0' + t (...), and half a unit of the last place for the final addition. c_0'
+ * + t (...) is at most c_0/100. In a product, head c_0 is exact, because c_0 has 19 bits and head, the leading part of
  * x, has 5. */
 COR_KERNEL floats float_values(const struct float_table *table, floats x)
 {
