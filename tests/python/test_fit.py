@@ -517,7 +517,7 @@ def test_commands_give_the_fit(bodies):
             1 if head[1] == "eps" else head.index("eps_zero_force" if model.end == "zero-force" else "eps_zero_overlap")
         )
         made = [float(row.split(",")[column]) for row in rows[1:]]
-        assert made == pytest.approx(result.predict([0.5, 2.0], model.title).eps, rel=1e-6), command
+        assert made == pytest.approx(result.predict([0.5, 2.0], model.title).eps, rel=2e-6), command
         seen += 1
     assert seen >= 12
     speed = np.linspace(1, 3, 12)  # eps grows so slowly that it is 1 beyond all speeds

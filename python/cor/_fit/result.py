@@ -293,7 +293,9 @@ class Result:
     # ---- commands and pictures ----
 
     def command(self, model: Optional[str] = None, *, end: Optional[str] = None, group: str = "") -> Optional[str]:
-        """Return the corgen embed command that writes eps of the fit as a header; None if the model has none."""
+        """Return the corgen embed command that writes eps of the fit as a header; None if the model has none.
+
+        Its fitted numbers have 6 digits, which changes eps by at most 2e-6; further digits depend on the machine."""
         chosen, e = self.find(model, end, group)
         p = e.problem
         if not all(e.determined) or not np.all(np.isfinite(e.theta)):
@@ -303,20 +305,20 @@ class Result:
         value, second = ([numbers[0] for _, numbers in self.parameters_of(chosen, e)] + [0.0])[:2]
         at_1 = math.exp(min(e.theta[0], 700.0))
         words = {
-            "viscoelastic": f"--dissipation-time {value:.10g}" if known else f"--g-star {value:.10g}",
-            "linear": f"--law linear --zeta {value:.10g}",
-            "tsuji": f"--law tsuji --zeta {value:.10g}",
-            "hunt-crossley": f"--law hunt-crossley --beta {at_1:.10g} --at 1",
-            "hertz-dashpot": f"--law hertz-dashpot --beta {at_1:.10g} --at 1",
-            "power-law": f"--law power-law --coefficient {value:.10g} --exponent {-second:.10g}",  # min(1, A v^-B)
-            "exponential": f"--law exponential --eps-inf {value:.10g} --decay-speed {second:.10g}",
+            "viscoelastic": f"--dissipation-time {value:.6g}" if known else f"--g-star {value:.6g}",
+            "linear": f"--law linear --zeta {value:.6g}",
+            "tsuji": f"--law tsuji --zeta {value:.6g}",
+            "hunt-crossley": f"--law hunt-crossley --beta {at_1:.6g} --at 1",
+            "hertz-dashpot": f"--law hertz-dashpot --beta {at_1:.6g} --at 1",
+            "power-law": f"--law power-law --coefficient {value:.6g} --exponent {-second:.6g}",  # min(1, A v^-B)
+            "exponential": f"--law exponential --eps-inf {value:.6g} --decay-speed {second:.6g}",
         }
         if chosen.name == "plate":
             star = next(m for m in choose("viscoelastic", "zero-overlap"))
-            words["plate"] = f"--g-star {star.plain[0].value(e.theta[0]):.10g}"
+            words["plate"] = f"--g-star {star.plain[0].value(e.theta[0]):.6g}"
         if chosen.name == "elastic-plastic":
             eps = float(chosen.curve.eps(e.theta, np.log([2 * at_1]))[0])
-            words["elastic-plastic"] = f"--law elastic-plastic --restitution {eps:.12g} --at {2 * at_1:.12g}"
+            words["elastic-plastic"] = f"--law elastic-plastic --restitution {eps:.6g} --at {2 * at_1:.6g}"
         if chosen.name not in words:
             return None
         line = ["corgen embed", words[chosen.name]]
