@@ -668,13 +668,16 @@ double cor_simulator_e(const struct cor_simulator_model *model, double requested
 void cor_simulator_reach(const struct cor_simulator_model *model, double *least, double *most);
 
 /* Returns eps of MuJoCo's contact, whose impedance d depends on the overlap x. d changes from solimp[0] at x = 0 to
- * solimp[1] at x = solimp[2], with the midpoint solimp[3] and the power solimp[4]. With c = d/solimp[1], frequency w in
- * 1/s and the damping ratio zeta, x'' = -c (2 zeta w x' + c w^2 x) + (1 - d) gravity until the force of the contact
- * vanishes. Only gravity acts on the way back to x = 0. The result is 0 if the ball does not leave. Uses the
- * Runge-Kutta method. Accuracy: 1e-6; sampled in tests/unit/test_simulators.c. Returns NaN if it needs over 200000
- * steps, or outside these ranges. gravity and zeta: [0, 1e48]; frequency, speed and width: [1e-48, 1e48]; d: [0, 1];
- * midpoint: (0, 1); power: [1, 100]. */
-double cor_mujoco_eps(const double solimp[5], double frequency, double zeta, double speed_m_s, double gravity_m_s2);
+ * solimp[1] at x = solimp[2], with the midpoint solimp[3] and the power solimp[4]. softness is 1, or with pyramidal
+ * cones of friction mu and condim 3 or more, mu^2 (1 + mu^2)/(impratio (condim - 1)). With c = d/solimp[1],
+ * D = d/(d + softness (1 - d)), frequency w in 1/s and the damping ratio zeta,
+ *     x'' = -(D/solimp[1]) (2 zeta w x' + c w^2 x) + (1 - D) gravity
+ * until the force of the contact vanishes. Only gravity acts on the way back to x = 0. The result is 0 if the ball does
+ * not leave. Uses the Runge-Kutta method. Accuracy: 1e-6; sampled in tests/unit/test_simulators.c. Returns NaN if it
+ * needs over 200000 steps, or outside these ranges. gravity and zeta: [0, 1e48]; frequency, speed, width and
+ * softness: [1e-48, 1e48]; d: [0, 1]; midpoint: (0, 1); power: [1, 100]. */
+double cor_mujoco_eps(const double solimp[5], double softness, double frequency, double zeta, double speed_m_s,
+                      double gravity_m_s2);
 
 /* Returns a version as an increasing number: "29 Sep 2021" is 20210929, "3.8.1" is 30801. 0: neither form. */
 long cor_simulator_version(const char *text);

@@ -902,15 +902,16 @@ static double mujoco_impedance(const double solimp[5], double overlap)
     return solimp[0] + (solimp[1] - solimp[0]) * rise;
 }
 
-double cor_mujoco_eps(const double solimp[5], double frequency, double zeta, double speed_m_s, double gravity_m_s2)
+double cor_mujoco_eps(const double solimp[5], double softness, double frequency, double zeta, double speed_m_s,
+                      double gravity_m_s2)
 {
     enum { MOST = 200000 };
     static const double weight[4] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6}, part[4] = {0.5, 0.5, 1, 0};
-    const double positive[] = {frequency, speed_m_s, solimp[2]}, others[] = {zeta, gravity_m_s2};
+    const double positive[] = {frequency, speed_m_s, solimp[2], softness}, others[] = {zeta, gravity_m_s2};
     int sound = cor_inline_between(solimp[0], 0, 2) && isgreaterequal(1, solimp[0]) && isgreater(solimp[1], 0) &&
                 isgreaterequal(1, solimp[1]) && isgreater(solimp[3], 0) && isless(solimp[3], 1) &&
                 isgreaterequal(solimp[4], 1) && isgreaterequal(100, solimp[4]);
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 4; i++)
         sound = sound && isgreaterequal(positive[i], 1e-48) && isgreaterequal(1e48, positive[i]);
     for (int i = 0; i < 2; i++)
         sound = sound && isgreaterequal(others[i], 0) && isgreaterequal(1e48, others[i]);
@@ -921,13 +922,13 @@ double cor_mujoco_eps(const double solimp[5], double frequency, double zeta, dou
     for (int n = 0; n < MOST; n++) {
         double at = x, rate = v, moved = 0, gained = 0;
         for (int k = 0; k < 4; k++) {
-            const double d = mujoco_impedance(solimp, at), share = d / solimp[1];
-            const double reference = share * frequency * (2 * zeta * rate + share * frequency * at);
-            if (k == 0 && n > 0 && !(reference + d * gravity_m_s2 > 0 && x > 0)) {
+            const double d = mujoco_impedance(solimp, at), hard = d / (d + softness * (1 - d)), top = solimp[1];
+            const double reference = hard / top * frequency * (2 * zeta * rate + d / top * frequency * at);
+            if (k == 0 && n > 0 && !(reference + hard * gravity_m_s2 > 0 && x > 0)) {
                 const double square = v < 0 ? v * v - 2 * gravity_m_s2 * fmax(x, 0) : 0;
                 return square > 0 ? fmin(sqrt(square) / speed_m_s, 1) : 0;
             }
-            const double change = reference - (1 - d) * gravity_m_s2;
+            const double change = reference - (1 - hard) * gravity_m_s2;
             moved += weight[k] * h * rate;
             gained -= weight[k] * h * change;
             at = x + part[k] * h * rate;

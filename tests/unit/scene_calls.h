@@ -107,7 +107,7 @@ static void scene_sets_draw(size_t i, struct bit_source *source)
 
 static double speed_m_s, eps, damping, e, speed_ratio, yield_stress_pa, yield_speed_m_s, overlap_m, requested, value,
     liquid_speed_m_s, viscosity_pa_s, gap_outer_m, gap_inner_m, adhesion_j_m2, distance_m, tangential_eps, steps,
-    tolerance, frequency, zeta, gravity_m_s2, solimp[5], friction, tangent, stiffness, damping_coefficient;
+    tolerance, frequency, zeta, softness, gravity_m_s2, solimp[5], friction, tangent, stiffness, damping_coefficient;
 static enum cor_tangential_id model_id;
 static int end, number, integrator, body, same_law, options, equivalence;
 static struct cor_scene spring[1];
@@ -152,7 +152,7 @@ static void scene_arguments_load(const struct scene_arguments *s)
     tangent = damping_coefficient = s->x[3];
     stiffness = s->x[0] * 1e6;
     model_id = (enum cor_tangential_id)(s->number % COR_TANGENTIAL_MODELS);
-    zeta = s->x[1];
+    zeta = softness = s->x[1];
     frequency = s->number % 8 ? 1e3 : s->x[3];
     memcpy(solimp, (const double[]){0.5, 0.9, s->number % 8 ? 0.01 : s->x[2], 0.5, 2}, sizeof solimp);
     gap_inner_m = s->x[3];

@@ -238,19 +238,23 @@ TEST(mujoco)
 {
     const double solimp[5] = {0.9, 0.9, 0.001, 0.5, 2}, grown[5] = {0.9, 0.95, 0.001, 0.5, 2};
     for (double zeta = 0; zeta < 3; zeta += 0.25)
-        check_near(cor_mujoco_eps(solimp, 100, zeta, 0.5, 0), cor_law_eps(COR_LAW_LINEAR, COR_END_ZERO_FORCE, zeta),
+        check_near(cor_mujoco_eps(solimp, 1, 100, zeta, 0.5, 0), cor_law_eps(COR_LAW_LINEAR, COR_END_ZERO_FORCE, zeta),
                    1e-5);
-    check_near(cor_mujoco_eps(grown, 50, 1, 1, 0), 0.13569664, 1e-8);
+    check_near(cor_mujoco_eps(grown, 1, 50, 1, 1, 0), 0.13569664, 1e-8);
     struct cor_scene_contact pressed = {
         .law = cor_law_exponents[COR_LAW_LINEAR], .mass_kg = 1, .stiffness = 1e4, .damping = 0.2, .force_n = 9.8};
     double eps;
     assert_int_equal(cor_scene_eps(&eps, &pressed, 0.5, COR_END_ZERO_FORCE), COR_OK);
-    check_near(cor_mujoco_eps((const double[]){1e-4, 1e-4, 0.001, 0.5, 2}, 100, 0.2, 0.5, 9.8), eps, 1e-3);
+    check_near(cor_mujoco_eps((const double[]){1e-4, 1e-4, 0.001, 0.5, 2}, 1, 100, 0.2, 0.5, 9.8), eps, 1e-3);
     /* two balls that libmujoco 2.2.2 dropped on a plane at 0.5 m/s, with a step of 2e-6 s */
-    check_near(cor_mujoco_eps((const double[]){0.95, 0.95, 0.001, 0.5, 2}, 100, 0.5, 0.5, 9.81), 0.151317, 2.5e-3);
-    check_near(cor_mujoco_eps((const double[]){0.5, 0.9, 0.01, 0.5, 2}, 1 / 0.006, 0.3, 0.5, 9.81), 0.307851, 3e-4);
-    assert_true(isnan(cor_mujoco_eps(solimp, 0, 1, 1, 0)) && isnan(cor_mujoco_eps(solimp, 1e200, 1, 1, 0)));
-    assert_true(isnan(cor_mujoco_eps((const double[]){0.9, 0.9, 0, 0.5, 2}, 1, 1, 1, 0)));
+    check_near(cor_mujoco_eps((const double[]){0.95, 0.95, 0.001, 0.5, 2}, 1, 100, 0.5, 0.5, 9.81), 0.151317, 2.5e-3);
+    check_near(cor_mujoco_eps((const double[]){0.5, 0.9, 0.01, 0.5, 2}, 1, 1 / 0.006, 0.3, 0.5, 9.81), 0.307851, 3e-4);
+    /* the same with pyramidal cones, without gravity: friction 2 with condim 3, and 0.5 with condim 4 */
+    const double wide[5] = {0.5, 0.9, 0.01, 0.5, 2};
+    check_near(cor_mujoco_eps(wide, 4 * 5 / 2.0, 1 / 0.006, 0.3, 0.5, 0), 0.696060, 3e-4);
+    check_near(cor_mujoco_eps(wide, 0.25 * 1.25 / 3, 1 / 0.006, 0.3, 0.5, 0), 0.367681, 3e-4);
+    assert_true(isnan(cor_mujoco_eps(solimp, 1, 0, 1, 1, 0)) && isnan(cor_mujoco_eps(solimp, 1, 1e200, 1, 1, 0)));
+    assert_true(isnan(cor_mujoco_eps((const double[]){0.9, 0.9, 0, 0.5, 2}, 1, 1, 1, 1, 0)));
 }
 
 TEST(units)

@@ -112,6 +112,7 @@ class Contact:
     limited: bool = False
     zeta_factor: float = 1.0
     solimp: Optional[Tuple[float, ...]] = None  # MuJoCo: dmin, dmax, width, midpoint, power
+    softness: float = 1.0  # of cor_mujoco_eps
     cohesion: Tuple[str, float] = "", 0.0
     unknown: str = ""
     notes: List[str] = field(default_factory=list)

@@ -245,7 +245,7 @@ class _Audit:
             self.say_surface(row, eps[0])
 
     def mujoco(self, contact: Contact, scene: Any, zeta: float, speed: float, gravity: float) -> float:
-        key = (contact.solimp, math.sqrt(scene.stiffness), zeta, speed, gravity)
+        key = (contact.solimp, contact.softness, math.sqrt(scene.stiffness), zeta, speed, gravity)
         if key not in self.needed:
             self.needed[key] = float(lib.cor_mujoco_eps(*key))
         return self.needed[key]

@@ -58,10 +58,10 @@ def _numbers(text: Optional[str]) -> List[float]:
 class _Geom:
     """A geom: its attributes after the defaults have been applied."""
 
-    def __init__(self, element: ET.Element, values: Dict[str, str], body: int) -> None:
+    def __init__(self, element: ET.Element, values: Dict[str, str], body: int, suffix: str = "") -> None:
         self.line, self.file, self.body = int(element.get(" line", 0)), element.get(" file", ""), body
-        self.values, self.type = values, values.get("type", "sphere")
-        self.name = values.get("name") or f"geom of line {self.line}"
+        self.values, self.type, self.suffix = values, values.get("type", "sphere"), suffix
+        self.name = (values.get("name") or f"geom of line {self.line}") + suffix
 
     def number(self, key: str, otherwise: float) -> float:
         found = _numbers(self.values.get(key))
@@ -74,7 +74,19 @@ class _Geom:
 
 class _Model:
     SOLREF, SOLIMP = [0.02, 1.0], [0.9, 0.95, 0.001, 0.5, 2.0]
-    NUMBERS = ("solref", "solimp", "solmix", "priority", "condim", "contype", "conaffinity", "size", "mass", "density")
+    NUMBERS = (
+        "solref",
+        "solimp",
+        "solmix",
+        "priority",
+        "condim",
+        "contype",
+        "conaffinity",
+        "size",
+        "mass",
+        "density",
+        "friction",
+    )
 
     def __init__(self, name: str, options: Options) -> None:
         self.deck, self.options = Deck(name, "mujoco"), options
@@ -121,24 +133,40 @@ class _Model:
             if child.tag == "default":
                 self.read_defaults(child, self.classes[name], False)
 
-    def read_body(self, element: ET.Element, body: int, child_class: str) -> None:
+    def read_body(self, element: ET.Element, body: int, child_class: str, suffix: str = "") -> None:
+        """Reads the geoms of a body. Reads two copies of a replicate or composite, which represent all of them."""
         for child in element:
             inner = child.get("childclass", child_class)
+            copies = [suffix]
+            if (
+                len(suffix) < 8
+                and child.tag in ("replicate", "composite")
+                and child.get("count", "1")[:2].strip() != "1"
+            ):
+                copies = [suffix + "0", suffix + "1"]
             if child.tag == "geom":
                 values = dict(self.classes.get(child.get("class", child_class), self.classes["main"]).get("geom", {}))
                 values.update(child.attrib)
-                self.geoms.append(_Geom(child, values, body))
-            elif child.tag in ("body", "frame", "replicate"):
-                now = body
-                if child.tag == "body":
-                    moves = any(c.tag in ("joint", "freejoint") for c in child)
-                    now = len(self.parent)
-                    self.parent.append(body)
-                    self.weld.append(now if moves else self.weld[body])
-                    self.body_names.append(child.get("name", ""))
-                self.read_body(child, now, inner)
-            elif child.tag in ("composite", "flexcomp", "attach"):
-                self.remark(child, f"the geoms of {child.tag} are not read")
+                self.geoms.append(_Geom(child, values, body, suffix))
+            elif child.tag == "flexcomp" and child.get("rigid") == "true":
+                values = {k: v for c in child if c.tag == "contact" for k, v in c.attrib.items()}
+                self.geoms.append(_Geom(child, {**values, "type": "flex", "name": child.get("name", "")}, body, suffix))
+            elif child.tag in ("body", "frame", "replicate", "composite"):
+                for copy in copies:
+                    now = body
+                    if child.tag in ("body", "composite"):
+                        moves = child.tag == "composite" or any(c.tag in ("joint", "freejoint") for c in child)
+                        now = len(self.parent)
+                        self.parent.append(body)
+                        self.weld.append(now if moves else self.weld[body])
+                        self.body_names.append(child.get("name", "") + suffix)
+                    self.read_body(child, now, inner, copy)
+            elif child.tag == "flexcomp":
+                name = child.get("name", "")
+                text = f"contacts of the flexcomp {name} are not judged: its elasticity also sets how it rebounds"
+                self.remark(child, text)
+            elif child.tag == "attach":
+                self.remark(child, "the geoms of attach are not read")
 
     def read(self, text: str) -> Deck:
         root = parse(text, self.deck.file)
@@ -198,6 +226,8 @@ class _Model:
         ]
         if not (types[0][0] & types[1][1] or types[1][0] & types[0][1]):
             return False
+        if "1" in one.suffix + two.suffix and not "" < one.suffix < two.suffix:
+            return False  # the first copies have the same contact
         if {one.type, two.type} <= {"plane", "hfield"}:
             return False
         welds = self.weld[one.body], self.weld[two.body]
@@ -226,26 +256,30 @@ class _Model:
         else:
             ref = list(map(min, *refs))
         imp = [share * a + (1 - share) * b for a, b in zip(*imps)]
-        condims = [g.number("condim", 3) for g in (one, two)]
-        condim = max(condims) if priority == 0 else condims[priority < 0]
+        condim, friction = (
+            max(x) if priority == 0 else x[priority < 0]
+            for x in ([g.number(key, default) for g in (one, two)] for key, default in (("condim", 3), ("friction", 1)))
+        )
         if pair is not None:
             ref, imp, condim = pair.vector("solref", ref), pair.vector("solimp", imp), pair.number("condim", condim)
+            friction = pair.number("friction", friction)
         read = [g for g in (one, two, pair) if g]
         if self.flag.get("override") == "enable":
             whole = _Geom(ET.Element(""), {key[2:]: value for key, value in self.option.items() if key[:2] == "o_"}, 0)
             ref, imp = whole.vector("solref", self.SOLREF), whole.vector("solimp", self.SOLIMP)
+            friction = whole.number("friction", 1)
             read.append(whole)
         bodies = [Body(g.name, wall=self.weld[g.body] == 0) for g in (one, two)]
         bodies.sort(key=lambda b: b.wall)
         c = Contact(at.file, at.line, "mujoco", (bodies[0], bodies[1]), pair=f"{one.name}-{two.name}")
         c.tangential = Tangential("MuJoCo has no parameter for it; MuJoCo's friction is a constraint that only damps")
-        self.set_model(c, ref, imp, condim)
+        self.set_model(c, ref, imp, condim, max(friction, 1e-5))
         wrong = {k: None for k in self.NUMBERS for g in read if any(map(math.isnan, _numbers(g.values.get(k))))}
         if wrong:
             c.unknown = f"MuJoCo does not load this model: {', '.join(wrong)} must be numbers."
         self.deck.contacts.append(c)
 
-    def set_model(self, c: Contact, ref: List[float], imp: List[float], condim: float) -> None:
+    def set_model(self, c: Contact, ref: List[float], imp: List[float], condim: float, friction: float) -> None:
         step = _numbers(self.option.get("timestep", "0.002"))
         c.time_step = step[0] if step else NAN
         c.integrator = -1 if self.option.get("integrator") == "RK4" else None
@@ -268,7 +302,17 @@ class _Model:
         c.solimp = tuple(
             [min(max(d, 1e-4), 0.9999) for d in imp[:2]] + [max(imp[2], 1e-15), min(max(imp[3], 1e-4), 0.9999), imp[4]]
         )
-        if c.solimp[0] != c.solimp[1]:
+        impratio = next(iter(_numbers(self.option.get("impratio"))), 1.0)
+        if condim > 1 and self.option.get("cone") != "elliptic" and impratio > 0:
+            c.softness = friction**2 * (1 + friction**2) / impratio / (condim - 1)
+        if c.softness != 1:
+            c.notes.append("The friction changes eps, because MuJoCo's cones of friction are pyramidal here.")
+        if c.solimp[0] == c.solimp[1]:  # another linear spring and dashpot
+            scale = 1 / (c.solimp[0] + c.softness * (1 - c.solimp[0]))
+            c.solimp = (c.solimp[0] * scale,) * 2 + c.solimp[2:]
+            c.stiffness, c.softness = c.stiffness * scale, 1.0
+            c.number *= scale if c.model == "MUJOCO_STIFFNESS" else math.sqrt(scale)
+        else:
             c.notes.append(
                 "dmin and dmax of solimp differ: stiffness and damping depend on the overlap, and eps on the speed."
             )
@@ -276,8 +320,6 @@ class _Model:
             c.unknown = "The solimp of this contact could not be read."
         elif not (0 <= c.number < 1e24 and 1e-48 < c.stiffness < 1e48):
             c.unknown = "The solref of this contact is not a pair of numbers, or a number is out of range."
-        elif condim > 3 and self.option.get("cone") != "elliptic":
-            c.unknown = "With condim 4 or 6, pyramidal friction cones change eps: use elliptic cones."
 
 
 def read_mujoco(text: str, name: str, options: Options) -> Deck:
