@@ -20,7 +20,7 @@ TOLERANCE = 1e-8  # absolute error allowed in eps
 # Values of alpha v, the rate at which the wall's force grows on impact; a hard wall needs a rate above omega of the
 # modes. WALLS: used in all extrapolations. OTHER_WALLS: used in none
 WALLS, OTHER_WALLS = (25, 50, 100), (10, 15, 200)
-# Numbers of modes N: all at PAPER_SPEEDS, LARGE at SLOW_SPEEDS. FEW: the paper's. LARGE: for limit_of
+# Numbers of modes N. PAPER_SPEEDS use all, SLOW_SPEEDS use LARGE. limit_of extrapolates LARGE, the paper FEW
 SIZES = (300, 400, 600, 940, 1300, 1800)
 FEW, LARGE = SIZES[:4], SIZES[3:]
 # Tolerances of 1 - eps^2 at the rigid wall: for numbers in texts, and for lines in pictures
@@ -98,8 +98,8 @@ def make_table():
 
 
 def agree(old, new):
-    """True if two results for a collision agree up to tolerance and rounding. Chaotic collisions, which did not
-    converge, need to agree only roughly. So do contact times, because the load oscillates as the contact ends."""
+    """True if two results for a collision agree up to tolerance and rounding. Limits are wider for chaotic collisions,
+    which did not converge, and for contact times, because the load oscillates as the contact ends."""
     off = abs(old.one_minus_eps2 - new.one_minus_eps2)
     if not old.converged and not new.converged:
         return off <= 5e-3

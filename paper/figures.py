@@ -198,7 +198,7 @@ def spectrum():
 @figure("Fig. 5", "shape of the disk in time")
 def sequence():
     """Displacements are (37), at the rim (39), with the amplitudes of the full dynamics. From the last
-    step to the time of a picture the disk moves freely, which neglects the force of less than a step."""
+    step to the time of a picture the disk moves freely, which neglects the wall's force for less than a step."""
     modes, alpha, speed, frames, steps = 940, 500, 0.2, 10, 12  # one frame per unit of time
     film, closest = [None] * frames, (-2, nan)
 
@@ -581,7 +581,7 @@ def rigid_wall():
 
     def miss(nu, speeds, limit=limit_of):
         """Returns the largest distance of the extrapolations from the limit, its speed, and its percentage of the
-        limit. Also returns how many of the distances exceed the sum of both uncertainties, and their number."""
+        limit. Also returns how many distances exceed the sum of both uncertainties, and the number of all."""
         walls = [hard_wall(nu, v) for v in speeds]
         limits = [limit(nu, v) for v in speeds]
         off = [one.one_minus_eps2 - wall.one_minus_eps2 for one, wall in zip(limits, walls)]

@@ -33,8 +33,8 @@ struct cor_rim {
 /* Arrays over n have blocks times COR_LANES elements. Arrays over terms have at least two elements more. Arrays over
  * angles have `points` elements. */
 struct cor_collision_loops {
-    /* Adds c force_c + s force_s of its n to the p of each mode, and turns (q, p) by the angle with the given cosine
-     * and sine. Sets sum_c and sum_s to the sums of c q and s q of each n. */
+    /* For each mode of n: adds c force_c[n] + s force_s[n] to p, and turns (q, p) by the angle with the given cosine
+     * and sine. Sets sum_c[n] and sum_s[n] to the sums of c q and s q. */
     void (*turn)(const struct cor_rim *rim, double *q, double *p, const double *cosine, const double *sine,
                  const double *force_c, const double *force_s, double *sum_c, double *sum_s);
     /* Sets d: sum_n sum_c cos(n phi) cos(phi) - sum_s sin(n phi) sin(phi) = sum_k d_k cos(k phi) */
@@ -112,7 +112,7 @@ struct cor_collision_state {
     double load;      /* of the wall */
     double force;     /* force of the modified potential (15.1), which replaces the wall in the kick */
     double stiffness; /* h^2 alpha (largest acceleration of the rim) at the last kick */
-    double ripple;    /* change of the load if half the angles are used, at the last scan */
+    double ripple;    /* change of the load if only every second angle is used, at the last scan */
     size_t window;    /* angles near the contact that are evaluated between two scans */
 };
 
@@ -145,7 +145,7 @@ struct cor_collision_run {
     double work; /* part of the call's budget that the run has used */
     double eps, max_compression, contact_time;
     double max_load;
-    double ripple;     /* largest change of the load if half the angles are used */
+    double ripple;     /* largest change of the load if only every second angle is used */
     double stiffness;  /* largest h^2 alpha (acceleration of the rim) */
     double start, end; /* times at which the contact begins and ends; NaN if unknown */
 };
@@ -171,8 +171,8 @@ double cor_collision_results(const struct cor_motion *m, const struct cor_collis
 /* Sets the mean energies from m->average, or NaN if no run has them. */
 void cor_collision_averages(const struct cor_motion *m, const struct cor_collision_run *run, int levels,
                             double *energy_average);
-/* Movement of the extrapolated result by the last run, and difference of the last two runs. Both are the larger of the
- * change of eps and half the norm of the changes of the mode energies, in units of (pi/2) v^2. */
+/* Return the movement, which is the change of the extrapolated result by the last run, and the difference of the last
+ * two runs. Both: the larger of the change of eps and half the norm of the changes of mode energies/((pi/2) v^2). */
 double cor_collision_movement(const struct cor_motion *m, const struct cor_collision_run *run, int levels);
 double cor_collision_difference(const struct cor_motion *m, const struct cor_collision_run *run, int levels);
 

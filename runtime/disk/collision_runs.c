@@ -268,7 +268,7 @@ static int runs_restart_finer(struct cor_motion *m, struct runs *runs, double gr
 
 /* ---- runs ---- */
 
-/* Moves the first of the arrays of all levels to the end. */
+/* Moves the array of the first level to the end. */
 static void rotate_levels(double **level)
 {
     double *const first = level[0];
@@ -359,8 +359,8 @@ static int runs_repeat(struct cor_motion *m, const struct runs *runs, int level,
     return 1;
 }
 
-/* Measures the amplification, which is the change of the result over the change of v. An early run measures it as well
- * as a later one, and costs less. */
+/* Measures the amplification: the change of the result divided by the relative change of v. An early run measures it as
+ * well as a later one, and costs less. */
 static void measure_amplification(struct cor_motion *m, struct runs *runs)
 {
     const double speed = m->speed, change = COR_TUNING_PERTURBATION;
@@ -376,7 +376,7 @@ static void measure_amplification(struct cor_motion *m, struct runs *runs)
 }
 
 /* Measures the error due to the angles. With shifted angles the quadrature has the opposite error, which the collision
- * amplifies equally. Runs with larger steps would not serve, because they may not converge yet. */
+ * amplifies equally. Runs with much larger steps are unsuitable, because they may not converge yet. */
 static void measure_angles(struct cor_motion *m, struct runs *runs)
 {
     double eps, energies;

@@ -37,7 +37,7 @@ enum {
 #define COR_TUNING_PHI_FAST 0.6
 /* Derived: with phi angles the harmonic 4 phi - n of the pressure aliases n; see cor_collision_quadrature_error. */
 #define COR_TUNING_PHI_PER_N 0.25
-/* Largest ratio of the number of angles to the first choice. Chosen. */
+/* Largest number of angles relative to the first number at COR_DISK_COLLISION_MAX_SPEED. Chosen. */
 #define COR_TUNING_PHI_LIMIT 2.5
 
 /* Steps between two scans of all angles. Steps between scans evaluate the window only. Chosen. */

@@ -14,7 +14,7 @@
 enum { MAX_LEVELS = COR_DISK_HARD_WALL_MAX_LEVELS, LEAST_LEVELS = 2 };
 
 /* Steps and spacings for the tolerance COARSE_TOLERANCE; smaller ones multiply both by a fineness from FINEST to 1.
- * Fitted: at fineness 1 the noise in L is at most 5e-7 in nine of ten levels, sampled at 200 random scenes. */
+ * Fitted: at fineness 1 the noise in 1 - eps^2 is at most 5e-7 in nine of ten levels, sampled at 200 random scenes. */
 #define COARSE_TOLERANCE 4e-6
 #define FINEST 0.4
 #define TURN 0.8         /* Omega h */
@@ -58,7 +58,7 @@ static const double wild_weight[] = {3, 2, 0.6, 0.2};
 #define USUAL_FROM 160
 #define USUAL_TOLERANCE 1e-6
 static const double usual_weight[] = {0.23, 0.23, 0.092, 0.028};
-#define POINT_ERROR 3e-8 /* error of L in a point contact, measured against the full method at v = 1e-7 to 1e-5 */
+#define POINT_ERROR 3e-8 /* error of 1 - eps^2 in a point contact, against the full method at v = 1e-7 to 1e-5 */
 
 /* ---- levels ---- */
 

@@ -38,7 +38,7 @@ struct level {
     struct cor_mode_block *block;
     size_t *place;                       /* cell of each mode */
     double *turn, *c, *s;                /* [cell] */
-    double *sine, *unit;                 /* [mode]: sin(omega h); sqrt(g), so that the amplitude is unit q */
+    double *sine, *unit;                 /* [mode]: sin(omega h); sqrt(g), so that Q = unit q */
     double *force_c, *force_s;           /* [batch][lanes] */
     double *sum_c, *sum_s;               /* likewise */
     double *echo_cc, *echo_cs, *echo_ss; /* [1 to batch - 1][lanes]: effect of a force on sums 1 to batch - 1 kicks

@@ -2,10 +2,10 @@
 /* An elastic disk at a rigid wall: declarations that the parts of the solver share. docs/theory-disks.md, 17, has the
  * formulas.
  *
- * Modes below the frequency Omega of a level move. The rim functions of mode i have the factor sqrt(w_i), where
- * w(omega/Omega) is a smooth cutoff ("fade"). The static compliance of all modes, less the part of the moving ones,
- * acts at once. The wall is rigid: contact forces y_j >= 0 act at the angles phi_j = j d, and no angle reaches into the
- * wall. y_j acts on the pair +-phi_j, and y_0 at one angle. These forces act as kicks at intervals h.
+ * Modes below the frequency Omega of a level move. A smooth cutoff w(omega/Omega) ("fade") multiplies the rim functions
+ * of each mode by sqrt(w). The static compliance of all modes, less the part of the moving ones, acts at once. The wall
+ * is rigid: contact forces y_j >= 0 act at the angles phi_j = j d, and no angle reaches into the wall. y_j acts on the
+ * pair +-phi_j, and y_0 at one angle. These forces act as kicks at intervals h.
  *
  * Between kicks a mode turns freely, so its amplitude Q at successive kicks obeys
  *
@@ -18,8 +18,8 @@
 
 #include "runtime/disk/rim.h"
 
-/* Number of kicks in one pass over the modes. The pass also predicts the sums over the modes of each n at the next
- * kicks without forces. The echo sums of hard_wall_level.c add the effect of the forces. */
+/* Number of kicks in one pass over the modes. The pass also predicts, without forces, the sums over the modes of each n
+ * at the next kicks. The echo sums of hard_wall_level.c add the effect of the forces. */
 enum { COR_HARD_WALL_BATCH = 4 };
 /* The numbers of angles and of terms are multiples of this size. */
 enum { COR_HARD_WALL_PANEL = 64 };
@@ -33,11 +33,10 @@ struct cor_hard_wall_modes {
     double *q, *before;         /* amplitudes at a kick and at the previous kick */
 };
 
-/* The angles i d, d = pi/N, and tables for sums of cosines over them. With k = a + M b and i = r + Q s, where
- * Q = COR_HARD_WALL_PANEL and M = 2N/Q are integers, exp(i k i d) = exp(2 pi i b r/Q) exp(i a r d) exp(2 pi i a
- * s/M). */
+/* The angles j d, d = pi/N, and tables for sums of cosines over them. With k = a + M b and j = r + Q s, where Q =
+ * COR_HARD_WALL_PANEL and M = 2N/Q are integers, exp(i k j d) = exp(2 pi i b r/Q) exp(i a r d) exp(2 pi i a s/M). */
 struct cor_hard_wall_angles {
-    const double *twice_cosine; /* 2 cos(i d) */
+    const double *twice_cosine; /* 2 cos(j d) */
     size_t bins;                /* M; 0 if the tables are not worthwhile, and the pointers below are then unused */
     double *part;               /* [b][2][Q]: cosines and sines of 2 pi b r/Q, b <= Q/2 */
     double *turn;               /* [a][2][Q]: cosines and sines of a r d */
@@ -57,7 +56,7 @@ struct cor_hard_wall_loops {
      * to sum c q and sum s q at the next kicks without forces. steps is BATCH or 1. */
     void (*advance)(const struct cor_hard_wall_modes *modes, size_t steps, const double *force_c, const double *force_s,
                     double *sum_c, double *sum_s);
-    /* Sets result[i] = sum_(k < count) factor[k] cos(k i d), i < points. count <= N + 1; points is a multiple of
+    /* Sets result[j] = sum_(k < count) factor[k] cos(k j d), j < points. count <= N + 1; points is a multiple of
      * COR_HARD_WALL_PANEL. */
     void (*cosines)(const struct cor_hard_wall_angles *angles, size_t count, const double *factor, size_t points,
                     double *result);

@@ -55,7 +55,7 @@ static double first_order(double z, long m)
     return 0.75 * z / (double)(m + 1);
 }
 
-/* Returns the orders above N that a recurrence needs, kappa < N. Each reduces the error at least by (J_(N+1)/J_N)^2. */
+/* Returns how many orders above N > kappa a recurrence starts. Each reduces the error by (J_(N+1)/J_N)^2 at least. */
 static double orders_above(double N, double kappa)
 {
     return 2 + 0.35 * (DOUBLE_BITS + START_BITS) / acosh(N / kappa);
@@ -446,7 +446,7 @@ static void refine_group(struct cor_disk_mode *mode, struct group *group, const 
     }
 }
 
-/* Computes the modes of n, of which count_places has counted `count`. */
+/* Computes the modes of n. count: their number, from count_places. */
 static void find_order(struct cor_disk_mode *mode, const struct search *s, long count)
 {
     const double n = (double)s->n, least = n > 1 ? sqrt(n * (n - 1) / 10.5) : 0;

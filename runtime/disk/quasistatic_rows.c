@@ -13,7 +13,7 @@ static int has_row(double q)
     return cor_inline_between(q, COR_ROWS_DISK_LOAD_FACTOR_FIRST, COR_ROWS_DISK_LOAD_FACTOR_END);
 }
 
-/* Returns the place of q + rest; q 2^-k is between 1 and 2. */
+/* Returns the place of q + rest. The code scales rest by 2^-k, where 2^k <= q < 2^(k+1). */
 static struct cor_inline_place place_of(double q, double rest, struct cor_inline_octaves grid,
                                         const double *(*rows)(int))
 {

@@ -52,7 +52,7 @@ struct cor_leg_rule {
     double to_steps[COR_LEG_GAUSS][COR_LEG_STEPS], to_short[COR_LEG_GAUSS][COR_LEG_STEPS];
 };
 
-/* Number of lines that the loops process together, and number of lines in their arrays */
+/* Number of lines (terms of I at one frequency) that the loops process together, and that their arrays hold */
 enum { COR_LINES = 64, COR_LINES_ROOM = COR_LINES + COR_LANES };
 
 /* Weights of modes in the sums below. strength: C^2. mean, echo: C^2 times the two weights of the tail
@@ -100,7 +100,7 @@ struct cor_rayleigh_set {
     /* Computes omega^2 sum w exp(-omega p) in octaves from `first` upwards, as Chebyshev coefficients. */
     void (*octaves)(const struct cor_leg *leg, double first, int octaves, double re[][COR_SPECTRUM_TERMS],
                     double im[][COR_SPECTRUM_TERMS]);
-    /* Computes the lines from..to-1 of one octave, which begins at `start`, and overwrites less than COR_LANES more. */
+    /* Computes the lines from..to-1 of the octave that begins at `start`. Overwrites up to COR_LANES - 1 more. */
     void (*lines)(const struct cor_spectrum *spectrum, int octave, double start, int from, int to, const double *omega,
                   struct cor_lines *lines);
     /* Computes the other weights from weights->strength, and adds the strengths of all modes times the two windows to

@@ -15,7 +15,7 @@
 
 /* Shape and ends of the legs. Chosen; tests/unit/test_disk_rayleigh_spectrum.c and
  * tests/accuracy/test_disk_rayleigh.c assert the resulting error.
- *   LEG_ENOUGH    the largest Re(p) times the lowest frequency: exp(-omega p) is then 2^-86, however the sine grows
+ *   LEG_ENOUGH    the largest Re(p) times the lowest frequency: exp(-omega p) is then 2^-86, small enough for any sine
  *   LEG_FARTHEST  the largest distance from the base to the end of a leg
  *   LEG_NEAREST   distance of the first node, times the largest omega and the root of q0/2 + LEG_DEPTH
  *   LEG_TILT      the ray turns by 1/(1 + LEG_TILT q0): less for large q0, where exp(-omega p) hardly oscillates */

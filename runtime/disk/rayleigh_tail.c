@@ -34,7 +34,7 @@ static const struct {
     double echo_low, half_echo_low; /* weights of the echo strengths in the low window; 1 in the high window */
     double of_echo, of_half_echo;   /* factors of the echo strengths measured at T = tau and at T = tau/2 */
     double of_density, of_fifth;    /* error of the density 2 omega + a: factors of omega_max^-2 and omega_max^-5 */
-    /* factor of (omega_max tau)^-2: the part of the density, an echo with T = 0, that the weight's kink leaves */
+    /* factor of (omega_max tau)^-2: the echo weight's kink leaves this part of the density, an echo with T = 0 */
     double of_turn;
     /* for a table whose modes l = 0 cannot be continued. Chosen: the error of the tail is as large as the tail. */
     double unknown;
@@ -205,7 +205,7 @@ int cor_surface_modes_next(struct cor_surface_modes *surface, const struct cor_r
 
 /* Returns the sum over the surface modes beyond mode n, the last that was computed. Mode k has the term (n/k)^3, and
  * the phase advances by the same angle from mode to mode. The sum is about n/(2 - i n z) - 1/2, where z is 2 tan of
- * half the angle. Its error vanishes for small and for large n z, and is a few percent in between. */
+ * half the angle. This formula is exact in the limits of small and large n z, and a few percent off in between. */
 static double surface_rest(const struct cor_spectrum *spectrum, const struct cor_surface_modes *surface)
 {
     struct cor_lines lines;

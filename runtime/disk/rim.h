@@ -3,7 +3,7 @@
  * modes in blocks, the rim's cosine series, and workspaces.
  *
  * A block has COR_LANES lanes, one for each n, and one row for each mode of that n. Therefore sums over the modes of
- * each n need no sum across lanes. Empty places have c = s = 0.
+ * each n need no sum across lanes. Each lane of a row is a cell; empty cells have c = s = 0.
  *
  * On the rim, cos(n phi) cos(phi) and sin(n phi) sin(phi) are half sums or differences of cos((n +- 1) phi), so one
  * cosine series represents them all. */
@@ -34,9 +34,9 @@ struct cor_mode_block {
     size_t first, rows; /* first row and number of rows, of COR_LANES doubles each */
 };
 
-/* Sets the blocks, unless block is NULL, and returns the number of their places. */
+/* Sets the blocks, unless block is NULL, and returns the number of their cells. */
 size_t cor_mode_blocks(const struct cor_disk_mode *mode, size_t modes, size_t blocks, struct cor_mode_block *block);
-/* Sets the place of each mode in the blocks. filled: scratch, one number for each n. */
+/* Sets place[i] to the cell of mode i. filled: scratch, one number for each n. */
 void cor_mode_places(const struct cor_disk_mode *mode, size_t modes, size_t blocks, const struct cor_mode_block *block,
                      double *filled, size_t *place);
 

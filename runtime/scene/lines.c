@@ -851,8 +851,8 @@ static int put_template(struct text *t, const char *template, const struct block
 
 /* ---- comments of a block ---- */
 
-/* Returns the factor by which the number grows if the mass grows by the factor `masses`. If q = 0, eps stays the same,
- * otherwise the material. */
+/* Returns the factor by which the number grows if the mass grows by the factor `masses`. eps stays the same if q = 0,
+ * otherwise the material does. */
 static double mass_factor(const struct block *block, const struct task *task, double masses)
 {
     const struct cor_simulator_model *const model = block->model;

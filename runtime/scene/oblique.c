@@ -286,8 +286,8 @@ static struct scales speed_scales(const struct cor_scene_contact *contact, doubl
     return (struct scales){cor_quiet_product(time, speed_m_s), time};
 }
 
-/* Sets the units of the normal motion. The impact speed sets them, or, if damping or a constant force exceeds the
- * inertia, these set smaller ones. Returns 0 if the motion overflows. */
+/* Sets the units of the normal motion. The impact speed sets them. Damping or a constant force above the inertia makes
+ * them smaller. Returns 0 if the motion overflows. */
 static int begin(struct slide *s, const struct cor_scene_contact *contact, const struct cor_tangential *tangential,
                  double speed_m_s)
 {

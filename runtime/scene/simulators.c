@@ -459,7 +459,7 @@ static const struct cor_simulator_model mercurydpm[] = {
         MERCURYDPM_MANY("HertzianBSHPViscoelastic", MERCURYDPM_DISSIPATION)),
 };
 
-/* Chrono combines numbers of two materials by a strategy. Here the numbers are types; it looks up the pair's number. */
+/* Chrono combines two materials' numbers by a strategy. Here the numbers are types; the strategy looks up the pair. */
 #define CHRONO_PAIRS(what, number, numbers)                                                                            \
     "-    float Combine" what "(float i, float j) const override\n-    {\n"                                            \
     "-        static const float pair[] = {\n-            " numbers "\n-        };\n"                                  \
