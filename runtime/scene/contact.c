@@ -203,7 +203,7 @@ double cor_scene_quantity(const struct cor_scene_contact *contact, int number)
 /* ---- collisions ---- */
 
 /* law: the law of libcor's table that gives eps, from zeta if q = 0, otherwise from beta; COR_LAWS if no law does.
- * times: what gives durations and overlap: the table, functions of the elastic exponent, or the solver. */
+ * times: source of durations and overlap (the table, functions of the elastic exponent, or the solver). */
 struct functions {
     enum cor_law law;
     enum { OF_TABLE, OF_EXPONENT, OF_SOLVER } times;
