@@ -98,7 +98,7 @@ say_flint() {
 build_options=(-DCOR_BUILD_GENERATOR=ON -DCOR_BUILD_TESTS=ON -DCOR_BUILD_EXAMPLES=ON -DCOR_BUILD_PAPER=ON
     -DCOR_WERROR=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON)
 
-# configure DIR OPTION...: replaces a build directory that was made from another place or by another CMake.
+# configure DIR OPTION...: runs cmake; first removes a build directory of other sources.
 configure() {
     local dir=$1
     shift

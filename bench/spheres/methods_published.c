@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Printed formulas that users write today, and the steps of a simulator of many grains. A copy of an array, without a
+/* Published formulas that users write today, and the steps of a simulator of many grains. A copy of an array, without a
  * computation, gives the lower limit of the time. */
 #include <math.h>
 #include <stdio.h>

@@ -15,7 +15,7 @@
 enum { BETA, FORCE_MAX = 9, STICKING, COLUMNS = STICKING + 2 };
 static const struct {
     const char *name[2], *meaning;
-    int end; /* end of contact that the column is for; OPTIONS_NOT_GIVEN: any */
+    int end; /* end of contact of the column; OPTIONS_NOT_GIVEN: any */
 } column[COLUMNS] = {
     {{"beta", "beta"}, "damping, the one parameter", OPTIONS_NOT_GIVEN},
     {{"x_max", "max_overlap_m"}, "largest overlap", OPTIONS_NOT_GIVEN},

@@ -78,8 +78,8 @@ int contact_end(const struct contacts *contacts, int contact);
 
 extern const char *const contact_simulator_names[]; /* names of cor_simulators, the word for the list, NULL */
 
-/* Returns the malloc'ed text of corgen contact --for HOST, or of a list if one is requested. NULL after a message: the
- * simulator is unknown or cannot reproduce this contact. A list needs no contacts. */
+/* Returns the malloc'ed text of corgen contact --for SIMULATOR, or of a list if one is requested. NULL after a message:
+ * the simulator is unknown or cannot reproduce this contact. A list needs no contacts. */
 char *contact_simulator_text(const struct cor_simulator_request *request);
 
 /* Returns the malloc'ed lines for all contacts of the materials in a csv file. pairs: a csv file with measured pairs,

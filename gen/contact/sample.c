@@ -29,7 +29,7 @@ struct piece {
 struct sampler {
     const struct sample_request *request;
     int quantities;      /* 1: eps; 2: eps and duration */
-    struct piece *piece; /* NULL: a collision is quick */
+    struct piece *piece; /* NULL: no interpolation */
     size_t pieces;
     double low, high; /* of x */
 };

@@ -208,7 +208,7 @@ static void search_family(void *context, slong family)
         families[family].search(form, s);
     } else {
         search_rational(form, s, variable);
-        if (s->end == COR_END_ZERO_FORCE && variable == FIFTH_ROOT_OF_SPEED) /* eps is analytic in sqrt(beta) */
+        if (s->end == COR_END_ZERO_FORCE && variable == FIFTH_ROOT_OF_SPEED) /* there eps is analytic in sqrt(beta) */
             search_rational(form, s, TENTH_ROOT_OF_SPEED);
     }
 }

@@ -44,7 +44,7 @@ extern const char *const embed_operation_names[OPERATIONS];
 
 enum embed_use { USE_SCALAR, USE_ARRAY, USES };
 
-/* Each variable is speed^(1/degree). It follows from the speed or its fifth root by this number of square roots. */
+/* Each variable is speed^(1/degree). It is computed by this number of square roots, after a fifth root if `fifth`. */
 extern const struct embed_root {
     slong degree;
     bool fifth;
@@ -55,9 +55,10 @@ extern const struct embed_root {
 enum { EMBED_REFINEMENTS = 4 };
 double embed_root_error(int refinement, bool single);
 
-/* If n is the integer with the bits of g, EMBED_ROOT_CONSTANT - EMBED_ROOT_FIFTH n has the bits of a start value r of
- * g^(-1/5). With e = 1 - g r^5, the factor (1 - e)^(-1/5) improves r. Step 0 starts with |e| < 0.155 and uses terms up
- * to e^3, interpolated at Chebyshev points. Step 1 uses terms up to e^refinement. */
+/* The fifth root of g. A start value r of g^(-1/5) has the bits of EMBED_ROOT_CONSTANT - EMBED_ROOT_FIFTH n, where n is
+ * the integer with the bits of g. A step multiplies r by a polynomial in e = 1 - g r^5 that approximates (1 -
+ * e)^(-1/5). In step 0, |e| < 0.155, and the polynomial interpolates at four Chebyshev points. In step 1 it is the
+ * Taylor series up to e^refinement. */
 #define EMBED_ROOT_FIFTH 0.2
 #define EMBED_ROOT_CONSTANT 5404320840011480.0 /* 1.2 2^52 + 1287166885, for the upper half of a double's bits */
 #define EMBED_ROOT_SINGLE 1277903765u
@@ -132,7 +133,7 @@ struct embed_program {
 /* Returns the program of a form, which points to the numbers of the form. */
 struct embed_program embed_program_of(const struct embed_form *f);
 
-/* Returns the start value of g^(-1/5) as the header computes it without fused operations. It never rises with g. */
+/* Returns the start value of g^(-1/5) as the header computes it without fused operations. It does not rise with g. */
 double embed_root_start(const struct embed_form *f, double g);
 
 /* Evaluates the header's function in the arithmetic of the header. `fused`: a product and its addition are rounded

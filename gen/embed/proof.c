@@ -47,7 +47,7 @@ struct prover {
     struct interpolant_proof *interpolant; /* spheres */
     struct law_proof *law;                 /* other laws */
     enum quantity quantity;
-    struct far_proof far; /* the proof at zero force for beta >= exp(10) */
+    struct far_proof far; /* the proof at zero force for large beta */
     bool far_known;
     double enough;
     double from; /* the proof holds at this speed and above */

@@ -18,7 +18,7 @@ struct embed_scene {
     enum cor_end end;
     bool single; /* float */
     double speed_min, speed_max, tolerance;
-    struct cor_exponents law, named; /* the law of beta, and the law that the request names; see by_speed */
+    struct cor_exponents law, named; /* named: the law of the request; law: q = 1 if by_speed, otherwise the same */
     bool plastic;
     struct own_law own; /* own.law 0: none */
     double *knot;       /* the starts of the cubics of the law's table, and the end of the last one; NULL: no table */

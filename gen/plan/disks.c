@@ -41,7 +41,7 @@ enum {
 #define COARSEST_TRUTH 1e-4
 #define COARSEST_TRUTH_OF_OTHERS 1e-5 /* for contact time and compression; finer than COARSE_TOLERANCE */
 /* The uncertainty of the contact time and of the largest compression is twice the difference from the result with this
- * tolerance, because the contact time converges like 1/Omega. */
+ * tolerance. Reason: the contact time converges like 1/Omega (Omega: highest frequency). */
 #define COARSE_TOLERANCE 1e-3
 #define LEAST_TOLERANCE 1e-6
 #define MIN_SPEED 1e-3 /* keeps alpha = 56/v below COR_DISK_COLLISION_MAX_ALPHA */

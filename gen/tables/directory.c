@@ -144,7 +144,7 @@ static int write_all(const struct content *c, int n, const char *directory)
         path[i] = xprintf("%s/%s", directory, c[i].name);
         status = output_open(&out[i], path[i]);
         if (status == STATUS_OK)
-            fwrite(c[i].text, 1, c[i].size, out[i].file); /* the commit reports a failure */
+            fwrite(c[i].text, 1, c[i].size, out[i].file); /* output_commit reports a failure */
     }
     if (status == STATUS_OK)
         status = output_commit_all(out, n);

@@ -115,7 +115,7 @@ int pade_emit(struct emit *e, const struct pade_header *h, const struct pade *f,
 #define TABLES_MAX_SEED 1000000000
 
 struct tables_request {
-    struct decimal poisson; /* Poisson's ratio of the material; text NULL: generated/ */
+    struct decimal poisson; /* Poisson's ratio of the material; text NULL: files of generated/ */
     slong modes;            /* number of modes of that material; 0: DISK_TABLE_MODES */
     const char *directory;  /* NULL: generated, or the current directory for a material */
     bool check;             /* compare without writing */

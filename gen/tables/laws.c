@@ -81,7 +81,7 @@ static int tsuji_integrand(acb_ptr y, const acb_t x, void *parameters, slong ord
     return 0;
 }
 
-/* Computes (5/4)^(-3/5) G(end). The first factor is w0^(-6/5). */
+/* Computes (5/4)^(-3/5) G(end). */
 static void tsuji_integral(arb_t g, bool proved, const arb_t zeta, const arb_t end, slong prec)
 {
     LOCAL(acb, om);

@@ -633,7 +633,7 @@ bool disk_limits_known(const struct cor_disk_limit_piece *piece)
 
 struct check {
     long places[2], wrong; /* numbers of collisions on the grid and between its points */
-    double worst[2];       /* largest difference on the grid; between its points, divided by the uncertainty */
+    double worst[2];       /* largest difference on the grid; largest difference/uncertainty between */
 };
 
 static void check_scene(struct check *check, const struct scene *scene, const struct cell *cell)
