@@ -307,8 +307,8 @@ static double find_realised(const struct cor_simulator_model *model, const struc
     return eps;
 }
 
-/* Returns csv of the choices of two options: the option, a law or a simulator, and its name for readers. The row of a
- * simulator ends with the integrator for which web_step_errors holds; "" if the errors are NaN. */
+/* Returns csv with a row for each law and each simulator: the option (law or for), its word, and a name for readers. A
+ * simulator's row ends with the integrator that web_step_errors uses, or "" if its errors are NaN. */
 WEB_EXPORT(web_choices) const char *web_choices(void)
 {
     static const char *const labels[] = {COR_CONTACT_LAWS(COR_LAW_LABEL)};
@@ -377,9 +377,9 @@ WEB_EXPORT(web_lines) const char *web_lines(int step_errors)
     return put_lines(&lines);
 }
 
-/* Returns the lines of several materials in one block, or NULL as web_lines. names: one in a line. number: six for each
- * of the n/6 materials: Young's modulus, Poisson's ratio, density, radius (NaN: a wall), eps (NaN: not known) and its
- * speed. eps is between two balls of the material, or between the wall and a ball of any material. */
+/* Returns the lines of several materials in one block, or NULL as web_lines. names: one name in a line. number: for
+ * each of the n/6 materials Young's modulus, Poisson's ratio, density, radius (NaN: a wall), eps (NaN: not known) and
+ * its speed. eps is between two balls of the material, or between the wall and a ball of any material. */
 WEB_EXPORT(web_block) const char *web_block(char *names, const double *number, size_t n)
 {
     enum { MOST = 8, NUMBERS = 6 };

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Wraps functions of disk.h that fill or call something of the caller, and defines the class of mode tables."""
+"""Wraps functions of disk.h that fill arrays or call a function of the caller, and defines the class of mode tables."""
 
 import os
 from typing import Any, Callable, Optional, Tuple, TypeVar, Union

@@ -15,8 +15,8 @@ class Failed(Exception):
 
 
 def eps_of(advance: Callable[[int], Tuple[float, float]], speed: float, touch: float) -> Tuple[float, int]:
-    """Returns eps and the number of steps until the bodies have parted. advance: makes steps and returns the velocity
-    at which the bodies part and the distance between their centres. touch: this distance at contact."""
+    """Returns eps and the number of steps until the bodies have parted. advance: makes steps; returns the relative
+    velocity, above 0 if the bodies part, and the distance between their centres. touch: this distance at contact."""
     steps, chunk, begun, turned, before = 0, 4, 0, 0, -speed
     while steps < MOST:
         velocity, distance = advance(chunk)

@@ -45,8 +45,8 @@ _KNOWN = _BY_MASS + _BY_ROOT + ("HOOKE_VELOCITY", "HERTZ_VELOCITY")
 _MIXES_SINCE = 20221103  # earlier, LAMMPS uses damping velocity for every mixed pair
 _MODELS = ("hertz", "hooke", "hertz/stiffness", "hooke/stiffness")  # of LIGGGHTS
 _OLD_MODEL = re.compile(r"gran/(hertz|hooke)(/history|/incremental)?(/energy)?(/stiffness)?")  # before version 3
-_TANGENTIAL = ("mindlin", "mindlin/force", "mindlin_rescale", "mindlin_rescale/force")  # K ~ contact radius
-# The tangential model with the force of an old pair style
+# Tangential models whose stiffness follows the contact radius; the model with the force of each old pair style
+_TANGENTIAL = ("mindlin", "mindlin/force", "mindlin_rescale", "mindlin_rescale/force")
 _OLD = {"hooke": "linear_nohistory", "hooke/history": "linear_history", "hertz/history": "mindlin"}
 _MIXED = "LAMMPS mixes the tangential forces of two types"
 _STILL = "a fix without /sphere moves the particles, or they are discs"
@@ -138,7 +138,7 @@ class Granular(System):
         self.seen: Dict[str, Contact] = {}
         self.repairs: Dict[Tuple[str, int, str], Repair] = {}
         self.runs = [0]  # number of runs; one list for all worlds
-        self.courses: List[FrozenSet[str]] = []  # keys of the contacts of each world that ended; shared, too
+        self.courses: List[FrozenSet[str]] = []  # keys of the contacts of each ended world; one list for all worlds
         self.found: List[str] = []  # keys of this world's contacts
         self.restart()
 

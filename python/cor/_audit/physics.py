@@ -27,7 +27,7 @@ SIMULATORS = {
     ),
     "kratos": ("text", "read_kratos", ('"COEFFICIENT_OF_RESTITUTION"', '"DAMPING_GAMMA"', '"material_relations"')),
 }
-# For a model of one version of a simulator: the model that other versions have in its place
+# Models that other versions of the simulator have in place of a model
 _OTHER = {
     "LAMMPS_HERTZ_TSUJI": "LAMMPS_HERTZ_TSUJI_2026",
     "LAMMPS_HOOKE_TSUJI": "LAMMPS_HOOKE_TSUJI_2026",
@@ -120,7 +120,7 @@ class _Audit:
         constant = law >= lib.COR_LAW_IMPULSE or lib.cor_scene_speed_exponent(scene) == 0
         row.end, row.law = string(lib.cor_end_names[end]), string(lib.cor_law_name(model.law))
         if not model.damping_of_e:
-            number = contact.number  # 0 means no damping at any scale
+            number = contact.number  # 0: no damping, even if mass and stiffness are unknown
             damping = model.damping_of_number(model, number, scene, speed) if number != 0 else 0.0
         elif model.least <= contact.number <= model.most:
             damping = model.damping_of_e(contact.number) * contact.zeta_factor
@@ -196,7 +196,7 @@ class _Audit:
                 a3 = force(x + h / 2 * (v + h / 2 * a1), v + h / 2 * a2)
                 a4 = force(x + h * (v + h / 2 * a2), v + h * a3)
                 y, w = x + h * (v + h / 6 * (a1 + a2 + a3)), v + h / 6 * (a1 + 2 * a2 + 2 * a3 + a4)
-                if y <= 0 or w > 0 > v or y > ri:  # they part, turn inward again and stick, or pass through each other
+                if y <= 0 or w > 0 > v or y > ri:  # they part, stick after turning inward, or pass each other
                     eps = -(v + (w - v) * x / (x - y)) / speed if y <= 0 else 0.0 if y <= ri else NAN
                     break
                 x, v = y, w

@@ -283,8 +283,8 @@ class World:
         self.stack: List[Tuple[Source, int, int]] = []  # file, offset, number of the next line
         self.label, self.skip_jump, self.partition, self.depth, self.is_left = "", False, 0, 0, False
         self.evaluated: Set[str] = set()
-        self.changes = 0  # counts changes of the system, and of the variables at each unknown condition
-        self.visited: Dict[Tuple[str, int], Any] = {}
+        self.changes = 0  # number of commands that changed the system
+        self.visited: Dict[Tuple[str, int], Any] = {}  # by unknown condition: changes and variables at the last visit
         self.pending: List[str] = []
         self.place = Line("", 0, 0, "")
 

@@ -305,7 +305,7 @@ def read_lethe(text: str, name: str, options: Options) -> Deck:
         force = forces.get(
             f"particle {'wall' if b[1].wall else 'particle'} contact force method", "hertz_mindlin_limit_overlap"
         )
-        force = re.sub("^p[pw]_", "", force)  # the names of before 2022
+        force = re.sub("^p[pw]_", "", force)  # names before 2022
         c.spring = Spring.NONE if force in ("linear", "nonlinear") else Spring.MATERIAL
         c.gravity = math.sqrt(sum(x * x for x in g)) if b[1].wall else NAN
         c.time_step = arithmetic(found("simulation control", "time step")[0])
@@ -387,15 +387,13 @@ def read_pfc(text: str, name: str, options: Options) -> Deck:
 
 # ---- MercuryDPM ----
 
-_SETTERS = (
-    {  # setter: model; indices of the arguments e, stiffness, and mass of one particle
-        "setStiffnessAndRestitutionCoefficient": ("MERCURYDPM_LINEAR", 1, 0, 2),
-        "setCollisionTimeAndRestitutionCoefficient": ("MERCURYDPM_LINEAR", 1, 0, 2),
-        "setCollisionTimeAndNormalAndTangentialRestitutionCoefficient": ("MERCURYDPM_LINEAR", 1, 0, 3),
-        "setRestitutionCoefficient": ("MERCURYDPM_LINEAR", 0, None, 1),
-        "setEffectiveElasticModulusAndRestitutionCoefficient": ("MERCURYDPM_HERTZIAN", 1, None, None),
-    }
-)
+_SETTERS = {  # setter: model; indices of the arguments e, stiffness, and mass of one particle
+    "setStiffnessAndRestitutionCoefficient": ("MERCURYDPM_LINEAR", 1, 0, 2),
+    "setCollisionTimeAndRestitutionCoefficient": ("MERCURYDPM_LINEAR", 1, 0, 2),
+    "setCollisionTimeAndNormalAndTangentialRestitutionCoefficient": ("MERCURYDPM_LINEAR", 1, 0, 3),
+    "setRestitutionCoefficient": ("MERCURYDPM_LINEAR", 0, None, 1),
+    "setEffectiveElasticModulusAndRestitutionCoefficient": ("MERCURYDPM_HERTZIAN", 1, None, None),
+}
 
 
 def read_mercurydpm(text: str, name: str, options: Options) -> Deck:

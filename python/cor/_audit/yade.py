@@ -237,7 +237,7 @@ class Script:
             return self.method(of, thing)
         is_body = any(
             isinstance(x, Spheres) for x in thing.arguments
-        )  # the body may exist, also in a loop of unknown length
+        )  # add a body even if it is not certain that this line runs
         if isinstance(of, list) and name in ("append", "extend", "insert") and (is_body or not self.unsure):
             of.extend(thing.arguments[-1] if name == "extend" else thing.arguments[-1:])
             return None
@@ -634,7 +634,7 @@ class _Reader:
                     self.contact(one, two)
         for c, materials in self.owners:
             if self.mixed & materials:
-                c.slots = ()  # changing the number would affect contacts of two materials
+                c.slots = ()  # the same number belongs to other contacts, too: propose no new one
         for functor in self.functors:
             self.strange_matches(functor)
 
@@ -706,7 +706,7 @@ class _Reader:
             c.unknown = f"cor does not support the contact of {' and '.join(dict.fromkeys(names))} by {functor.name}."
 
     def set_bonds(self, c: Contact, functor: Thing, strengths: Sequence[str], *materials: Optional[Thing]) -> None:
-        """Refuses contacts with a bond that can pull. Bonds of only the first step do not act later."""
+        """Refuses contacts with a bond that can pull. Bonds that form only in the first steps are noted."""
         strong = any(m is None or m.values.get(key, -1) != 0 for m in materials for key in strengths)
         if strong and all(m and m.values.get("isCohesive") is not False for m in materials):
             new, now = (functor.values.get(f"setCohesion{when}", False) for when in ("OnNewContacts", "Now"))

@@ -90,7 +90,7 @@ def estimate(
 
 
 def _pilot(sample: Sample, setup: Setup) -> Tuple[Problem, Floats]:
-    """Fit the power law, as an approximation of any curve, to about 1000 of the bounces."""
+    """Fit the power law, as an approximation of any curve, to at most 2000 of the bounces."""
     if sample.pilot is None:
         drop = np.cumsum(sample.begins) - 1
         chosen = drop % max(1, sample.size // 1000) == 0
@@ -116,7 +116,7 @@ def _set_limits(e: Estimate) -> None:
                     near = np.abs(e.intervals[j] - end) < 1e-6
                     e.intervals[j] = np.where(near, infinity, e.intervals[j])
                     e.intervals[j, :, 0 if infinity < 0 else 1] = infinity
-    if not all(determined) and len(determined) > 1:  # a coordinate that varies with an undetermined coordinate
+    if not all(determined) and len(determined) > 1:  # nor are coordinates tied to an undetermined one
         covariance = covariance_of(p, finite_theta(e))
         size = np.sqrt(np.diag(covariance))
         tied = np.abs(covariance / np.outer(size, size)) > 1 - 1e-6
@@ -246,7 +246,7 @@ def distances(e: Estimate) -> Tuple[Ints, Floats]:
 def _distance_of(e: Estimate, line: int) -> float:
     lines, found = distances(e)
     mine = found[lines == line]
-    return float(mine[np.argmax(np.abs(mine))]) if mine.size else 0.0  # no bounce remains without another removed line
+    return float(mine[np.argmax(np.abs(mine))]) if mine.size else 0.0  # each bounce of the line needs another one
 
 
 def _squares(e: Estimate) -> float:

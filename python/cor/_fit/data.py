@@ -94,6 +94,6 @@ class Form:
     """The format of the source."""
 
     unit: Optional[str] = None  # unit of speeds, heights or times whose columns name no unit: "cm/s", "cm", "ms"
-    separator: Optional[str] = None  # one of , ; tab; None: the most frequent one in the row of names
+    separator: Optional[str] = None  # ",", ";" or "\t"; None: the most frequent one in the row of names
     decimal_comma: bool = False
     drop_height_m: Optional[float] = None  # of every drop

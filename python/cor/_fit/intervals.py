@@ -269,7 +269,7 @@ def interval_ends(
 
 
 def _other_starts(p: Problem, theta: Floats, j: int) -> Callable[[float], List[Floats]]:
-    """Return a function that finds starts for the other of two coordinates on a grid, as the minimum may jump."""
+    """Return a function that finds a start of the other coordinate by a scan, because its minimum may jump."""
     if p.curve.start != "grid" or p.parameters != 2 or p.scatters:
         return lambda x: []
     _, q = _coarse(p, 250, [])

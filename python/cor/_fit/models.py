@@ -233,7 +233,7 @@ WithBodies = Callable[[Bodies], Optional[Parameter]]
 
 @dataclass(frozen=True)
 class Model:
-    """A curve with the parameters of a law. A parameter from with_bodies replaces parameter number `replaced`."""
+    """A curve with the parameters of a law. with_bodies makes a parameter in place of plain[replaced], if it can."""
 
     name: str
     end: str  # "zero-overlap", "zero-force" or "both"

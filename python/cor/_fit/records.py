@@ -227,14 +227,14 @@ def _read_csv(table: Table, file: Any, progress: Callable[[str], None]) -> None:
         block = rest + (raw.encode("utf-8", "surrogateescape") if isinstance(raw, str) else raw)
         block = block if number else _check_encoding(table, block)
         end = block.rfind(b"\n") + 1
-        end = end if raw and len(block) - end <= MAX_LINE + 1 else len(block)  # end of whole lines, or a part
+        end = end if raw and len(block) - end <= MAX_LINE + 1 else len(block)  # whole lines, or the rest
         rest = block[end:]
         lines = block[:end].replace(b"\r\n", b"\n").decode("utf-8", "surrogateescape").split("\n")
         lines = lines if lines[-1] else lines[:-1]
         text, others = "\n".join(lines), len(columns) - 1
         begin = 0 if columns else _find_names(table, number, lines)
         columns = columns or [[] for _ in table.header]
-        if (  # regular rows, in a tenth of the time
+        if (  # a fast way for regular rows
             not begin
             and columns
             and not any(c in text for c in '"#\0\r')
@@ -460,7 +460,7 @@ def _heights(table: Table, ball: Ints, _start: Ints) -> Heights:
 
 
 def _times(table: Table, ball: Ints, start: Ints) -> Times:
-    """Return the drops of measured times. Intervals are summed from 0 to times."""
+    """Return the drops of measured times. Intervals are added up from 0 to times."""
     key = "t" if table.has("t") else "interval"
     time, first = table.numbers(key), start[:-1]
     row = np.arange(len(time))
