@@ -28,9 +28,9 @@
 #ifndef COR_SPHERE_EMBEDDED_H
 #define COR_SPHERE_EMBEDDED_H
 
-/* The includes and the attributes with which C99, C++11, CUDA and HIP compile a function into its caller. Compilers may
- * leave a call of a COR_INLINE function. They must inline every COR_KERNEL function: a call prevents the vectorisation
- * of a loop, and arguments that are constants of the caller would no longer be constants. */
+/* The includes and the attributes with which C99, C++11, CUDA and HIP compile a function into its caller. A compiler
+ * may call a COR_INLINE function, but must inline every COR_KERNEL function: a call prevents the vectorisation of a
+ * loop, and arguments that are constants of the caller would no longer be constants. */
 #ifndef COR_INLINE
 
 #if defined(__CUDACC__) || defined(__HIPCC__)
@@ -55,8 +55,8 @@
 /* Bits of doubles, and sums and products with their rounding errors.
  *
  * The functions classify arguments by their bits, as integers. Floating-point comparisons raise FE_INVALID for a NaN,
- * and -ffinite-math-only lets a compiler assume that no NaN occurs. A bit mask splits a factor. Veltkamp's
- * multiplication would give wrong results where a compiler fuses multiplications with additions. */
+ * and -ffinite-math-only lets a compiler assume that no NaN occurs. Products split their factors by a bit mask.
+ * Veltkamp's multiplication would give wrong results where a compiler fuses multiplications with additions. */
 #ifndef COR_RUNTIME_PAIR_H
 #define COR_RUNTIME_PAIR_H
 
@@ -631,7 +631,7 @@ COR_INLINE double cor_inline_eps_overlap_far(double beta)
     return huge ? eps * COR_INLINE_2_M500 * COR_INLINE_2_M500 : eps;
 }
 
-/* Returns the same eps at beta = x^(1/5), x >= 2^14. Error 0.75 ulp, because the second half of h*^5 is omitted. */
+/* Returns the same eps at beta = x^(1/5), x >= 2^14. Error 0.75 ulp, because h*^5 is rounded to one double. */
 COR_INLINE double cor_inline_eps_overlap_far_root(double x)
 {
     return cor_rows_h_star_5(0)[0] / x;

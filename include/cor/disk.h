@@ -275,23 +275,23 @@ struct cor_disk_collision {
     double max_compression; /* largest x_0 + 1 */
     double energy_drift;    /* energy after minus energy before, relative to (pi/2) v^2 */
     size_t steps;           /* number of steps in the run that gave these results */
-    double error_estimate;  /* absolute error of eps; 1 after a single run, which gives no estimate */
+    double error_estimate;  /* estimated absolute error of eps; 1 after a single run, which gives no estimate */
 };
 
 /* Computes one collision. Domain: 0 < v <= COR_DISK_COLLISION_MAX_SPEED, 1 <= n_modes <= modes->count. The function
  * extrapolates several runs with smaller and smaller steps (docs/theory-disks.md, 15).
  *
  * error_estimate is the sum of four parts: the remainder of the extrapolation, the quadrature over the rim, round-off,
- * and the wall's force before and after the contact. The last three are multiplied by the amplification of errors by
- * the collision. The amplification is estimated from the runs, or measured by a run with v changed by a relative 2^-40.
- * If the error of the quadrature may exceed a tenth of the tolerance, a run with angles shifted by half their distance
- * measures the effect of this error on eps. Accuracy is sampled in 8640 random scenes of 1 to 60 modes of nu = 0.33 and
- * 0.9 (alpha 200 to 8000, v 0.003 to 0.3, tolerances 1e-3 to 1e-11). Another 8640 scenes have 10 to 1800 modes (alpha
- * 100 to 8000, v 0.003 to 0.45, tolerances 1e-2 to 1e-6). Where the status is COR_OK the error is at most 0.86 of the
- * tolerance. In 6 scenes the error exceeds error_estimate, by a factor of at most 3.7: docs/theory-disks.md, 15. Near
- * chaos, round-off may prevent a small tolerance from being reached; below 1e-12 it mostly does. one_minus_eps2 is as
- * accurate as eps. contact_time and max_compression are less accurate. energy_drift is eps^2 + one_minus_eps2 - 1.
- * Equal arguments give equal bits on every instruction set.
+ * and the wall's force before and after the contact. The last three are multiplied by a factor for the amplification of
+ * errors by the collision. The amplification is estimated from the runs, or measured by a run with v changed by a
+ * relative 2^-40. If the error of the quadrature may exceed a tenth of the tolerance, a run with angles shifted by half
+ * their distance measures the effect of this error on eps. Accuracy is sampled in 8640 random scenes of 1 to 60 modes
+ * of nu = 0.33 and 0.9 (alpha 200 to 8000, v 0.003 to 0.3, tolerances 1e-3 to 1e-11). Another 8640 scenes have 10 to
+ * 1800 modes (alpha 100 to 8000, v 0.003 to 0.45, tolerances 1e-2 to 1e-6). Where the status is COR_OK the error is at
+ * most 0.86 of the tolerance. In 6 scenes the error exceeds error_estimate, by a factor of at most 3.7:
+ * docs/theory-disks.md, 15. Near chaos, round-off may prevent a small tolerance from being reached; below 1e-12 it
+ * mostly does. one_minus_eps2 is as accurate as eps. contact_time and max_compression are less accurate. energy_drift
+ * is eps^2 + one_minus_eps2 - 1. Equal arguments give equal bits on every instruction set.
  *
  * Returns COR_OK if error_estimate is at most the tolerance. It returns, with the best numbers and their
  * error_estimate,
@@ -374,7 +374,7 @@ COR_API int cor_disk_collision_in(void *workspace, size_t bytes, const struct co
 
 struct cor_disk_hard_wall_options {
     double tolerance; /* allowed absolute error of 1 - eps^2, from COR_DISK_HARD_WALL_MIN_TOLERANCE to below 1 */
-    size_t max_steps; /* budget of steps for all levels together; 0: of operations, as above, including the modes' */
+    size_t max_steps; /* budget of steps for all levels together; 0: a fixed number of operations */
 };
 
 struct cor_disk_hard_wall {
@@ -382,7 +382,7 @@ struct cor_disk_hard_wall {
     double eps;             /* speed after over speed before */
     double contact_time;    /* from the first to the last touch, computed with the largest Omega */
     double max_compression; /* largest x_0 + 1 */
-    double error_estimate;  /* absolute error of one_minus_eps2 */
+    double error_estimate;  /* estimated absolute error of one_minus_eps2 */
     size_t omega_levels;    /* number of computed levels of Omega */
 };
 
@@ -390,8 +390,7 @@ struct cor_disk_hard_wall {
  * budget, do not suffice for one more level. A level needs all modes below its Omega, whose number cor_disk_modes_below
  * returns. A result needs two levels, COR_OK five. 1800 modes suffice for five levels (Omega = 60), with an error of
  * about 1e-4.
- * Domain: 0 < v <= COR_DISK_HARD_WALL_MAX_SPEED, without a lower limit. Equal arguments give equal bits on every
- * instruction set.
+ * Domain: 0 < v <= COR_DISK_HARD_WALL_MAX_SPEED. Equal arguments give equal bits on every instruction set.
  * Returns COR_OK, or, with the best numbers,
  *     COR_TOLERANCE_NOT_REACHED  the modes or the budget do not suffice for five levels and the tolerance
  * or, with NaN for unknown results,
@@ -402,7 +401,7 @@ struct cor_disk_hard_wall {
  * or, with nothing changed,
  *     COR_ERROR_MODES            the table has fewer than n_modes modes, or n_modes is too small for two levels; omega
  *                                does not grow; an entry is not a number; or an n is not from 0 to
- *                                COR_DISK_MODES_MAX_N, or to 2047 for a mode that moves
+ *                                COR_DISK_MODES_MAX_N (for omega < 960: to 2047)
  *     COR_ERROR_SPEED            the speed is too high or NaN
  *     COR_ERROR_NULL, COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_TOLERANCE, COR_ERROR_MEMORY */
 COR_API int cor_disk_hard_wall(const struct cor_disk_modes *modes, size_t n_modes,
@@ -452,10 +451,10 @@ COR_API int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct co
  * interpolate a table of collisions, generated/disk_limits.h, by polynomials of degree 3 in v^(1/8) and nu. The
  * polynomials are continuous across the borders of the table's cells. A call takes 14 ns (measured; docs/speed).
  *     one_minus_eps2               energy left in the modes, as a fraction of (pi/2) v^2
- *     one_minus_eps2_uncertainty   1.5 times the largest error of the polynomial seen between the points of its cell,
- *                                  combined with the error estimates of the collisions: an estimate, not a bound. Near
- *                                  smaller cells it approaches their uncertainty. The error did not exceed it at 600
- *                                  random points off the grid and 400 on and near borders of cells
+ *     one_minus_eps2_uncertainty   1.5 times the largest error of the polynomial observed between the grid points of
+ *                                  the cell, combined with the error estimates of the collisions: an estimate, not a
+ *                                  bound. Near smaller cells it approaches their uncertainty. The error did not exceed
+ *                                  it at 600 random points off the grid and 400 on and near borders of cells
  *                                  (tests/unit/test_disk_eps.c). It is at most COR_DISK_EPS_MAX_UNCERTAINTY for
  *                                  v <= COR_DISK_EPS_CALM_SPEED, and at most COR_DISK_EPS_MAX_UNCERTAINTY_FAST beyond
  *     eps, eps_uncertainty         the same for eps; eps_array gives the same numbers for many speeds

@@ -31,7 +31,7 @@ extern "C" {
 
 /* ---- laws and ends of contact ---- */
 
-extern const struct cor_exponents cor_law_exponents[COR_LAW_IMPULSE]; /* by enum cor_law */
+extern const struct cor_exponents cor_law_exponents[COR_LAW_IMPULSE]; /* indexed by enum cor_law */
 
 enum { COR_SCENE_ENDS = 2 };                      /* 0: zero overlap. 1: zero force or the surface */
 extern const char *const cor_end_names[COR_ENDS]; /* "zero overlap" */
@@ -162,9 +162,9 @@ double cor_scene_tabor_number(const struct cor_scene_contact *contact, double ad
 /* Computes a tangential spring and dashpot for solid spheres with the linear dashpot (a = 1, b = 0). With them the
  * contact point, of mass (2/7) m, reverses its tangential velocity within the duration of the contact, with the
  * restitution tangential_eps, 0 < tangential_eps <= 1. At zero overlap k_t/K = (2/7) (pi^2 + ln^2 e_t)/(pi^2 + ln^2
- * e_n). The contact must not slip. Accuracy: COR_SCENE_MAX_ERROR. Returns COR_OK. Returns COR_FAULT_RANGE, and sets
- * both results to NaN, for another law, unknown mass or stiffness, a constant force, bodies that never part, or another
- * tangential_eps. */
+ * eps), where e_t is tangential_eps. The contact must not slip. Accuracy: COR_SCENE_MAX_ERROR. Returns COR_OK. Returns
+ * COR_FAULT_RANGE, and sets both results to NaN, for another law, unknown mass or stiffness, a constant force, bodies
+ * that never part, or another tangential_eps. */
 int cor_scene_tangential(double *stiffness_n_m, double *damping_n_s_m, const struct cor_scene_contact *contact,
                          double tangential_eps, int end);
 
@@ -194,10 +194,10 @@ double cor_scene_sticking_speed(const struct cor_scene_contact *contact, int end
  *     v += h F(x, v)/m,  x += h v
  *
  * Velocity Verlet computes the damping force at the velocity of the last half step, leapfrog at the velocity of the
- * last step. The fourth uses the velocity predicted for the full step, v + (h/2) F/m with the last force F. The last
- * one, for the linear law only, uses force and velocity at the end of the step, as engines for robots and games do. v'
- * = (v - (h K/m) x)/(1 + h C/m + h^2 K/m) and x' = x + h v'; if the force would pull and the end is COR_END_ZERO_FORCE,
- * v' = v. The input of such engines is K and C, or ERP = h K/(h K + C) and CFM = 1/(h K + C). */
+ * last step. COR_VERLET_FULL_STEP uses the velocity predicted for the full step, v + (h/2) F/m with the last force F.
+ * COR_IMPLICIT_EULER, for the linear law only, uses force and velocity at the end of the step, as engines for robots
+ * and games do. v' = (v - (h K/m) x)/(1 + h C/m + h^2 K/m) and x' = x + h v'; if the force would pull and the end is
+ * COR_END_ZERO_FORCE, v' = v. The input of such engines is K and C, or ERP = h K/(h K + C) and CFM = 1/(h K + C). */
 enum cor_integrator {
     COR_VERLET_HALF_STEP, /* LAMMPS, LIGGGHTS, MercuryDPM, OpenFOAM, PFC */
     COR_LEAPFROG,         /* YADE */
@@ -217,7 +217,7 @@ double cor_scene_elastic_duration_s(const struct cor_scene_contact *contact, dou
 
 /* The realised eps of a simulator minus the exact eps, over all phases of the first step. The phase is the time from
  * first touch to the end of the step in which the bodies touch. It is uniformly distributed from 0 to the step h. Under
- * a constant force eps is the ratio of the speeds at x = 0. Before the first step and after the last one only the force
+ * a constant force eps is the ratio of the speeds at x = 0. Before the first step and after the last one only force_n
  * acts, and v^2/2 - force_n x/m is constant. */
 struct cor_step_error {
     double bias;           /* mean */
@@ -228,11 +228,11 @@ struct cor_step_error {
 /* Computes the error of eps at an impact speed, with `steps` time steps in an elastic duration. The simulator damps the
  * bodies until they are apart (end: COR_END_ZERO_OVERLAP), or sets the contact force to zero where it would pull
  * (COR_END_ZERO_FORCE; under a constant force this is the surface). The number of steps with contact force jumps at
- * some phases. The function finds these phases and integrates between them. It takes 9 to 22 microseconds at 12 steps
- * without a force. eps = 0 for bodies that would part with less than 1e-8 of the impact speed, and for bodies that
- * stick under the force. Accuracy: bias and scatter are off by at most COR_SCENE_STEP_ERROR of the scatter where eps is
- * above 1e-6; sampled in tests/unit/test_scene_step.c. Below 5 steps, a small range of phases in which the bodies part
- * can be missed. Returns COR_OK, the result of cor_scene_eps, or COR_FAULT_STEP if
+ * some phases. The function finds these phases and integrates between them. A call takes 9 to 22 microseconds at 12
+ * steps without a constant force. eps = 0 for bodies that would part with less than 1e-8 of the impact speed, and for
+ * bodies that stick under the constant force. Accuracy: bias and scatter are off by at most COR_SCENE_STEP_ERROR of the
+ * scatter where eps is above 1e-6; sampled in tests/unit/test_scene_step.c. Below 5 steps, a small range of phases in
+ * which the bodies part can be missed. Returns COR_OK, the result of cor_scene_eps, or COR_FAULT_STEP if
  *   - steps, end or integrator are outside their range,
  *   - the constant force changes the speed in a step by more than twice the impact speed,
  *   - the bodies yield, adhere as in JKR, or are in a liquid,
@@ -450,7 +450,7 @@ enum cor_fault {
     COR_FAULT_PRESSED,        /* under a constant force the damping is too strong to be integrated */
     COR_FAULT_GRAVITY,        /* gravity needs a wall or a plate: it does not press free bodies together */
     COR_FAULT_ADHESION,       /* adhesion and an adhesion model go together */
-    COR_FAULT_ADHESION_MODEL, /* the adhesion model is absent, or has no contact of this law */
+    COR_FAULT_ADHESION_MODEL, /* no adhesion model is given, or it does not have this law */
     COR_FAULT_PRESSED_LAW,    /* gravity or adhesion, with elastic-plastic spheres or a liquid (`number`) */
     COR_FAULT_NO_YIELD,       /* elastic-plastic spheres need a yield stress or a restitution */
     COR_FAULT_YIELD_DAMPING,  /* elastic-plastic spheres do not accept `number` */
@@ -588,8 +588,8 @@ struct cor_simulator_model {
     double (*damping_of_e)(double e);
     double least, most;
 
-    /* Convert the damping at a speed to the number that the user sets, and back; NULL if the user sets e. Both
-     * functions need only mass, stiffness or radius of the contact. */
+    /* Convert the damping at a speed to the number that the user sets, and back; NULL if the user sets e. Of the
+     * contact, both functions use only mass, stiffness and radius. */
     double (*number_of_damping)(const struct cor_simulator_model *model, double damping,
                                 const struct cor_scene_contact *contact, double speed_m_s);
     double (*damping_of_number)(const struct cor_simulator_model *model, double number,

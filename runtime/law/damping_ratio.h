@@ -75,7 +75,7 @@ struct cor_ratio_far {
     double excess;
 };
 
-/* Computes the parts for 2.8 <= zeta <= 2^500. */
+/* Fills the struct for 2.8 <= zeta <= 2^500. */
 COR_INLINE struct cor_ratio_far cor_ratio_far(struct cor_inline_pair zeta)
 {
     struct cor_ratio_far far;
@@ -207,7 +207,7 @@ struct cor_ratio_limited {
     struct cor_inline_pair c, slope, share, root; /* C, C/zeta, (R + 1)/(R + 3), R */
 };
 
-/* Computes the members for zeta <= 2^64. */
+/* Fills the struct for zeta <= 2^64. */
 COR_KERNEL struct cor_ratio_limited cor_ratio_limited_parts(double zeta)
 {
     const struct cor_inline_pair p = cor_inline_product(zeta, zeta);

@@ -2,8 +2,8 @@
 /* Bits of doubles, and sums and products with their rounding errors.
  *
  * The functions classify arguments by their bits, as integers. Floating-point comparisons raise FE_INVALID for a NaN,
- * and -ffinite-math-only lets a compiler assume that no NaN occurs. A bit mask splits a factor. Veltkamp's
- * multiplication would give wrong results where a compiler fuses multiplications with additions. */
+ * and -ffinite-math-only lets a compiler assume that no NaN occurs. Products split their factors by a bit mask.
+ * Veltkamp's multiplication would give wrong results where a compiler fuses multiplications with additions. */
 #ifndef COR_RUNTIME_PAIR_H
 #define COR_RUNTIME_PAIR_H
 

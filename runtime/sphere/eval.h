@@ -106,7 +106,7 @@ COR_INLINE double cor_inline_eps_overlap_far(double beta)
     return huge ? eps * COR_INLINE_2_M500 * COR_INLINE_2_M500 : eps;
 }
 
-/* Returns the same eps at beta = x^(1/5), x >= 2^14. Error 0.75 ulp, because the second half of h*^5 is omitted. */
+/* Returns the same eps at beta = x^(1/5), x >= 2^14. Error 0.75 ulp, because h*^5 is rounded to one double. */
 COR_INLINE double cor_inline_eps_overlap_far_root(double x)
 {
     return cor_rows_h_star_5(0)[0] / x;
