@@ -29,8 +29,8 @@
 #define COR_SPHERE_EMBEDDED_H
 
 /* The includes and the attributes with which C99, C++11, CUDA and HIP compile a function into its caller. A compiler
- * may call a COR_INLINE function, but must inline every COR_KERNEL function: a call prevents the vectorisation of a
- * loop, and arguments that are constants of the caller would no longer be constants. */
+ * may call a COR_INLINE function, but must inline every COR_KERNEL function. A call prevents the vectorisation of a
+ * loop, and arguments that are constants of the caller are then no longer constants. */
 #ifndef COR_INLINE
 
 #if defined(__CUDACC__) || defined(__HIPCC__)
