@@ -150,7 +150,7 @@ TEST(test_collisions)
     const struct cor_exponents dashpot = law_of("3/2", "0"), tsuji = law_of("3/2", "1/4");
     collision_of(c, "1.127988", &dashpot, 90); /* near the threshold a second attempt with more bits is needed */
     assert_bits(c->eps_zero_overlap, 90);
-    /* within 1e-3 of zeta = 1: eps = exp(-pi zeta/sqrt(1 - zeta^2)) is 3e-61 */
+    /* Here |zeta - 1| < 1e-3, and eps = exp(-pi zeta/sqrt(1 - zeta^2)) is 3e-61. */
     collision_of(c, "2.2355", &tsuji, 90);
     assert_true(arb_is_positive(c->eps_zero_overlap));
     assert_bits(c->eps_zero_overlap, 90);
@@ -290,7 +290,7 @@ TEST(test_slow_manifold)
                            m->last, m->n, slope, m->nu));
         LET(beta, 250, "m->last*(1 - 1/2^100)", m->last);
         arb_poly_evaluate(p, m->p, beta, 250);
-        assert_true(slow_manifold_time(slope, m, beta, p, 24)); /* the time is nearly zero, up to its error */
+        assert_true(slow_manifold_time(slope, m, beta, p, 24)); /* zero up to its error */
         arf_set_mag(arb_midref(slope), arb_radref(slope));
         mag_zero(arb_radref(slope));
         assert_true(HOLDS(250, "2*slope > m->time_error", slope, m->time_error));
@@ -306,7 +306,8 @@ TEST(test_slow_manifold)
     }
 }
 
-/* The c of eps = v_f beta^(-1/q) (1 - c beta^P exp(-k/mu)) is nearly the same for three collisions. */
+/* c of eps = v_f beta^(-1/q) (1 - c beta^P exp(-k/mu)) is nearly the same at three beta. v_f is the final speed on the
+ * slow manifold (docs/theory.md, 9). */
 TEST(test_forgetting)
 {
     leave_to_turn(4, 3);
@@ -336,14 +337,14 @@ TEST(test_forgetting)
             arb_log(x, x, PREC);
             constant[j] = middle(x) - P * log(at) + k * pow(at, (a + 1) / b1);
         }
-        /* k wrong by 1 %, or P wrong by 0.1, would change c by more, and by an amount that depends on beta */
+        /* an error of 1 % in k or of 0.1 in P would change c by more */
         assert_true(fabs(constant[1] - constant[0]) < 0.1);
         assert_true(fabs(constant[2] - constant[1]) < fabs(constant[1] - constant[0]) + 1e-12);
     }
 }
 
-/* For the law (3/2, 1/3) at beta = 4.1 and 12 bits, the estimate of the contraction neglects beta^P with P = 41, so the
- * motion misses the manifold. More bits never help, so the unloading is integrated. */
+/* For the law (3/2, 1/3) at beta = 4.1 and 12 bits, the estimate of the contraction lacks a factor beta^41. So the
+ * motion misses the manifold at every precision, and the unloading is integrated instead. */
 TEST(test_missed_manifold)
 {
     leave_to_turn(1, 3);
@@ -393,8 +394,9 @@ TEST(test_below_threshold)
 
 /* ---- asymptotics ---- */
 
-/* At zero force eps = mu Xinf^(a-b) (1 - 2 (a-b) Xinf^(a-2b-1) mu ln(1/mu) + O(mu)) and t = beta^(-1/(b+1)) T, T = 2
- * Xinf^-b ln(1/mu) + O(1). The remainders divided by their order, O(mu)/mu and O(1), vary little with beta. */
+/* For large beta, with the limit Xinf of the largest overlap, zero force has eps = mu Xinf^(a-b) (1 - 2 (a-b)
+ * Xinf^(a-2b-1) mu ln(1/mu) + O(mu)) and the time beta^(-1/(b+1)) (2 Xinf^-b ln(1/mu) + O(1)). The remainders O(mu)/mu
+ * and O(1) vary little with beta. */
 TEST(test_strong_force)
 {
     static const char *const laws[][2] = {{"3/2", "0"},   {"1", "0"}, {"3/2", "1/4"},
@@ -443,7 +445,8 @@ TEST(test_turns_beyond_rest)
 
 /* ---- the surface under a constant force ---- */
 
-/* x'' + beta x^b x' + x^a = force, x = w^d, y = {w, x', t, loss}: the damping takes `loss` of the energy 1/2 */
+/* x'' + beta x^b x' + x^a = force with x = w^d. y = {w, x', t, loss}: the loss is the energy that the damping
+ * dissipates; the initial energy is 1/2. */
 struct pressed_law {
     struct cor_exponents law;
     long double beta, force;
@@ -473,10 +476,9 @@ static long double pressed_turn(const long double *y, const void *of)
     return -y[1];
 }
 
-/* Returns eps^2 at the surface; it is not positive if the bodies stay together. y becomes the state where the contact
- * ends. The flight that follows loses its initial elastic energy. A second turning point has one of two causes: the
- * damping consumed all energy, or the force is large, the damping almost zero, and rounding hides the end of
- * contact. */
+/* Returns eps^2 at the surface, which is not positive if the bodies stay together. y becomes the state where the
+ * contact ends. The following flight loses its initial elastic energy. The motion turns twice if the damping dissipates
+ * all energy, or if rounding hides the end of contact under a large force. */
 static long double surface_by_loss(long double y[4], const struct pressed_law *p)
 {
     const long double a = ratio_double(law_elastic(&p->law)), size = powl(fmaxl(1, p->force), 1 / a);
@@ -493,7 +495,7 @@ static long double surface_by_loss(long double y[4], const struct pressed_law *p
     return rest;
 }
 
-/* Laws with a - b from -1 to 3, forces up to 1e12, and damping that consumes any part of the energy */
+/* Laws with a - b from -1 to 3, forces up to 1e12, and damping that dissipates any part of the energy */
 TEST(test_surface)
 {
     LOCAL(collision, c);
@@ -547,7 +549,7 @@ TEST(test_sticking_force)
             assert_true(above ? arb_is_zero(c->field[at]) : arb_is_positive(c->field[at]));
         }
     }
-    /* the elastic force is 1 at every overlap: no other force balances it, and the speed has no effect */
+    /* The elastic force is 1 at every overlap, so only the force 1 balances it, whatever the speed. */
     const struct cor_exponents constant = law_of("0", "1");
     assert_int_equal(collision_sticking_force(force, beta, &constant, 0, 30), 0);
     assert_true(arb_is_one(force));
@@ -592,7 +594,8 @@ TEST(test_critical)
     assert_digits(x, "1.570796326795"); /* pi zeta = pi beta/2 */
 }
 
-/* Each end, solved separately, agrees with the solution for both, even in the step of the turning point. */
+/* A solution for one end agrees with the solution for both ends, even if zero force is in the step of the turning
+ * point. */
 TEST(test_one_end)
 {
     static const char *const cases[][3] = {
@@ -613,7 +616,7 @@ TEST(test_one_end)
             assert_bits(one->field[end ? 1 : 2], 70);
         }
     }
-    static const double refused[] = {-1, INFINITY, NAN, 0}; /* for beta = 0 the force vanishes only with the overlap */
+    static const double refused[] = {-1, INFINITY, NAN, 0}; /* at beta = 0 zero force is not a separate end */
     for (int i = 0; i < 4; i++) {
         arb_set_d(beta, refused[i]);
         assert_int_equal(collision_solve(both, beta, &law_sphere, 60), i < 3);
@@ -623,8 +626,8 @@ TEST(test_one_end)
     }
 }
 
-/* At this precision beta is too small for the slow manifold and large for the full motion. An alarm ends a solver that
- * retries forever. The result must agree with the loading and with h*^5 beta^-5. */
+/* At 114 bits, these beta are too small for the slow manifold and too large for the full motion. The alarm ends a
+ * solver that retries forever. The result must agree with the loading, and with eps = h*^5 beta^-5. */
 TEST(test_between_methods)
 {
     LOCAL(collision, c, loading);

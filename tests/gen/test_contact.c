@@ -138,7 +138,7 @@ TEST(reference_collisions)
         check_near(got.max_overlap_m, r[2], COR_SCENE_MAX_ERROR);
         check_near(cor_scene_force_max_n(&contact, n[8]), r[3], COR_SCENE_MAX_ERROR);
         if (in_turn(rows, 10))
-            /* with weak damping the force vanishes shortly before the overlap */
+            /* the last argument is larger because zero force and zero overlap nearly coincide for weak damping */
             against_integration(&proved, r[3], &contact, n[8], COR_SCENE_MAX_ERROR, 1e-5);
     }
     assert_int_equal(rows, ROWS);
@@ -293,7 +293,7 @@ TEST(other_laws)
     check_near(scene_impact(&linear, 2).duration_s[0], pi / sqrt(1 - zeta * zeta) * sqrt(1e-3 / 1e5), 1e-14);
     assert_true(isnan(cor_scene_damping(&linear, COR_SCENE_G_STAR)) &&
                 isnan(cor_scene_damping(&linear, COR_SCENE_DISSIPATION_TIME)));
-    /* Zener's plate: A = m/(8 sqrt(B rho h)), the force is K x^(3/2), and there is one end */
+    /* Zener's plate: A = m/(8 sqrt(B rho h)), the force is K x^(3/2), and zero overlap is the only end */
     const struct cor_scene_contact plate =
         contacts_of(COR_LAW_PLATE, COR_BOTH_ENDS, GLASS,
                     GIVEN({COR_SCENE_PLATE_THICKNESS, 2e-3}, {COR_SCENE_DENSITY_2, 2700}))
@@ -303,7 +303,7 @@ TEST(other_laws)
     const struct cor_scene_impact impact = scene_impact(&plate, 1);
     assert_true(isnan(impact.eps[COR_END_ZERO_FORCE]) && isnan(impact.duration_s[COR_END_ZERO_FORCE]));
     check_near(cor_scene_force_max_n(&plate, 1), plate.stiffness * pow(impact.max_overlap_m, 1.5), 1e-13);
-    /* the inverse for a law that needs enclosed collisions; without a solver the request is refused */
+    /* the damping for a restitution, of a law that needs enclosed collisions; without a solver this is refused */
     struct cor_scene_contact power = {.law = {2, 1, 1}, .mass_kg = 1e-3, .stiffness = 1e5, .solver = contact_enclosed};
     assert_int_equal(cor_scene_set_damping(&power, COR_SCENE_RESTITUTION, 0.3, 0.5, COR_END_ZERO_FORCE), 0);
     check_near(scene_eps(&power, 0.5, COR_END_ZERO_FORCE), 0.3, 1e-14);
@@ -316,7 +316,7 @@ TEST(other_laws)
 
 /* ---- a constant force: enclosed collisions against the integration in doubles ---- */
 
-static int stuck, held, parted; /* counts: bodies together at zero overlap, at zero force; bodies that part */
+static int stuck, held, parted; /* counts: no end at zero overlap, none at zero force, and an end at zero overlap */
 
 static void check_pressed(const struct cor_exponents *exponents, double damping, double force_n, double speed)
 {
@@ -379,7 +379,7 @@ TEST(collisions_under_a_constant_force)
                     check_pressed(&laws[l], *damping, *force, 1);
             }
         }
-        /* large forces, near the sticking speed and beyond it */
+        /* large forces, at speeds near the sticking speed */
         for (size_t i = 0; i < draws; i++) {
             const double speed = pow(random_log(&draw, 1, 1e12), -a1 / (2 * a1 - 2));
             check_pressed(&laws[l], i > 0 ? speed * speed * random_log(&draw, 1e-3, 0.5) : 0, 1, speed);

@@ -35,7 +35,7 @@ TEST(test_values)
     assert_value("0000000001e000003", "1000");
 }
 
-/* Texts that are not numbers, for every reason. The last one has one digit more than the longest exponent. */
+/* Texts that are not numbers. 1e0000001 has one digit more than the longest exponent. */
 TEST(test_no_numbers)
 {
     static const char *const wrong[] = {
@@ -116,7 +116,7 @@ TEST(test_ranges)
     struct decimal_range range = {"-1", "1", true, false, false, ""};
     assert_true(inside(&range, "-1") && inside(&range, "0.99999999999999999999"));
     assert_false(inside(&range, "1") || inside(&range, "-1.00000000000000000001"));
-    range.nearest = true; /* refused, because its nearest double is the excluded limit */
+    range.nearest = true; /* refuses numbers whose nearest double is the excluded limit */
     assert_false(inside(&range, "0.99999999999999999999"));
     range.high_allowed = true;
     assert_true(inside(&range, "1") && inside(&range, "0.99999999999999999999"));

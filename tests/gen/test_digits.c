@@ -28,7 +28,7 @@ TEST(test_spelling)
         {"0", "0", 50},
         {"0.125", "0.12", 2}, /* exact ties: half to even, as everywhere in IEEE arithmetic */
         {"0.375", "0.38", 2},
-        {"1 +/- 1e-30", "1.0000000000000000000", 20}, /* no tie: the width does not matter, even below a power of ten */
+        {"1 +/- 1e-30", "1.0000000000000000000", 20}, /* no tie: the digits do not depend on the width */
     };
     LOCAL(arb, x);
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
@@ -65,7 +65,7 @@ TEST(test_undecided)
         assert_true(digits_to_double(&y, x) == (sign < 0)); /* the nearest double of a tiny number is 0 */
         y = 7;
     }
-    arb_set_str(x, "1e400", 100); /* it has digits */
+    arb_set_str(x, "1e400", 100); /* beyond the range of a double */
     assert_false(digits_to_double(&y, x));
     arb_indeterminate(x);
     assert_null(digits_of_ball(x, 3));

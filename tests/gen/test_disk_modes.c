@@ -29,7 +29,7 @@ static void modes_solve(struct disk_modes *modes, const char *text, slong count,
     assert_int_equal(modes->count, count);
 }
 
-/* ---- one mode, by the count only ---- */
+/* ---- one mode, found by counting eigenvalues ---- */
 
 static void assert_same_mode(const struct disk_mode *a, const struct disk_mode *b)
 {
@@ -57,7 +57,7 @@ TEST(test_near_pair)
         arb_sqr(w, w, 200);
         assert_int_equal(disk_count(&disk, 1, w), 50 + (i + 1) / 2);
     }
-    /* From one root Newton's method leads to the other, and a bracket wide enough for both proves neither. */
+    /* Newton's method starts at the other root. A bracket that contains both roots proves neither. */
     assert_int_equal(disk_mode_solve(low, nu, 1, 50, second, 4), 0);
     assert_int_equal(disk_mode_solve(high, nu, 1, 51, first, 4), 0);
     assert_true(arb_lt(low->omega, high->omega));
@@ -200,7 +200,7 @@ static void bessel_j(arb_t j, slong n, const arb_t z, slong prec)
         arb_add_error_mag(j, arb_radref(z));
 }
 
-/* Sets j and d from J_m-1 = (2m/z) J_m - J_m+1, and (24). */
+/* Computes j by the recurrence J_m-1 = (2m/z) J_m - J_m+1, and d by (24). */
 static void bessel_set(struct bessel *b, slong n, slong prec)
 {
     bessel_j(b->j[2], n, b->z, prec);
@@ -211,7 +211,7 @@ static void bessel_set(struct bessel *b, slong n, slong prec)
     LET(b->d, prec, "b->z*b->j[1] - n*b->j[2]", b->z, b->j[1], n, b->j[2]);
 }
 
-/* Computes the left side of (25), or of (20) for n = 0. Fills k at kappa and k1 at kappa'. */
+/* Computes the left side of (25), or of (20) for n = 0. Sets the Bessel functions k at kappa and k1 at kappa'. */
 static void equation(arb_t f, struct bessel *k, struct bessel *k1, const fmpq_t nu, slong n, const arb_t omega,
                      slong prec)
 {
@@ -278,7 +278,7 @@ static void amplitudes(arb_t a, arb_t b, const struct bessel *k, const struct be
     }
 }
 
-/* Computes C and S at a frequency, with C > 0 by convention. For n = 0 there is no B, and only z of k1 is set. */
+/* Computes C and S at a frequency, with C > 0 by convention. For n = 0, B is 0. */
 static void rim_amplitudes(arb_t c, arb_t s, const fmpq_t nu, slong n, const arb_t omega, slong prec)
 {
     LOCAL(bessel, k, k1);
@@ -302,7 +302,7 @@ static void rim_amplitudes(arb_t c, arb_t s, const fmpq_t nu, slong n, const arb
         lommel(mixed, k, k1, o, prec);
         LET(norm, prec, "norm + a^2*own + b^2*own1 + 2*sign*a*b*mixed", norm, a, own, b, own1, sign, mixed);
     }
-    arb_mul_2exp_si(norm, norm, n > 0 ? -1 : 0); /* int = 1, and 1/2 for n = 0 */
+    arb_mul_2exp_si(norm, norm, n > 0 ? -1 : 0); /* the integral of (26) is 1, or 1/2 for n = 0 */
     arb_sqrt(norm, norm, prec);
     if (arb_is_negative(c))
         arb_neg(norm, norm);
@@ -310,7 +310,7 @@ static void rim_amplitudes(arb_t c, arb_t s, const fmpq_t nu, slong n, const arb
     arb_div(s, s, norm, prec);
 }
 
-/* Fails unless the mode has a root of (25), and C and S of (22), (23) and (26). */
+/* Fails unless omega is a root of (25), and C and S agree with (22), (23) and (26). */
 static void assert_mode(const struct disk_mode *mode, const fmpq_t nu)
 {
     LOCAL(arb, c, s);
@@ -443,8 +443,7 @@ TEST(none_is_missing)
     }
 }
 
-/* All modes of a material without a table, against the modes in double arithmetic; unit.disk_mode_source checks their
- * sums */
+/* Compares the modes of a nu without a table with cor_disk_modes_compute. */
 TEST(test_against_doubles)
 {
     leave_to_turn(1, 3);
@@ -508,7 +507,7 @@ TEST(test_corners_of_nu)
         for (slong k = 0; k < other->count; k += 59)
             assert_root(&other->mode[k], nu, 50, 1500);
     }
-    /* the modes above the conformal maps, whose omega is of order 1/sqrt(1 + nu) */
+    /* the lowest modes that are no conformal maps; omega is of the order 1/sqrt(1 + nu) */
     LOCAL(disk_mode, mode);
     near_end(nu, -1, 30);
     for (slong n = 0; n <= 3; n++) {
@@ -518,7 +517,7 @@ TEST(test_corners_of_nu)
     }
 }
 
-/* No mode with n >= cor_mode_orders(omega) is below omega, and few smaller n have no mode there. */
+/* cor_mode_orders(omega) exceeds every n that has a mode below omega, but only slightly. */
 TEST(test_orders)
 {
     static const char *const materials[] = {"99/100", "33/100", "0", "-9/10", "-999999/1000000"};

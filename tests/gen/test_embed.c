@@ -103,9 +103,9 @@ static void check_form(const struct embed_form *f, const struct embed_scene *s, 
     assert_true(isnan(embed_form_value(f, -1, false)) && isnan(embed_form_value(f, NAN, false)));
 }
 
-/* Checks that the proof covers the whole range. The proved error must bound the error at speeds other than the samples,
- * and may exceed the largest sampled error only slightly. Repeats this with a wrong number in the form. True if the
- * wrong number raised the sampled error. */
+/* Checks the proof of a form, which covers the whole range. The proved error must bound the errors between the samples,
+ * and may be only slightly larger than the largest sampled error. Then changes one number of the form, and checks the
+ * proof again. True if the change raised the sampled error. */
 static bool check_proof(struct embed_form *f, const struct embed_scene *s)
 {
     struct embed_proof proof;
@@ -140,8 +140,8 @@ static bool check_proof(struct embed_form *f, const struct embed_scene *s)
     return raised;
 }
 
-/* Checks all forms of a scene. A run of the tests proves only a third of the forms, by turns. For a law other than the
- * sphere's, proves only the cheapest form, if a proof exists. Returns the number of families that have a form. */
+/* Checks all forms of a scene. Proves a third of the forms of a sphere's scene, another third in every turn; for
+ * another law only the cheapest form, if `proved`. Returns the number of families that have a form. */
 static int check_scene(struct embed_request *request, bool proved)
 {
     struct found w;
@@ -159,7 +159,7 @@ static int check_scene(struct embed_request *request, bool proved)
             check_proof(&w.form[k], &w.s);
         found += w.form[k].found;
     }
-    if (!proved && few_or_all(0, 1) != 0) { /* takes seconds before it gives up */
+    if (!proved && few_or_all(0, 1) != 0) { /* the proof takes seconds before it gives up */
         assert_int_equal(embed_prove(&proof, w.chosen, &w.s), STATUS_OK);
         assert_true(!proof.proved && !(proof.error < HUGE_VAL) && proof.rounding < w.s.tolerance);
     }
@@ -167,8 +167,9 @@ static int check_scene(struct embed_request *request, bool proved)
     return found;
 }
 
-/* Forms of every family for both ends, several tolerances and both types. Other laws: q of both signs, rows below the
- * threshold, speeds beyond all rows, ends that coincide. Families of a series exist only for spheres. */
+/* Forms of every family for both ends, several tolerances and both types. Scenes of other laws have q of both signs,
+ * beta just below the threshold, beta beyond all rows, or ends that coincide. Families of a series exist only for
+ * spheres. */
 TEST(test_scenes)
 {
     static const char *const hertz[] = {"3/2", "0"}, *const linear[] = {"1", "2"}, *const crossley[] = {"3/2", "3/2"},
@@ -357,8 +358,7 @@ TEST(test_own_laws)
     remove(path);
 }
 
-/* The counts of operations are the counts by hand. A leading coefficient 1 needs no product. A square root prevents the
- * vectorisation of a loop. */
+/* The counts of operations agree with counts by hand. A leading coefficient 1 needs no product. */
 TEST(test_counts)
 {
     double number[] = {1, 2, 3, 4, 5, 6, 1};
@@ -452,15 +452,16 @@ static void assert_power_law(double x, double limit)
     LOCAL(collision, c);
     LOCAL(arb, beta, d, h_star);
     arb_set_d(d, x);
-    arb_root_ui(beta, d, 5, 2 * FAR_BITS); /* with fewer bits no attempt of the collision reaches its precision */
+    arb_root_ui(beta, d, 5, 2 * FAR_BITS); /* collision_solve needs this precision of beta */
     assert_int_equal(collision_solve(c, beta, &law_sphere, FAR_BITS), 0);
     assert_int_equal(collision_h_star(h_star, FAR_BITS), 0);
     LET(d, FAR_BITS, "1 - x*c->eps_zero_overlap/h_star^5", x, c->eps_zero_overlap, h_star);
     assert_true(arb_is_positive(d) && HOLDS(FAR_BITS, "d < limit", d, limit));
 }
 
-/* The power law holds from EMBED_FAR onward, and from the beta at which the library uses it (docs/theory.md, 18). eps
- * is a rational function of the speed, h*^5/(b^5 g). Its proof detects a coefficient that is wrong in its 48th bit. */
+/* Tests the power law eps = h*^5/beta^5 from EMBED_FAR onward and from beta^5 = 2^14 onward (docs/theory.md, 18). As a
+ * form it is a rational function of the speed, h*^5/(b^5 g). Its proof detects an error in the 48th bit of a
+ * coefficient. */
 TEST(test_far)
 {
     assert_power_law(pow(EMBED_FAR, 5), EMBED_FAR_ERROR);
@@ -479,7 +480,7 @@ TEST(test_far)
     embed_scene_clear(&s);
 }
 
-/* Fails unless the onset is the largest number of the type that does not exceed the speed. */
+/* Fails unless s->onset is the largest number of its type that does not exceed the speed at which yield begins. */
 static void assert_onset(const struct embed_scene *s, const arb_t speed)
 {
     LOCAL(arb, onset, next);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Tests the proofs of embedded headers (gen/embed/proof.c, rounding.c) on forms whose error is known. A form gets an
- * error of known size at a chosen speed, and the proof must find it at any speed. Bounds of rounding errors are
- * compared with counts by hand. */
+/* Tests the proofs of embedded headers (gen/embed/proof.c, rounding.c). A form with an added error of known size must
+ * have a proved error of at least this size, at whichever speed the error is. Compares bounds of rounding errors with
+ * counts by hand. */
 #include <math.h>
 
 #include "ball.h"
@@ -37,7 +37,7 @@ static void clear_scene(struct embed_scene *s)
     FOR_ALL(arb, clear, s->beta_per_root, s->beta_enclosed, s->h_star_5);
 }
 
-/* Returns a form on the whole range, with the most refined root. */
+/* Returns a form for the whole range, with the most accurate roots. */
 static struct embed_form form_of(const struct embed_scene *s, enum embed_family family, enum embed_variable variable,
                                  slong numerator, double *number)
 {
@@ -59,8 +59,8 @@ static struct embed_proof proof_of(const struct embed_form *f, const struct embe
 
 /* ---- errors at a chosen place ---- */
 
-/* Multiplies a form by 1 + BUMP 2 x y/(x^2 + y^2), whose maximum is at x = y. y runs through the range of the variable,
- * both ends included. Fails unless each proof finds the error. */
+/* Multiplies a form by 1 + BUMP 2 x y/(x^2 + y^2), which is largest at x = y, for several y in the range of the
+ * variable x. Fails unless each proof finds this error. */
 static void assert_bumps_proved(const struct embed_form *f, const struct embed_scene *s, const char *what)
 {
     const double power = 1 / (double)embed_roots[f->variable].degree;
@@ -86,8 +86,8 @@ static void assert_bumps_proved(const struct embed_form *f, const struct embed_s
     }
 }
 
-/* eps = 32 h*^5/speed from beta = 8 to 20, with beta = speed^(1/5)/2, where the power law replaces an interpolant. The
- * error of the power law, EMBED_FAR_ERROR, is part of the bound. */
+/* The form is eps = 32 h*^5/speed with beta = speed^(1/5)/2 from 8 to 20. There the exact eps comes from the power law
+ * instead of an interpolant. The proved error contains EMBED_FAR_ERROR, the error of the power law. */
 TEST(test_far_parts)
 {
     struct embed_scene s = scene_of(COR_END_ZERO_OVERLAP, 16, 40, NULL);
@@ -104,7 +104,7 @@ TEST(test_far_parts)
     f.denominator = 1;
     LET(rest, EMBED_BITS, "abs(h5 - s.h_star_5)/h5", h5, s.h_star_5);
     const double least = middle(rest) + EMBED_FAR_ERROR;
-    f.error = least; /* bisection cannot reduce EMBED_FAR_ERROR, and samples do not show it */
+    f.error = least; /* the least error that a proof can reach; the samples do not contain EMBED_FAR_ERROR */
     const struct embed_proof proof = proof_of(&f, &s);
     check(proof.formula >= least * (1 - 1e-9) && proof.formula <= 1.1 * least, "h*^5/g is off by %g, %g proved", least,
           proof.formula);
@@ -136,7 +136,8 @@ TEST(test_intervals)
     clear_scene(&s);
 }
 
-/* The proof finds an error that grows to BUMP within one row in the speed or in beta, at its end or its start. */
+/* Adds an error that grows to BUMP at the start or the end of one row, and requires that the proof finds it. The rows
+ * are in the speed or in beta. */
 TEST(test_rows)
 {
     enum { DEGREE = 5, ROWS = 12 };
@@ -149,7 +150,7 @@ TEST(test_rows)
         f.rows = of_speed ? (slong)((emit_bits_of(f.single, s.speed_max) >> f.low_bits) - f.first + 1) : ROWS;
         assert_true(embed_fit_pieces(&f, &s));
         assert_true(proof_of(&f, &s).formula < BUMP / 10);
-        /* the last row in the speed contains only one argument */
+        /* excludes the last row in the speed, which contains only one argument */
         const slong row = (slong)random_below(&draw, (unsigned)(f.rows - of_speed));
         double *const c = f.number + row * (DEGREE + 1);
         const double width = of_speed ? embed_row_start(&f, row + 1) - embed_row_start(&f, row) : 1;
@@ -203,11 +204,11 @@ TEST(test_counts)
     } form[] = {
         {SPEED, 1, 0, 1 + 2 * x / (3 + 2 * x), {3, 2}, "3 + 2 x"}, /* 2 x once and the sum once; largest at x = 16 */
         {SPEED, 2, 0, 1 + 2 * x * x / (1 + x * x), {1, 0, 1}, "1 + x^2 by Horner's rule: two products and the sum"},
-        /* (1 + x^4) + x (0): x^2, x^2 1 and x^2 x^2 together add 4 x^4, and the two sums add 2 (1 + x^4) */
+        /* Evaluated as (1 + x^4) + x 0. The products x^2, 1 x^2 and x^2 x^2 add 4 x^4; the two sums add 2 (1 + x^4). */
         {SPEED, 4, 0, 2 + 4 * x4 / (1 + x4), {1, 0, 0, 0, 1}, "1 + x^4, split"},
         /* largest at x = 16: each sum, each product by 1, and the quotient round once */
         {SPEED, 1, 1, (1 + x / (1 + x)) + (1 + x / (5 + x)) + 1, {1, 1, 5, 1}, "(1 + x)/(5 + x)"},
-        /* sqrt(x) rounds once; its root contributes one half, and the product rounds once */
+        /* sqrt(x) rounds once, and so does the product; the root of sqrt(x) halves its error and rounds once */
         {SQRT_OF_SPEED, 1, 0, 2, {0, 1}, "sqrt(x)"},
         {FOURTH_ROOT_OF_SPEED, 1, 0, 2.5, {0, 1}, "x^(1/4)"},
         /* below the smallest normal float, a result also has an error of half the smallest positive float, 2^-150 */
@@ -229,7 +230,8 @@ TEST(test_counts)
     }
 }
 
-/* The root from bits, at each number of refinements. Without one, the bound is close to the largest error found. */
+/* The fifth root from the bits of the speed, refined 0 times or more. Without refinement the bound is close to the
+ * largest error found. */
 TEST(test_root)
 {
     double number[] = {0, 1};
@@ -259,9 +261,8 @@ TEST(test_root)
         }
 }
 
-/* A polynomial with a zero has no bound, nor does a polynomial that overflows. The place in a table also has the error
- * of a product and of a sum. A table that is too short is refused, even if it is too short only by the error of a rough
- * root. */
+/* A polynomial with a zero in the range has no bound, nor has a polynomial that overflows. The index of a row has the
+ * rounding errors of a product and of a sum. A table is refused if rounding can lead beyond its last row. */
 TEST(test_limits)
 {
     struct embed_rounding bound;
@@ -299,7 +300,8 @@ TEST(test_limits)
     }
 }
 
-/* 1 - 3/4 x in a row from x = 0 to 1. At its end the product rounds by 3/4 and the sum by 1/4 units of 1/4. */
+/* A row 1 - 3/4 x from x = 0 to 1. At x = 1 the product adds an error of 3/4 units and the sum 1/4, relative to the
+ * value 1/4. */
 TEST(test_row_end)
 {
     struct embed_form f = {

@@ -178,7 +178,7 @@ TEST(test_rows)
             assert_string_equal(table, form ? "hexadecimals" : "hexadecimal");
             assert_int_equal(row * COLUMNS + column, i + (form ? 0 : 2)); /* a struct begins with two integers */
             assert_true(strtod(value, NULL) == expected[i]);
-            if (i == 0) /* the smallest power of 2 that is written as a fraction */
+            if (i == 0) /* 2^-40 is written as a fraction */
                 assert_string_equal(decimal, "1/1099511627776");
             else
                 assert_true(strtod(decimal, NULL) == expected[i]);
@@ -203,7 +203,7 @@ TEST(test_rows)
         assert_true(read_double(output) == expected[i / 2]);
     assert_int_equal(pclose(output), 0);
 
-    /* a number whose ball is too wide ends the row */
+    /* a number whose ball is too wide ends the row with an error */
     mag_set_ui_2exp_si(arb_radref(x + 1), 1, 300);
     e = header_of("rows");
     emit_rows_open(&e, "double", "rows", 1, COLUMNS);

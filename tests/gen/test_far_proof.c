@@ -121,7 +121,7 @@ TEST(test_formulas)
                 continue;
             const double kept = c[k], value = c[0] + c[2] * FAR_PROOF_FROM;
             c[k] += (random_below(&draw, 2) ? 0x1p-50 : -0x1p-50) * value / factor_of(k, FAR_PROOF_FROM) *
-                    (k == 0 || k == 2 ? 1 : 0x1p-10); /* the leading coefficients have no smaller bits */
+                    (k == 0 || k == 2 ? 1 : 0x1p-10); /* smaller changes of the other coefficients are detected, too */
             check(far_proof_bits(&proof, f->quantity, c) < 61, "quantity %d is proved with a wrong coefficient %d",
                   (int)f->quantity, k);
             c[k] = kept;
@@ -129,7 +129,8 @@ TEST(test_formulas)
     }
 }
 
-/* The inverse, with right and wrong coefficients. Its error is the sum of the omitted terms at eps = 2^-23. */
+/* Proves the inverse, and refuses it with a wrong coefficient. Its error is the sum of the omitted terms, largest at
+ * eps = 2^-23. */
 TEST(test_inverse)
 {
     double c[INTERPOLANT_FAR_INVERSE + 1];

@@ -21,7 +21,7 @@ static double relative(const arb_t x, const arb_t y)
     return arf_get_d(bound, ARF_RND_UP);
 }
 
-/* For 0 <= beta <= 3/8 the loss has its own quotient. */
+/* For beta from 0 to 3/8 the interpolant also contains the loss divided by beta. */
 TEST(test_small_beta)
 {
     struct interpolant *f = interpolant_new(&interpolant_sphere_proof, 0, 0.375);

@@ -110,7 +110,8 @@ TEST(test_complex_plane)
     }
 }
 
-/* Above the dashpot's threshold beta_c = 1.128 no bodies separate: no ball exists, and no ellipse may reach there. */
+/* Above the dashpot's threshold beta_c = 1.128 the bodies never part, so the enclosures and ellipses must be refused.
+ * */
 TEST(test_singular)
 {
     const struct cor_exponents law = law_of("3/2", "0");
@@ -139,7 +140,7 @@ static double largest_error(const struct law_proof *proof, const struct cor_expo
         double end;
         const int i = law_proof_interval(&end, proof, log(beta));
         assert_true(i >= 0 && end > log(beta));
-        /* a part that begins at beta */
+        /* the part of the interval above beta */
         assert_true(law_proof_eps(eps, log_beta, proof, i, log(beta), fmin(end, log(beta) + 0.1)));
         arb_set_si(t, -1);
         arb_poly_evaluate(y, eps, t, 200);
@@ -186,7 +187,7 @@ TEST(test_polynomials)
     }
 }
 
-/* In the tail, a law without a threshold samples every quantity. */
+/* For a law without a threshold, the last interval contains samples of every quantity. */
 TEST(tail)
 {
     const struct cor_exponents law = law_of("3/2", "1/2");
@@ -197,7 +198,8 @@ TEST(tail)
     law_layout_clear(&layout);
 }
 
-/* Under a constant force, any impact speed v may be the unit: beta = beta_1 v^q, f = f_1 v^(-2a/(a+1)). */
+/* Under a constant force, the path for damping, force f and speed v equals a collision with beta v^q and f
+ * v^(-2a/(a+1)). */
 TEST(pressed)
 {
     static const char *const laws[][2] = {{"3/2", "1/2"}, {"3/2", "0"}, {"3/2", "3/2"},
@@ -231,8 +233,8 @@ TEST(pressed)
     }
 }
 
-/* For pressed contacts, the bound on an ellipse around an interval of several strips is above |ln(eps)| of collisions
- * on the real axis. */
+/* For pressed contacts, the bound on an ellipse exceeds |ln(eps)| of collisions on the real axis. The interval has
+ * several strips. */
 TEST(test_pressed_ellipse)
 {
     const struct cor_exponents law = law_of("3/2", "1/2");

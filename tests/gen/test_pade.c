@@ -53,7 +53,7 @@ TEST(test_exponential)
     LOCAL(arb, x);
     arb_poly_set_coeff_si(c, 1, 1);
     arb_poly_exp_series(c, c, 6, PREC);
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++) { /* coefficients of [m/n]; k < 0: of the denominator */
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) { /* numerator: k >= 0; denominator: k < 0 */
         const slong k = known[i].k, num = known[i].num, den = known[i].den;
         assert_true(pade_of_series(f, c, known[i].m, known[i].n, PREC));
         assert_true(arb_poly_degree(f->p) == known[i].m && arb_poly_degree(f->q) == known[i].n);
@@ -206,7 +206,7 @@ TEST(test_spurious_pair)
     assert_int_equal(a->spurious, 0);
     assert_null(pade_defects(a));
 
-    for (int k = 0; k < 20; k++) { /* pole-zero pairs just inside and outside the slope PADE_PAIR_SLOPE */
+    for (int k = 0; k < 20; k++) { /* pole-zero pairs whose slope is just inside and outside PADE_PAIR_SLOPE */
         LOCAL(pade, g);
         LOCAL(pade_analysis, b);
         const double re = random_uniform(&draw, 0.5, 4), im = re / PADE_PAIR_SLOPE * (k % 2 ? 1.02 : 0.98);
@@ -354,7 +354,7 @@ TEST(test_degenerate)
     struct pade_block b;
     LOCAL(arb_poly, c);
 
-    /* 1/(1 - z/3) is itself a fraction, so its block is infinite */
+    /* 1/(1 - z/3) is itself a fraction, so every larger approximant is equal to it */
     LOCAL(arb, x);
     arb_one(x);
     for (slong k = 0; k <= 12; k++) {
@@ -400,8 +400,8 @@ static void assert_same_fraction(const struct pade_request *r, const struct pade
     assert_int_equal(a->zeros.count, arb_poly_degree(g->p));
 }
 
-/* By the involution, 1/eps of the sphere has no beta^10 and eps of (3/2, 0) has none either. No ball can prove an exact
- * zero. The true series of 1/eps, by another route, contains 0 there. */
+/* By the involution (docs/theory.md, 4), 1/eps of the sphere and eps of the law (3/2, 0) have no term beta^10. Balls
+ * cannot prove an exact zero. */
 TEST(test_exact_zeros)
 {
     LOCAL(series, s);
@@ -459,7 +459,8 @@ TEST(test_refusals)
     }
 }
 
-/* Rounded coefficients of a Padé approximant in beta^(1/root), and the largest error of their quotient in doubles. */
+/* Tests rounded coefficients of a Padé approximant in beta^(1/root), and the largest error of their quotient in
+ * doubles. */
 TEST(test_rounded)
 {
     static const struct {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Tables cut from the interpolant reach the bits they state, and a table that misses its bound is refused. */
+/* Tables cut from the interpolant have the stated accuracy, and a table that misses its bound is refused. */
 #include "ball.h"
 
 #include "approximation/pieces.h"
@@ -38,7 +38,7 @@ static const struct pieces tables[] = {
           .rows = 2L * PIECES_PER_OCTAVE, .plain = 2L * PIECES_PER_OCTAVE),
 };
 
-/* Evaluates row r in doubles, at a fraction of its width. Sets beta to the damping at that place. */
+/* Tables of every kind, up to beta = 3/8. In the second one s = beta - node^2 from row 2 onward. */
 static double evaluate(const struct pieces *p, slong r, double fraction, double *beta)
 {
     double c[32] = {0}, node = p->first + (double)r * p->step, half = p->step / 2, octave = 0;
@@ -80,7 +80,7 @@ TEST(test_rows_are_the_function)
             /* doubles: allow a few units for the rounding of the sum and of beta */
             check(fabs(value / exact - 1) < 2e-15, "kind %d, row %ld, beta = %g: %.17g, not %.17g", kind, (long)r, beta,
                   value, exact);
-            /* c_0' is the remainder of c_0 */
+            /* c_0 + c_0' is the coefficient; c_0' is the rounding error of c_0 */
             double c0, c1;
             assert_true(digits_to_double(&c0, p.coefficient + r * (p.degree + 2)));
             assert_true(digits_to_double(&c1, p.coefficient + r * (p.degree + 2) + 1));

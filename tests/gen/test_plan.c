@@ -94,7 +94,7 @@ static void check_choice(struct plan *plan, struct random_state *r)
 
 /* ---- spheres ---- */
 
-/* Makes the plan of a contact with g*; the plan does not need its request afterwards. */
+/* Makes the plan of a contact with g*. */
 static void plan_of(struct plan *plan, const char *min, const char *max, const char *tolerance, const char *g_star,
                     int end, slong count)
 {
@@ -154,7 +154,7 @@ TEST(test_spheres)
               above);
     }
 
-    /* the choice is a header, with the command for this scene and the error that gen.embed finds between the points */
+    /* The choice is a header, with its command and the error that corgen embed finds between the points. */
     const struct plan_model *m = &plan.model[plan.chosen];
     assert_true(strncmp(m->name, "header: ", 8) == 0);
     assert_true(m->elsewhere > 0 && m->elsewhere <= plan.tolerance && m->worst >= m->elsewhere);
@@ -167,8 +167,8 @@ TEST(test_spheres)
     m = named(&plan, "library");
     for (slong i = 0; i <= last; i++)
         assert_true(fabs(cor_contact_eps_zero_force(&contact, plan.speed[i]) / plan.truth[i] - 1) <= m->error[i]);
-    assert_true(m->worst < 1e-14 && m->cost == (4.4 + 4 * 2.2) / 5); /* a call, and numbers in a loop */
-    /* an error that corgen embed found between the points is included */
+    assert_true(m->worst < 1e-14 && m->cost == (4.4 + 4 * 2.2) / 5); /* mean cost of a call and of numbers in a loop */
+    /* `elsewhere`, the error that corgen embed found between the points, decides too */
     struct plan_model *written = &plan.model[plan.chosen];
     const double found = written->elsewhere;
     plan.tolerance = 2 * found;
@@ -326,7 +326,7 @@ TEST(test_disks)
     }
     assert_true(named(&plan, "Rayleigh: 1000")->verdict == PLAN_OUTSIDE);
 
-    /* without the table the plan chooses the cheapest collision; models that it reports as worse are worse */
+    /* without the table, the plan chooses the cheapest collision that meets the tolerance; rejected models miss it */
     named(&plan, "table")->outside = true;
     plan_choose(&plan);
     const struct plan_model *m = &plan.model[plan.chosen];
@@ -397,7 +397,8 @@ TEST(test_contact_time)
         const double hard = collided(1800, 60 / speed, speed, PLAN_CONTACT_TIME);
         const double harder = collided(1800, 100 / speed, speed, PLAN_CONTACT_TIME);
         const double limit = harder + (harder - hard) * 60 / (100 - 60);
-        /* `limit` ends the contact at a thousandth of the largest load; a rigid wall ends it with the last touch */
+        /* `limit` counts the contact until the load is a thousandth of its maximum, a rigid wall until the last touch
+         * */
         check(fabs(limit / plan.truth[i] - 1) <= 0.015, "tau(%g) = %g, from two walls %g", speed, plan.truth[i], limit);
         check(fabs(at_rigid_wall(3e-6, speed).contact_time / plan.truth[i] - 1) <= plan.uncertainty[i],
               "tau(%g) = %g, uncertain by %.2g", speed, plan.truth[i], plan.uncertainty[i]);
@@ -410,7 +411,7 @@ TEST(test_contact_time)
     plan_clear(&plan);
 }
 
-/* The remark states the energy that a glass sphere loses to elastic waves at a wall, as the library computes it. */
+/* The plan states the energy that a glass sphere loses to elastic waves at a wall. */
 TEST(test_waves)
 {
     static const struct {

@@ -23,7 +23,7 @@ static arb_poly_struct *rows_power(const arb_poly_struct *f, struct ratio p, slo
             arb_poly_scalar_mul(term, power + k, binomial, PREC);
             arb_poly_add(sum + k, sum + k, term, PREC);
         }
-        /* W^(m+1) starts with u^(m+1). The rows are computed downwards, because each needs only lower rows. */
+        /* W has no row 0, so row k needs only rows of `power` below k: the largest k comes first. */
         for (slong k = order; k >= 0; k--) {
             arb_poly_zero(first);
             for (slong i = 1; i <= k; i++) {
@@ -43,7 +43,7 @@ static arb_poly_struct *rows_power(const arb_poly_struct *f, struct ratio p, slo
     return sum;
 }
 
-/* Computes sum_k U^k sum_{j >= start} |f_kj| rho^j over the coefficients that f has. */
+/* Computes sum_k U^k sum_{j >= start} |f_kj| rho^j. */
 static void rows_norm(arb_t norm, const arb_poly_struct *f, slong order, slong start, double U, double rho)
 {
     arb_zero(norm);
@@ -96,7 +96,7 @@ static void assert_bounds_of(const struct trajectory *t, const struct power_boun
     }
 }
 
-/* Every bound holds, both if the block is all of Z and if much of the proof depends on the rest of Z. */
+/* The bounds hold for a block of all coefficients of Z, and for a small block, where the rest of Z matters. */
 TEST(test_trajectories)
 {
     enum { ORDER = 4, TERMS = 30 };
@@ -120,7 +120,8 @@ TEST(test_trajectories)
     }
 }
 
-/* For Z = 1 - c s^20, the norm of 1/Z is 1/(1 - c rho^20). A block of 10 columns contains the 1, but not c. */
+/* For Z = 1 - c s^20, the norm of 1/Z is 1/(1 - c rho^20). A block with the powers s^0 to s^9 contains the 1, but not
+ * c. */
 TEST(test_one_term)
 {
     enum { TERMS = 25, POWER = 20, BLOCK = 10 };

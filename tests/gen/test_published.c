@@ -68,8 +68,8 @@ TEST(test_values)
     }
 }
 
-/* The print is consistent with itself: a_k = |C_k|/|C_1|^k for the printed C_k. So the error is in the numbers, not in
- * (70), (71). */
+/* The printed numbers agree with each other: a_k = |C_k|/|C_1|^k for the printed C_k. So (70) and (71) are right, and
+ * C_3 and C_4 are wrong. */
 TEST(test_print_is_consistent)
 {
     for (int k = 3; k <= 4; k++)

@@ -113,8 +113,8 @@ TEST(test_complex_plane)
     }
 }
 
-/* For beta < -h* no motion turns: the functions have no ball there, and no ellipse may reach that range. This ellipse
- * reaches it for rho >= 7.92. With rho = 8 it would be refused only after 6000 balls, which take seconds. */
+/* For beta < -h* no motion turns, so the functions have no enclosure there, and an ellipse that reaches -h* must be
+ * refused. This ellipse reaches -h* for rho >= 7.92. rho = 8 is refused only after 6000 balls, which take seconds. */
 TEST(test_singular)
 {
     leave_to_turn(0, 3);
@@ -176,8 +176,8 @@ static const struct pieces inverse_tables[] = {
           .plain = 8),
 };
 
-/* Each of these must make the proof of one row fail. A coefficient other than c_0 is wrong by 2^-49 of the row's value,
- * c_0' is dropped, or a node is shifted. */
+/* The proof of a row must fail if a coefficient other than c_0 is wrong by 2^-49 of the value of the row, if c_0' is
+ * omitted, or if a node is shifted. */
 static void assert_row_guarded(struct pieces *p, slong row, double *c)
 {
     const double bits = p->bits[row];
@@ -242,7 +242,7 @@ TEST(test_rows)
     }
 }
 
-/* An interpolant with a sample that is wrong in its 52nd bit, or a node that is wrong in its 40th bit, has no proof. */
+/* The proof refuses an interpolant if a sample is wrong in its 52nd bit, or a node in its 40th bit. */
 TEST(test_samples)
 {
     LOCAL(arb, kept);
@@ -283,8 +283,8 @@ TEST(test_unknown)
 
 /* ---- the creep from zero force to zero overlap ---- */
 
-/* Computes Y of an enclosed collision, rest = t' - 2 ln(Y) - a_1/Y - ... - a_n/Y^n, and the bound of the remainder.
- * Without `last` the sum ends at n - 1. */
+/* From an enclosed collision, computes Y, rest = t' - 2 ln(Y) - a_1/Y - ... - a_n/Y^n for the time t' from zero force
+ * to zero overlap, and a bound of the remainder. Without `last` the sum ends at n - 1. */
 static void creep_rest(arb_t rest, arb_t Y, arb_t bound, const struct creep_series *s, const arb_t beta, bool last)
 {
     enum { PREC = 200, BITS = 110 };
@@ -331,7 +331,7 @@ TEST(test_creep_series)
                 assert_true(allowed < 1e-19);
         }
     }
-    /* no bound below the least Y; the bound decreases */
+    /* no bound below CREEP_SERIES_LEAST_Y; above it the bound decreases */
     double before = HUGE_VAL;
     for (int i = -2; i < 40; i++) {
         arb_set_d(x, CREEP_SERIES_LEAST_Y + i + 0.5);
@@ -345,15 +345,15 @@ TEST(test_creep_series)
     creep_series_clear(&s);
 }
 
-/* Functions of p = 1 + w t, at random t and at both ends, where the omitted terms exceed all roundings. ln and 1/p need
- * w < 1/2. A p with a zero, or a negative p, is refused. */
+/* The enclosed functions of the polynomial p = 1 + w t contain the exact values at random t and at t = -1 and 1. ln and
+ * 1/p need w < 1/2. A p with a zero, or a negative p, is refused. */
 TEST(test_enclosed_functions)
 {
     static const struct {
         bool (*enclosed)(arb_poly_t y, const arb_poly_t p);
         void (*exact)(arb_t y, const arb_t x, slong prec);
         double w[3];
-        int bits[2]; /* one w before the limit, the limit itself and later w */
+        int bits[2]; /* bits for the first w, and for the other w */
         bool refuses;
     } functions[] = {{enclosed_exp, arb_exp, {0.35, 0.5, 0.9}, {150, 110}, false},
                      {enclosed_logarithm, arb_log, {0.2, 0.45, 0.49}, {104, 48}, true},
@@ -402,7 +402,7 @@ TEST(test_creep_rows)
         double *const c = p.value + row * (p.degree + 2);
         const double sampled = p.bits[row];
         p.bits[row] = row_proof_bits(proof, &p, row, c);
-        /* the polynomial for the sampled error is off by 4e-18 */
+        /* sampled errors below 2^-60 are not meaningful: the polynomial used for them is off by 4e-18 */
         check(p.bits[row] >= fmin(sampled, 60) - 2, "row %ld: %g bits proved, %g sampled", (long)row, p.bits[row],
               sampled);
         assert_row_guarded(&p, row, c);

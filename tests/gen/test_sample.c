@@ -154,12 +154,12 @@ TEST(no_smaller_table)
                                    .log = turn % 3 != 0};
         struct sample s;
         assert_int_equal(sample_choose(&s, &r), 0);
-        /* eps is convex in the speed. In ln(speed) it has an inflection: a longer segment across it may have a smaller
-         * error, so the result may have one segment too many. */
+        /* eps is convex in the speed, but has an inflection in ln(speed). A segment across the inflection may be longer
+         * and still have a smaller error, so the result may have one segment too many. */
         const int segments = (int)s.best.count - 1, more = r.log ? 1 : 0;
         check(segments <= fewest_on_grid(&r, r.tolerance) + more, "%d segments, the grid needs %d", segments,
               fewest_on_grid(&r, r.tolerance));
-        /* with one point fewer, the error of the free points is not larger than the error of points on the grid */
+        /* with one point fewer, freely placed points are at least as good as points on the grid */
         if (isfinite(s.error_of_fewer))
             check(fewest_on_grid(&r, s.error_of_fewer * 0.999) + more > segments - 1,
                   "the grid needs fewer than %d segments for %g", segments - 1, s.error_of_fewer);
@@ -170,7 +170,7 @@ TEST(no_smaller_table)
             assert_int_equal(sample_choose(&fewer, &r), 0);
             check(fewer.best.count < s.best.count, "%zu points have %g", fewer.best.count, r.tolerance);
             sample_clear(&fewer);
-            /* a tolerance below that error by a millionth is still met */
+            /* a tolerance slightly below error_of_fewer is still met */
             r.tolerance = s.error_of_fewer * (1 - 1e-6);
             assert_int_equal(sample_choose(&fewer, &r), 0);
             check(fewer.best.error <= r.tolerance, "error %.9g beyond %.9g", fewer.best.error, r.tolerance);
@@ -198,7 +198,7 @@ TEST(other_laws)
     }
     assert_true(s.best.error <= 1e-3 && s.error_of_fewer > 1e-3);
     sample_clear(&s);
-    /* over many decades one polynomial is not enough */
+    /* many decades of speed, which need several polynomials */
     for (double speed_min = 1e-2; speed_min > 1e-10; speed_min /= (double)few_or_all(2700, 30)) {
         const struct sample_request wide = {
             .contact = &contact, .speed_min = speed_min, .speed_max = 1, .tolerance = 1e-2, .log = true};

@@ -27,8 +27,8 @@ static void assert_sum(const arb_poly_t f, const arb_t x, slong order, const arb
     assert_true(mag_cmp(width, least) < 0);
 }
 
-/* Checks C_k against a collision, which excludes errors above 2^(-shift (order - k + 1/2)). A second computation finds
- * the same coefficients to the promised number of bits. */
+/* Compares the sum of the series at beta = 2^-shift with an enclosed collision, which detects an error of C_k above
+ * 2^(-shift (order - k + 1/2)). A second computation finds the same coefficients to `bits` bits. */
 static void compare_with_collision(const struct cor_exponents *law, slong order, slong shift, slong bits)
 {
     LOCAL(series, s, few);
@@ -53,14 +53,14 @@ static void compare_with_collision(const struct cor_exponents *law, slong order,
     assert_poly_overlap(s->c, few->c, order, "C_k");
     for (slong k = 1; k <= order; k++) {
         arb_poly_get_coeff_arb(x, few->c, k);
-        if (!arb_is_zero(x)) /* exact zeros are tested in test_exact_zeros */
+        if (!arb_is_zero(x)) /* test_exact_zeros tests exact zeros */
             assert_bits(x, bits);
     }
 }
 
-/* Tests the sphere and other laws. The rows of (2, 1/2) grow fast with s, so a truncation bound with equal errors in
- * every column would prove nothing. Collisions of the linear dashpot, of Tsuji's law, and of Hunt and Crossley's law
- * are closed forms. */
+/* Tests the sphere and other laws. The coefficients of (2, 1/2) grow fast with the power of s, so a truncation bound
+ * that allows the same error for every power would prove nothing. Collisions of the linear dashpot, of Tsuji's law, and
+ * of Hunt and Crossley's law are closed forms. */
 TEST(test_collisions)
 {
     leave_to_turn(1, 2);

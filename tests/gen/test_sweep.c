@@ -141,7 +141,7 @@ TEST(test_product)
                     row.modes == modes[i / 3 % 4]);
     }
 
-    /* number of digits by the tolerance */
+    /* the tolerance determines the number of digits */
     static const double tolerance[] = {1e-6, 1.1e-6, 9e-6, 1e-5};
     FILE *const none = tmpfile();
     assert_non_null(none);
@@ -413,7 +413,8 @@ TEST(test_journal_shared)
 
 /* ---- rigid walls ---- */
 
-/* All levels of the first table, and one level more; then a budget that ends before the first table */
+/* A collision that uses all levels of the first table, one that needs one more level, and one whose budget ends earlier
+ * */
 TEST(test_hard_wall)
 {
     enum { FIRST_LEVELS = 8 };
@@ -436,7 +437,7 @@ TEST(test_hard_wall)
 
 /* ---- Rayleigh's energy ---- */
 
-/* A row has the results of the library's table, cut to the row's number of modes. */
+/* A row uses only its number of modes, although the library's table has more. */
 TEST(test_rayleigh)
 {
     struct sweep sweep = sweep_of("1e-3,0.05,0.4", "0.33", "100", "100");

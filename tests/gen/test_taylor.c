@@ -22,7 +22,7 @@ static void taylor_start(struct taylor *y, const struct cor_exponents *law, slon
 TEST(test_remainder)
 {
     static const char *const laws[][2] = {{"3/2", "1/2"}, {"1", "0"}, {"3/2", "3/2"}, {"2", "1/3"}};
-    static const char *const betas[] = {"0.1", "1", "3", "0"}; /* 0: the case with only a constant force */
+    static const char *const betas[] = {"0.1", "1", "3", "0"}; /* 0: a constant force replaces the elastic force */
     const slong prec = 600;
     LOCAL(mag, missed, claimed);
     LOCAL(arb, rough, truth);
@@ -31,7 +31,7 @@ TEST(test_remainder)
             const struct cor_exponents given = law_of(laws[i][0], laws[i][1]), law = k < 3 ? given : law_even(&given);
             const slong force = k < 3 ? 0 : 5;
             struct taylor low, high;
-            /* the step is chosen with 40 bits, but the arithmetic has 600, so the only error is truncation */
+            /* the step is chosen for 40 bits and computed with 600, so truncation is the only error */
             taylor_start(&low, &law, force ? 13 : 12, 40, betas[k], force);
             low.prec = prec;
             taylor_expand(&low);
@@ -48,7 +48,7 @@ TEST(test_remainder)
                 arb_sub(rough, rough, truth, prec);
                 arb_get_mag(missed, rough);
                 assert_true(mag_cmp(missed, claimed) <= 0);
-                /* odd and even powers alternate, so some of the next terms vanish: 2^60 allows for that */
+                /* the error may be far below its bound, because every second term may vanish */
                 mag_mul_2exp_si(missed, missed, 60);
                 assert_true(mag_is_zero(missed) || mag_cmp(missed, claimed) > 0 ||
                             (component == TAYLOR_T && law.denominator == 1));
@@ -71,7 +71,7 @@ TEST(test_one_term)
     taylor_clear(&y);
 }
 
-/* In free motion, w = h/d and v = 1, and the only error is (h/d)^d in the time. */
+/* Without forces w = h/d and v = 1, and only the time has an error, (h/d)^d. */
 TEST(test_time_alone)
 {
     const struct cor_exponents law = law_of("3/2", "1/3");
@@ -96,8 +96,8 @@ TEST(test_step_is_short)
     taylor_clear(&y);
 }
 
-/* Under a constant force the state turns by at most 2 L h < 3. L > sqrt(c3/2) for the force only, and L > sqrt(2) for
- * c2 = c3 = 1 near rest. */
+/* Under a constant force the step h satisfies 2 L h < 3. The Lipschitz bound L exceeds sqrt(c3/2) under only the force,
+ * and sqrt(2) near rest with c2 = c3 = 1. */
 TEST(test_step_under_a_force)
 {
     const struct cor_exponents linear = law_of("1", "0"), law = law_even(&linear);
@@ -126,8 +126,8 @@ static void multiply(arb_ptr product, arb_srcptr f)
     _arb_vec_clear(sum, ONLINE_DEGREE + 1);
 }
 
-/* Long series are multiplied in blocks. With products computed term by term, they satisfy v' = -w^(d-1) (c1 w^bd v + c2
- * w^ad). The laws have every kind of product. */
+/* Long series are multiplied in blocks. The resulting series must satisfy v' = -w^(d-1) (c1 w^bd v + c2 w^ad), whose
+ * products are computed term by term here. The laws need every kind of product. */
 TEST(test_online_products)
 {
     static const char *const laws[][2] = {{"3/2", "1/2"}, {"3/2", "3/4"}, {"1", "0"}};
@@ -149,7 +149,7 @@ TEST(test_online_products)
             arb_add(force, elastic + n, damping + n, ONLINE_PREC);
             arb_mul_si(derivative, y.v + n + 1, -(n + 1), ONLINE_PREC);
             assert_overlap(derivative, force, "coefficient", n);
-            /* each interval adds no more than round-off to the longest step */
+            /* at the end of the longest step, each coefficient contributes only round-off */
             mag_pow_ui(power, step, (ulong)(n + 1));
             mag_mul(round_off, arb_radref(y.v + n + 1), power);
             assert_true(mag_cmp_2exp_si(round_off, ROUND_OFF_BITS - ONLINE_PREC) < 0);
@@ -160,8 +160,9 @@ TEST(test_online_products)
     }
 }
 
-/* A zero is enclosed by the signs of the sum of all terms on both sides. The zero of w = (1 - s)^3 is known to 2^-4 if
- * w is known to 2^-12. The zero of 1 - s + s^60/2^20 changes if a search with few bits omits the last term. */
+/* Proves a zero by opposite signs of the sum of all terms on its two sides. If w = (1 - s)^3 is known to 2^-12, its
+ * zero is known to 2^-4. Without its last term, 1 - s + s^60/2^20 has another zero, so a search with few bits must keep
+ * this term. */
 TEST(test_zero)
 {
     static const int cubic[] = {1, -3, 3, -1};

@@ -120,8 +120,8 @@ TEST(test_balls_contain_rationals)
     }
 }
 
-/* Checks (3.3) again, with powers in place of expm1. G maps the ball |R| <= delta into itself. delta is at least twice
- * the image of 0, the first trial. */
+/* Checks (3.3) of docs/theory.md, with powers in place of expm1: G maps the ball |R| <= delta into itself. delta is at
+ * least 2 G(0), the first trial. */
 static void assert_fixed(const struct trajectory_tail *tail, const struct trajectory *t)
 {
     enum { BITS = 1000 };
@@ -130,7 +130,7 @@ static void assert_fixed(const struct trajectory_tail *tail, const struct trajec
     struct power_evidence e;
     LOCAL(power_bounds, b);
     LOCAL(arb, e1, by_b, by_a, image);
-    power_evidence_init(&e, t, 16, 48); /* as trajectory_tail.c begins */
+    power_evidence_init(&e, t, 16, 48); /* the arguments used in trajectory_tail.c */
     assert_true(power_bounds_prove(b, &e, tail->U, tail->rho));
     const arb_srcptr size = b->size[e.powers - 1], error = b->error[e.powers - 1];
     LET(e1, BITS, "(terms + 1)*(a + 1) + 1", terms, a);
