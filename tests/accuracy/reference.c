@@ -10,19 +10,19 @@
 
 enum {
     BITS = 160,
-    FEWER_BITS = 128, /* bits of motions outside the cell in sqrt(beta) */
+    FEWER_BITS = 128, /* working precision, except in the cell in sqrt(beta) */
     /* below 2^FIRST_BINADE there is one cell, in sqrt(beta) */
     FIRST_BINADE = -3,
     /* above 2^LAST_BINADE the reference scales powers and logarithms of the next three binades */
     LAST_BINADE = 45,
     BINADES = LAST_BINADE + 3 - FIRST_BINADE,
-    /* the first binades, close to singularities in the complex plane, have QUARTERS cells each, the others one */
+    /* each of the first binades has QUARTERS cells, because singularities in the complex plane are close */
     QUARTERED = 7,
     QUARTERS = 4,
     IN_ROOT = QUARTERED * QUARTERS + BINADES - QUARTERED,
     CELLS,
     POINTS = 27,
-    /* for beta >= 2^MANIFOLD_BINADE the unloading joins the slow manifold long before its end */
+    /* for beta >= 2^MANIFOLD_BINADE the end of the unloading comes from the series of the slow manifold */
     MANIFOLD_BINADE = 4,
     CLOSED_BINADE = 3
 };
@@ -54,7 +54,7 @@ static struct place place_of(long double beta)
     return (struct place){first + part, ldexpl(1, exponent - 1) + (long double)(2 * part + 1) * half, half};
 }
 
-/* True if the cells in sqrt(beta) contain the value divided by beta. */
+/* True for losses, which the cell in sqrt(beta) stores divided by beta. */
 static bool is_loss(int quantity)
 {
     return quantity == LOSS_ZERO_OVERLAP || quantity == LOSS_ZERO_FORCE || quantity == LOSS_APPROACH_ONLY;
@@ -71,8 +71,9 @@ static bool is_loss(int quantity)
 
 enum { DEGREE = 32, LENGTH };
 
-/* Relative size of the terms that a step omits; smaller for weak damping, where f is large compared with its final
- * value. JOINED_LOG2: relative size of the remaining transient on the slow manifold. */
+/* log2 of the relative size of the terms that a step omits. In the cell in sqrt(beta) these terms are smaller, because
+ * weak damping makes f large compared with its final value. A motion with a relative transient below 2^JOINED_LOG2
+ * counts as joined to the slow manifold. */
 static const double STEP_LOG2 = -75, STEP_IN_ROOT_LOG2 = -150, JOINED_LOG2 = -90;
 
 static struct {
@@ -102,7 +103,7 @@ static void convolve(arb_t out, arb_srcptr x, arb_srcptr y, slong n)
     arb_approx_dot(out, NULL, 0, x, 1, y + n, -1, n + 1, m.bits);
 }
 
-/* Returns log2 of the longest step for which coefficients of this size, relative to scale, stay below m.left_out. */
+/* Returns log2 of the longest step h for which the last terms |c_n| h^n stay below 2^(m.left_out + scale). */
 static double step_log2(arb_srcptr c, double scale)
 {
     double least = HUGE_VAL;
@@ -128,14 +129,12 @@ static void motion_expand(void)
         arb_div_si(m.w + n + 1, m.v + n, 2 * (n + 1), m.bits);
         arb_div_si(m.s + n + 1, m.w + n, n + 1, m.bits);
     }
-    /* scales for the errors of f and w; near a zero of f the large term is mu^2 w^2, near a zero of w it is the
-     * speed */
+    /* log2 of the sizes of f and w. Near a zero of f its term mu^2 w^2 counts, near a zero of w the speed. */
     const double scale_f = fmax(log2_size(m.f), log2_size(m.square) + 2 * log2_size(m.mu));
     const double scale_w = fmax(log2_size(m.w), log2_size(m.v));
     arb_set_d(m.step, exp2(fmin(step_log2(m.f, scale_f), step_log2(m.w, scale_w))));
 }
 
-/* Computes the value of a component at sigma. */
 static void motion_value(arb_t value, arb_srcptr component, const arb_t sigma)
 {
     LOCAL(arb, x);
@@ -261,8 +260,8 @@ static void first_split(long double *c, long double *low, const arb_t x)
     *low = ball_value(less);
 }
 
-/* Computes all quantities at one beta > 0, except DURATION_APPROACH_ONLY, and except eps at zero overlap if the motion
- * ends on the manifold. */
+/* Computes the quantities at one beta > 0, except DURATION_APPROACH_ONLY. Also omits eps at zero overlap if the motion
+ * ends on the slow manifold. */
 static void collide(arb_ptr value, const arb_t beta)
 {
     static const enum quantity scaled[] = {DURATION_ZERO_OVERLAP, DURATION_ZERO_FORCE, MAX_OVERLAP,
@@ -392,10 +391,15 @@ static long double cell_value(enum quantity quantity, long double beta)
     return (cell->c[0] + (cell->low + sum * x)) * (in_root && is_loss((int)quantity) ? beta : 1);
 }
 
-/* For beta = 8^k b with b in the last binades, the value at beta is 2^(power k) (the value at b + log k ln 2 x). x is b
- * for the duration at zero overlap, otherwise the largest overlap at b. Later terms are negligible. The leading terms
- * are beta^(-5/3), beta (const + (10/3) ln beta) and X beta^(-2/3), X = (3/2)^(2/3). The times of zero force and of the
- * largest overlap are beta^(-2/3) (const + (5/3) ln beta/sqrt(X)), with twice the logarithm at zero force. */
+/* The value of a quantity at beta = 8^k b, where b is in the last binades, is 2^(power k) (value at b + log k ln(2) x).
+ * x is b for the duration at zero overlap, otherwise the largest overlap at b. The leading terms for large beta, X =
+ * (3/2)^(2/3), are:
+ *     eps at zero force                  const beta^(-5/3)
+ *     duration at zero overlap           beta (const + (10/3) ln(beta))
+ *     largest overlap                    X beta^(-2/3)
+ *     time of the largest overlap        beta^(-2/3) (const + (5/3) ln(beta)/sqrt(X))
+ *     duration at zero force             beta^(-2/3) (const + (10/3) ln(beta)/sqrt(X))
+ * Later terms are negligible. */
 static const struct {
     int power, thirds; /* log = thirds/3 */
     long double limit; /* at infinity */

@@ -21,16 +21,15 @@ enum quantity {
     MAX_OVERLAP,
     TIME_OF_MAX_OVERLAP,
     QUANTITIES,
-    /* computed from the largest overlap and its time; the enumerator of a loss is two after the enumerator of its
-     * eps */
+    /* computed from MAX_OVERLAP and TIME_OF_MAX_OVERLAP */
     EPS_APPROACH_ONLY = QUANTITIES,
     DURATION_APPROACH_ONLY,
     LOSS_APPROACH_ONLY,
     ALL_QUANTITIES
 };
 
-/* The functions of one double: name, shape (see search.h), quantity and bound. A loss and an inverse have the quantity
- * of their eps. */
+/* The functions of one double: name, shape (see search.h), quantity and bound. `quantity` of a loss or an inverse is
+ * the quantity of its eps. */
 #define SPHERE_FUNCTIONS(ROW)                                                                                          \
     ROW(eps_zero_overlap, EPS, EPS_ZERO_OVERLAP, COR_SPHERE_EPS_MAX_ULP)                                               \
     ROW(eps_zero_force, EPS, EPS_ZERO_FORCE, COR_SPHERE_EPS_MAX_ULP)                                                   \
@@ -47,7 +46,7 @@ enum quantity {
     ROW(duration_approach_only, OTHER, DURATION_APPROACH_ONLY, COR_SPHERE_TIME_MAX_ULP)                                \
     ROW(beta_approach_only, INVERSE, EPS_APPROACH_ONLY, COR_SPHERE_APPROACH_MAX_ULP)                                   \
     ROW(beta_of_loss_approach_only, INVERSE_OF_LOSS, EPS_APPROACH_ONLY, COR_SPHERE_APPROACH_MAX_ULP)
-enum { LOSS_OF_EPS = LOSS_ZERO_OVERLAP - EPS_ZERO_OVERLAP };
+enum { LOSS_OF_EPS = LOSS_ZERO_OVERLAP - EPS_ZERO_OVERLAP }; /* eps + LOSS_OF_EPS is the enumerator of its loss */
 
 /* Makes the tables in some seconds. Call it once, before any thread calls the functions below. */
 void reference_build(void);

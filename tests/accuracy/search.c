@@ -17,14 +17,14 @@ static double inverse_error(const struct search_function *f, const struct search
     const bool of_loss = f->shape == INVERSE_OF_LOSS;
     if (!(x >= 0 && x <= 1))
         return isnan(computed) ? 0 : HUGE_VAL;
-    if (x == 0 || x == 1) { /* eps is 0 at beta = infinity, or at 1 if eps(1) is 0 */
+    if (x == 0 || x == 1) { /* beta is 0 for eps = 1. For eps = 0 it is 1 or infinity. */
         const double last = o->exact(f, EPS, 1) == 0 ? 1 : HUGE_VAL;
         return computed == ((x == 1) != of_loss ? 0 : last) ? 0 : HUGE_VAL;
     }
     const long double other = 1 - (long double)x, eps = of_loss ? other : x, loss = of_loss ? x : other;
     if (isinf(computed)) /* infinity is right if eps at the largest double exceeds x */
         return o->exact(f, EPS, DBL_MAX) >= eps ? 0 : HUGE_VAL;
-    if (of_loss && x < DBL_MIN) /* the inverse is proportional to the loss; the reference covers only normal numbers */
+    if (of_loss && x < DBL_MIN) /* a subnormal loss is proportional to beta */
         return ulp_error(computed, (long double)f->value(0x1p-1000) * 0x1p1000L * x);
     if (!(computed > 0))
         return HUGE_VAL;
@@ -53,7 +53,7 @@ void worst_take(struct worst *worst, double error, double at)
     }
 }
 
-/* Counts a rise: y is the value at x, `before` the value at the previous double. */
+/* Counts a point where eps leaves [0, 1], or rises from `before`, the value at the previous double. */
 static void take_order(struct worst *worst, const struct search_function *f, const struct search_options *o,
                        double before, double y, double x)
 {
@@ -87,7 +87,7 @@ static bool specials_are_good(const struct search_function *f, const struct sear
     bool good = true;
     for (size_t i = 0; i < COUNT_OF(specials); i++) {
         const double x = specials[i], y = f->value(x);
-        const bool is_0 = search_error(f, o, 0, x) == 0, is_1 = search_error(f, o, 1, x) == 0; /* both: not tested */
+        const bool is_0 = search_error(f, o, 0, x) == 0, is_1 = search_error(f, o, 1, x) == 0;
         if (is_0 != is_1 ? y == (is_1 ? 1 : 0) : search_error(f, o, y, x) <= f->max_ulp)
             continue;
         printf("FAIL  %s(%a) = %a\n", f->name, x, y);

@@ -20,12 +20,12 @@ struct search_function {
     double max_ulp;
     int law, end, quantity; /* select the exact value; the program defines their meaning */
     double exponent;
-    uint64_t share; /* test one in this number of points; 0: all */
+    uint64_t share; /* tests 1/share of the random points; 0: all */
 };
 
 struct worst {
     double error, at, rise_at;
-    uint64_t points, rises; /* rises: the function rose too much or left [0, 1] */
+    uint64_t points, rises; /* rises: points where eps rose by more than largest_rise, or left [0, 1] */
 };
 
 struct search_options {
@@ -39,7 +39,7 @@ struct search_options {
     double (*random_argument)(struct random_state *r, const struct search_function *f);
     void (*boundaries)(struct worst *worst, const struct search_function *f, const struct search_options *o);
     bool judges_specials;          /* tests values at 0, 1 and infinity, next to them, and outside the domain */
-    uint64_t largest_rise, radius; /* largest rise of eps between neighbours, ulp; doubles to test at the worst point */
+    uint64_t largest_rise, radius; /* largest allowed rise of eps, in ulp; neighbours of the worst point to test */
 };
 
 static inline bool search_is_inverse(const struct search_function *f)
@@ -59,7 +59,7 @@ void worst_walk(struct worst *worst, const struct search_function *f, const stru
 /* Prints the heading for the lines of worst_report. */
 void worst_heading(uint64_t seed);
 
-/* Prints one line. Returns true if the worst error is within the bound and nothing rose. */
+/* Prints one line. True if the worst error is within the bound and `rises` is 0. */
 bool worst_report(const char *name, const struct worst *worst, double bound);
 
 /* Searches at random points, at boundaries and uphill, and prints a line. Returns the worst error, infinity if the

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Tests the quasistatic contact law of the disk (cor/disk.h), and its Lambert W (runtime/number/lambert_w.h), against
  * balls. Tests random arguments of every magnitude, nu up to its ends, the doubles on both sides of every limit, and
- * one ulp around every branch. The exact W is from arb_lambertw, inserted into (57). The exact contact time is an
- * integral over theta, in long double. Prints one line for each function; the documentation quotes these lines. --help
- * lists the options. */
+ * one ulp around every branch. The exact load uses arb_lambertw, and must satisfy equation (57). The exact contact time
+ * is an integral over theta, in long double. Prints one line for each function; the documentation quotes these lines.
+ * --help lists the options. */
 #include "cor/disk.h"
 
 #include "reference_rayleigh.h"
@@ -46,13 +46,14 @@ static double random_nu(void)
 #define COMPRESSION "load/pi*(log(4*pi/load) + b)"
 #define ENERGY "load^2/(2*pi)*(log(4*pi/load) + b - 1/2)"
 
-/* The tested functions of x. If z is given, the load follows from w = -W_-1(-z). This load must satisfy the law. */
+/* The tested functions, with formulas in the argument x, in b, and in w = -W_-1(-z). x and load: the exact x and load;
+ * if z is NULL, x is the load. law: x as a function of the load, which must agree. */
 static const struct disk_function {
     const char *name;
     double (*value)(double argument, double nu, enum cor_disk_datum datum);
     double (*limit)(double nu, enum cor_disk_datum datum); /* the largest argument */
     const char *exact_limit;
-    const char *x, *z, *load; /* x: formula of the argument; z NULL: x is the load */
+    const char *x, *z, *load;
     const char *law, *value_of_load;
 } disk_functions[] = {
     {"load", cor_disk_load, cor_disk_compression_limit, "4*exp(b - 1)", "x", "x*exp(-b)/4", "pi*x/w", COMPRESSION,
@@ -120,10 +121,10 @@ static double ball_error(double computed, const arb_t exact)
 
 /* ---- algebraic functions ---- */
 
-/* Arguments at which the code changes its units */
+/* Arguments at which the code begins to scale by a power of two */
 static const double unit_boundary[] = {0x1p-900, 0x1p-200, DBL_MIN};
 
-/* Values of ln(limit/argument) at which the code branches. Those for functions of a speed are half as large. */
+/* Values of ln(limit/argument) at which the code branches. For functions of a speed the values are half as large. */
 static const double boundary[] = {0.5, 0.1, 3, 0.25, 128, 0.05, 1.5, 0.125, 64};
 enum { BOUNDARIES = sizeof boundary / sizeof *boundary };
 
@@ -211,7 +212,7 @@ static int search_limits(uint64_t points)
 
 /* ---- Lambert's W ---- */
 
-/* Searches t for q of every magnitude, also around the branches. */
+/* Tests t(q) of runtime/number/lambert_w.h for q of every magnitude, also around the branches. */
 static int search_lambert(uint64_t points)
 {
     struct worst worst = {0};
@@ -223,7 +224,7 @@ static int search_lambert(uint64_t points)
                          : kind == 1 ? exp(random_uniform(&random_state, -700, 8))
                          : kind == 2 ? exp(random_uniform(&random_state, -4, 2))
                                      : random_uniform(&random_state, 0, 10);
-        /* near the branch point of W half of the digits are lost, so the bits of q are added */
+        /* W loses half of its digits near its branch point, that is, for small q */
         double error = -1;
         for (slong prec = 128 + (q < 1 ? (slong)(-1.5 * log2(q)) : 0); error < 0; prec = 3000) {
             LET(x, prec + 1100, "exp(-1 - q)", q);

@@ -21,7 +21,7 @@ static const enum cor_disk_datum datums[3] = {COR_DISK_DATUM_CENTRE_OF_MASS, COR
 
 static double worst; /* largest error, relative to the allowed error */
 
-/* Compares modes of strength 2 with the reference. As in a disk, the lowest frequency contributes most of the sum. */
+/* Compares modes with C = sqrt(2) and S = 0 with the reference. */
 static void compare(double nu, enum cor_disk_datum datum, double v, const double *omega)
 {
     long double exact[FREQUENCIES];
@@ -107,8 +107,8 @@ TEST(test_random_points)
 
 enum { MOST_SPEEDS = 10000, FEW = 1800, TAKEN = 1000 };
 
-/* Compares `table` with MANY modes of the same nu, whose tail is far more accurate and has an error estimate. Checks
- * that the sum plus tail from TAKEN modes of `table` agrees within `bound` for v = 1e-9 and above. */
+/* Compares the sum and tail of the TAKEN lowest modes of `table` with the sum and tail of MANY modes of the same nu.
+ * The difference must be within `bound` for v = 1e-9 and above. */
 static void compare_tails(const struct cor_disk_modes *many, const struct cor_disk_modes *table, double bound)
 {
     static double errors[MOST_SPEEDS], ratios[MOST_SPEEDS];
@@ -140,7 +140,7 @@ static void compare_tails(const struct cor_disk_modes *many, const struct cor_di
                   table->nu, errors[n - 1], errors[n / 2], ratios[0], ratios[n / 2], worst_any);
 }
 
-/* The library's two tables; with COR_TEST_MULTIPLIER also other materials, for which disk.h has only a remark. */
+/* The library's two tables; with COR_TEST_MULTIPLIER also 14 other nu, with the larger bound for any speed. */
 TEST(test_tails)
 {
     static const long percent[] = {33, 90, -90, -75, -50, -25, 0, 20, 25, 40, 50, 60, 70, 80, 95, 99};

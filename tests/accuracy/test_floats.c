@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Tests the arrays in float arithmetic, cor_sphere_..._arrayf, at every float from 0 to infinity. Finds the largest
  * error in units of the last place of a float, and counts the results that are not correctly rounded. The reference is
- * the double function, whose bound is part of the error. From 16 onward the arrays return the rounded double function,
- * and only 1 in FAR_STRIDE floats is tested.
+ * the double function, whose bound is added to the error. Above 16 the arrays return the rounded double function, so
+ * only one float in FAR_STRIDE is tested.
  *
- * test_accuracy --stride N tests one in N/FAST_SHARE floats. It fails if the error exceeds its bound. Negative numbers
+ * test_accuracy --stride N tests one float in N/FAST_SHARE. It fails if the error exceeds its bound. Negative numbers
  * and NaN give NaN, and -0 counts as 0: tests/unit tests these cases. */
 #include "cor/law.h"
 #include "cor/sphere.h"
@@ -30,7 +30,7 @@ struct count {
     float worst_at;
 };
 
-/* Counts |result - exact| in units of the last place of a float, also if subnormal: 2^29 units of a double. */
+/* Adds one result to *count. The error is in units of the last place of a float, subnormal floats included. */
 static void judge(float x, float result, double y, struct count *count)
 {
     const int exponent = (int)(bits_of(y) >> 52) - 1023;

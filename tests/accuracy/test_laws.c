@@ -18,7 +18,7 @@
 
 enum { BALL_BITS = 256 };
 
-/* Up to this L, the formulas with exp and expm1 in long double have the digits that a double needs. */
+/* For L = -ln(eps) up to this number, exp and expm1 in long double are accurate enough. */
 static const long double far_exponent = 16;
 
 /* Returns exp(-share L) in balls, where L comes from acos, acosh and logarithms. Limited damping requires zeta > 1. */
@@ -86,7 +86,7 @@ static long double tsuji_exact(enum cor_end end, enum cor_quantity quantity, dou
     return reference_tsuji_time(end, zeta) + (end == COR_END_APPROACH_ONLY ? HALF * expl(l / 5) : 0);
 }
 
-/* Returns the value for either law at any zeta >= 0. */
+/* Returns the largest overlap or a time of the linear dashpot or of Tsuji's damping, for any zeta >= 0. */
 static long double ratio_exact(const struct search_function *f, double zeta)
 {
     const enum cor_quantity quantity = (enum cor_quantity)f->quantity;
@@ -105,8 +105,8 @@ static long double ratio_exact(const struct search_function *f, double zeta)
     return is_linear ? linear_exact(end, quantity, zeta) : tsuji_exact(end, quantity, zeta);
 }
 
-/* Returns the value for Hunt and Crossley's law with the elastic exponent a. The table has no times for negative beta;
- * tests/unit/test_law.c tests them by quadrature. */
+/* Returns the value for Hunt and Crossley's law with the elastic exponent a. Times for negative beta are tested in
+ * tests/unit/test_law.c. */
 static long double crossley_exact(const struct search_function *f, double beta)
 {
     const double a = f->exponent;
@@ -177,7 +177,7 @@ static struct search_function functions[MOST_FUNCTIONS] = {
 };
 static size_t function_count = 5;
 
-/* Adds a function of the table once: Tsuji's eps is the linear dashpot's, and the ends share overlaps. */
+/* Adds a function of the table, unless it is in the list already: some laws and some ends share functions. */
 static void add_function(enum cor_law law, enum cor_end end, enum cor_quantity quantity)
 {
     static const enum search_shape shape[] = {EPS, LOSS, INVERSE, INVERSE_OF_LOSS, OTHER, OTHER, OTHER};
@@ -235,9 +235,9 @@ static NUMBERS(eps_boundaries, 0.5, 0.25, 0.125, 0x1p-5, 0x1p-6, 0.1353352832366
                0.26359713811572677, 0.4065696597405991, 0.1495686192226351, 0x1p-900, 0x1p-200, 1e-154,
                2.7813423231340017e-309, 1.9667060174891983e-309, 5.562684646268003e-309, 0x1p-60, 0x1p-30);
 
-/* Searches close to one end of every row of times, and where their series begin and count most. Tsuji's rows are in
- * zeta^(1/5), ln(1 + zeta) and, at zero overlap, y = zeta/(10 sqrt(1 - zeta^2)), with series from about 6 and from 10
- * onward. The rows of Hunt and Crossley are in ln(1 + beta). */
+/* Tests points next to an end of each row of the tables of times, and points where the series beyond the rows begin.
+ * Tsuji's rows are in zeta^(1/5), ln(1 + zeta) and, at zero overlap, y = zeta/(10 sqrt(1 - zeta^2)). The series of zero
+ * overlap begin near y = 6 and at y = 10. The rows of Hunt and Crossley are in ln(1 + beta). */
 static void search_rows(struct worst *worst, const struct search_function *f, const struct search_options *o)
 {
     enum { WEAK = 42, STRONG = 43, SHORT = 36, LONG = 70 };

@@ -18,14 +18,14 @@
 #include "tests/proof/errors.h"
 #include "ulp.h"
 
-/* Allowance for pow in the proofs of corgen embed (gen/embed/proof.c, SLACK): 1e-13, in units of the last place */
+/* The error of pow that the proofs of corgen embed allow, in ulp: SLACK = 1e-13 in gen/embed/proof.c */
 #define POW_ULP 450
 
 struct row {
-    struct search_function f; /* a prefix of the function's name in the other program */
+    struct search_function f; /* f.name begins with the name in tests/platforms/libm.c */
     int (*exact)(mpfr_t, const mpfr_t, mpfr_rnd_t);
     double first, last; /* range of the log-uniform arguments */
-    double known[2];    /* 0: none. Source: Zimmermann and others, Accuracy of mathematical functions */
+    double known[2];    /* worst arguments known, or 0; Zimmermann and others, Accuracy of mathematical functions */
 };
 
 static double fifth_power(double x)
@@ -56,7 +56,7 @@ static int exact_power(mpfr_t y, const mpfr_t x, mpfr_rnd_t round)
 /* ---- another C library ---- */
 
 static FILE *to_other, *from_other;
-static const char *asked; /* the name of the row */
+static const char *asked;
 
 /* Starts the command and connects its standard input and output to to_other and from_other. */
 static bool other_starts(const char *command)

@@ -38,12 +38,12 @@ static const struct polynomial {
     ROW("phase, zeta < 1", cor_ratio_phase_polynomial, "s^2", "s + s^3*p - atan", 0, 0.41437, 1, 0x1p-57),
     ROW("phase, zeta > 1", cor_ratio_phase_polynomial, "-s^2", "s - s^3*p - (log(1 + s) - log(1 - s))/2", 0, 0.41437, 1,
         0x1p-57),
-    /* the formula is the error times sinh(s) >= s, and the value is at least 0.29 s^2. 1/3 is a pair here and below. */
+    /* Error of the formula: the error of the polynomial times sinh(s) >= s; s coth(s) - 1 is at least 0.29 s^2 */
     ROW("s coth(s) - 1", cor_hc_coth_polynomial, "s^2",
         "(s^2*(1/3 + s^2*p) + 1)*(exp(s) - exp(-s))/2 - s*(exp(s) + exp(-s))/2", 0, 1.503, 3, 0.29 * 0x1p-55),
     ROW("atanh, approach only", cor_hc_atanh_polynomial, "s^2", "s + s^3*(1/3 + s^2*p) - (log(1 + s) - log(1 - s))/2",
         0, 0.5, 3, 0x1p-55),
-    /* the formula is t - ln(1 + t) - s^2/2; the error of t itself is larger by the factor 1 + 1/t: 2^-55.6 s */
+    /* Formula: t - ln(1 + t) - s^2/2. The error of t is larger by 1 + 1/t, and is at most 2^-55.6 s. */
     ROW("W_-1 near its branch point", lambert_series, "s", "s + s^2*p - log(1 + s + s^2*p) - s^2/2", 0,
         COR_PROOF_SERIES_MAX_P, 3, COR_PROOF_SERIES_DEFECT),
 };
@@ -117,7 +117,7 @@ static bool cell_holds(const struct polynomial *f, double middle, double radius)
 
 static bool holds(const struct polynomial *f)
 {
-    /* The cell around 0 is as wide as 31 others, so that |s|^power varies by at most 1.3 in each of the others. */
+    /* Outside the wide cell around 0, |s|^power varies by at most 1.3 in a cell. */
     enum { CELLS = 300, FIRST = 16 };
     const double radius = f->high / (2 * CELLS - 1);
     bool good = cell_holds(f, 0, (2 * FIRST - 1) * radius * (1 + 1e-9));

@@ -31,7 +31,7 @@ static bool compare(struct random_state *state, double low, double high, uint64_
     for (uint64_t i = 0; i < count; i++) {
         const double b = random_log(state, low, high);
         arb_set_d(beta, b);
-        /* more bits: 1 - eps loses digits for small beta; up to beta = 16 the integration must reach the end */
+        /* 1 - eps loses digits for small beta; between beta = 8 and 16 the motion needs twice the bits */
         const slong bits = b < 1 ? BITS - (slong)logb(b) : b > 8 && b < 16 ? 2 * BITS : BITS;
         if (collision_solve(c, beta, &law_sphere, bits) != 0)
             return false;
@@ -55,7 +55,7 @@ static bool compare(struct random_state *state, double low, double high, uint64_
     return good;
 }
 
-/* Tests the series, the interpolation and the asymptotics, each at some points per 10^5. */
+/* Tests the series, the interpolation and the asymptotics at a few points each. */
 bool reference_is_good(const struct search_options *o)
 {
     static const struct {

@@ -48,7 +48,7 @@ int main(void)
     if (!(worst <= TOLERANCE))
         return 1;
 
-    /* volatile, because compilers may fuse products only where they compute constants */
+    /* volatile, because compilers may compute constants with fused products */
     const volatile REAL ends[] = {(REAL)low, (REAL)high};
     const double first = (double)FUNCTION(ends[0]), last = (double)FUNCTION(ends[1]);
     const REAL infinity = (REAL)INFINITY, nan = (REAL)NAN; /* casts, because NAN is a float */

@@ -28,7 +28,7 @@ int LLVMFuzzerInitialize(int *argc, char ***argv);
 
 enum { ARGUMENTS_MAX = 24, SIZE_MAX_INPUT = 600, PATH_LENGTH = 4096 };
 
-/* skipped: the run was too large. planning: the subcommand is plan, which ends when it needs modes */
+/* skipped: the run was too large. planning: the subcommand is plan */
 static bool skipped, planning;
 
 /* Requires that the value of an option is in its range, or is its default. */
@@ -107,7 +107,7 @@ static bool solves_nothing(const struct embed_request *scene)
     return !scene->number[COR_SCENE_RESTITUTION].text && !scene->number[COR_SCENE_ZETA].text;
 }
 
-/* Defines the function for a subcommand. cheap: the condition that its work is cheap */
+/* Defines the replacement of a subcommand. cheap: a condition on the arguments; the subcommand runs only if it holds */
 #define FUZZED(name, cheap)                                                                                            \
     static int fuzz_##name(const void *arguments)                                                                      \
     {                                                                                                                  \
@@ -228,7 +228,7 @@ int LLVMFuzzerInitialize(int *argc, char ***argv)
     static const int number[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGABRT, SIGXCPU};
     struct output out;
     output_open(&out, NULL);
-    parallel_use(1); /* a fuzzer uses one processor */
+    parallel_use(1); /* one thread */
     for (size_t i = 0; i < sizeof number / sizeof *number; i++)
         signal(number[i], SIG_DFL);
     REQUIRE(mkdtemp(home) && chdir(home) == 0 && mkdir("inside", 0700) == 0 && chdir("inside") == 0, "%s", home);
@@ -267,7 +267,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (!split(text, &argc, argv))
         return 0;
 
-    /* glibc's getopt remembers its place in an argument of the last run, and normally a program has only one run */
+    /* getopt of glibc continues within an argument of the previous run, unless it is reset */
     char *nothing[] = {argv[0], NULL};
     optind = 0;
     (void)getopt(1, nothing, "");

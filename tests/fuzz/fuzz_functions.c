@@ -26,8 +26,8 @@ static uint64_t next_bits(struct bit_source *source)
     return x;
 }
 
-/* Requires that eps and 1 - eps are from 0 to 1 and that other results are not negative. Exceptions: contacts made by
- * hand have any numbers, Hunt and Crossley's beta may be negative, and tangential motion has a sign. */
+/* Requires that eps and 1 - eps are from 0 to 1 and that other results are not negative. Skips functions of contacts
+ * and plates with arbitrary fields, Hunt and Crossley's law, whose beta may be negative, and tangential motion. */
 static void check_range(const struct public_function *f, const struct results *r)
 {
     static const char *const any[] = {"cor_contact_", "cor_plate_", "hunt_crossley", "cor_tangential_"};
@@ -76,10 +76,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     sets = &a;
     scene_sets = scenes;
     arguments_draw(&a, &bits.source, n, 1);
-    memset(a.beta + n, 0, (PUBLIC_COUNT - n) * sizeof *a.beta); /* a scene uses all elements */
+    memset(a.beta + n, 0, (PUBLIC_COUNT - n) * sizeof *a.beta); /* scenes read all elements */
     if (chosen >= public_function_count)
         scene_sets_draw(0, &bits.source);
-    for (size_t k = 0; k < function_count(); k++) /* of the slow functions only the chosen one runs */
+    for (size_t k = 0; k < function_count(); k++) /* a slow function runs only if it is chosen */
         if (k == chosen || (n <= FEW && function_number(k)->type != PUBLIC_several))
             check_function(function_number(k), &a);
     return 0;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Calls cor_disk_modes_read on arbitrary bytes. Reads an accepted file again by another route, strtod and strtoul. In
- * three of four cases the mutator corrects the checks at the ends of the lines. */
+/* Calls cor_disk_modes_read on arbitrary bytes. Reads an accepted file again by strtod and strtoul. In three of four
+ * cases the mutator corrects the checksums at the ends of the lines. */
 #define _GNU_SOURCE /* memfd_create */
 #include <sys/mman.h>
 #include <unistd.h>
@@ -16,7 +16,7 @@ enum { CAPACITY = 64, CHECK = 8, PATH_MAX_LENGTH = 64 };
 size_t LLVMFuzzerMutate(uint8_t *data, size_t size, size_t max_size);
 size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t max_size, unsigned seed);
 
-/* Corrects the checks. The first byte is not part of the file: it is the number of modes that fit. */
+/* Corrects the checksums of a file. */
 static void mend_checks(char *file, size_t size)
 {
     uint32_t check = COR_MODE_FILE_CHECK_START;
@@ -38,7 +38,8 @@ static void mend_checks(char *file, size_t size)
     }
 }
 
-/* Changes up to four characters, or lets libFuzzer mutate. Then, usually, corrects the checks. */
+/* Changes up to four characters, or lets libFuzzer mutate. Usually corrects the checksums afterwards. The first byte of
+ * the input is not part of the file: it selects the capacity. */
 size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t max_size, unsigned seed)
 {
     static const char letters[] = "0123456789abcdef.p+-x ";

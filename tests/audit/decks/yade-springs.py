@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT | after YADE examples/test/facet-sphere-ViscElBasic.py | GPL-2.0 | no option
-# the same contact by its spring and dashpot
+# the contact of facet-sphere-ViscElBasic.py, given by its spring and dashpot
 m = O.materials.append(ViscElMat(density=2400, kn=1.24e8, cn=2.42e4, ks=0, cs=0))
 O.bodies.append(sphere((0, 0, 0.1), 0.1, material=m))
 O.dt = 1e-5
