@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The goals for the contact law of the disk: part of goals.cpp. Each goal is about one stage of
- * runtime/number/lambert_w.c or runtime/disk/quasistatic.c. The result of `log` or `log1p` is a variable, so a goal
- * does not depend on the accuracy of these functions. tests/proof/disk_bounds.cpp adds the errors of the stages,
+ * runtime/number/lambert_w.c or runtime/disk/quasistatic.c. In a goal, the result of `log` or `log1p` may be any
+ * number, so the goal does not depend on their accuracy. tests/proof/disk_bounds.cpp adds the errors of the stages,
  * amplified by the later stages, over cells that cover the domain. errors.h has the errors for both programs. */
 
 /* ---- parts of lists of operations ---- */
@@ -26,9 +26,9 @@ static int find_operation(operation what, bool last = false)
 
 /* ---- logarithms ---- */
 
-/* Writes the goals of cor_log_ratio_far, for each exponent of x = m 2^e and twice where the code begins to scale x. hi
- * + lo is within COR_PROOF_FAR of a - e ln(2) - L, where L is the double that log(m) returns and |ln(m)| < 0.3466. The
- * last sum adds a rest below 2^-30, so a result above 1/2 is an exact sum. */
+/* Writes a goal of cor_log_ratio_far for each exponent of x = m 2^e, and two where the code begins to scale x. hi + lo
+ * is within COR_PROOF_FAR of a - e ln(2) - L. a is the logarithm of the limit, L the double that log(m) returns, and
+ * |ln(m)| < 0.3466. The last sum is exact if the result is above 1/2, because it adds a rest below 2^-30. */
 static void write_log_far(void)
 {
     const function f = [](Real x) { return cor_log_ratio_far({Real(1.3), Real(1e-17)}, x).hi; };
@@ -135,8 +135,9 @@ static mpq_class rational(number x)
     return mpq_class(x);
 }
 
-/* Writes the goals of cor_lambert_t_pair for q.hi < 0.1, p = sqrt(2 q.hi). The rest of the series has a relative error
- * below COR_PROOF_SERIES. The correction of p has an error below 2^-70 for p from [1, 2]. */
+/* Writes the goals of cor_lambert_t_pair for q.hi < 0.1. t is p = sqrt(2 q.hi), plus a correction of this root, plus
+ * the rest of the series. The rest has a relative error below COR_PROOF_SERIES. The correction has an error below 2^-70
+ * for p from [1, 2]. */
 static void write_series(void)
 {
     start();
@@ -218,8 +219,8 @@ static void write_first_step(gappa g, const step_cell &cell)
     g.write("disk_step_" + cell.index, {}, "($y - @y) / @y" + units(COR_PROOF_STEP));
 }
 
-/* Newton's step is within COR_PROOF_NEWTON y of y R/u, where R is the residual with the double L that log(y) returns.
- * u >= q, so q - u is an exact sum: disk_bounds.cpp. */
+/* Newton's step is within COR_PROOF_NEWTON y of y R/u, where R is the residual with the double L that log(y) returns. q
+ * - u is an exact sum if u >= q, which disk_bounds.cpp proves. */
 static void write_newton_step(gappa g, const step_cell &cell)
 {
     g.cut("y", cell.y);
@@ -301,8 +302,8 @@ static void write_pair_sqrt(void)
     write_root_correction("disk_pair_sqrt", shape);
 }
 
-/* Writes the goals of `times`, for the number that is rounded last, and of `square_times`. The square in `square_times`
- * and the product with f are within 2^-70 by the goals for pairs. */
+/* Writes the goal of times_pair before its last rounding. Checks that square_times only multiplies pairs, whose goals
+ * give an error of 2^-70. */
 static void write_times(void)
 {
     start();
@@ -337,14 +338,15 @@ struct law_formula {
     const char *name;
     Real (*law)(Real x, Real nu, enum cor_disk_datum datum);
     enum quantity quantity;
-    bool inverse; /* true: t is t(q); false: t = q */
-    int multiple; /* multiple of the logarithm */
+    bool inverse; /* t is t(q), otherwise q */
+    int multiple; /* q is this multiple of the logarithm */
     formula *of;
     const struct cor_logarithm *constant; /* NULL, or a of a leading logarithm ln(a/x) */
 };
 
-/* Checks that the function, without rounding, is its formula in t. x = 0.75 2^exponent is far from the limit, so q =
- * slope nu + ln(limit at nu = 0) - ln(x). The results of log and sqrt are arbitrary numbers. */
+/* Checks that a function of the law, without rounding, equals its formula in x, t and a root r. x = 0.75 2^exponent is
+ * far from the limit, so q = slope nu + ln(limit at nu = 0) - ln(x). The results of log and sqrt are arbitrary numbers.
+ * */
 static void check_law_at(const law_formula &f, enum cor_disk_datum datum, int exponent)
 {
     start();
@@ -354,7 +356,7 @@ static void check_law_at(const law_formula &f, enum cor_disk_datum datum, int ex
     find_limit(f.quantity, nu, datum, &limit);
     if (f.constant != nullptr)
         limit = {*f.constant, Real(0)};
-    const int far = find_operation(LOG), last = find_operation(LOG, true), y = at(last, "a"); /* of Newton's step */
+    const int far = find_operation(LOG), last = find_operation(LOG, true), y = at(last, "a"); /* y of Newton's step */
     const int hi = last_where([&](const node &n) { return n.what == SUBTRACT && n.a == y && is_constant(n.b, 1); });
     const int lo = last_where(
         [&](const node &n) { return n.what == MULTIPLY && n.a == y && what_is(n.b) == DIVIDE && at(n.b, "b") == hi; });
@@ -362,7 +364,7 @@ static void check_law_at(const law_formula &f, enum cor_disk_datum datum, int ex
     assignment known;
     known[x.node()] = arbitrary();
     known[nu.node()] = arbitrary();
-    mpq_class root; /* the last root in the list belongs to the law */
+    mpq_class root; /* the last root in the list is the r of the formula */
     for (std::size_t i = 0; i < nodes.size(); i++) {
         const operation what = nodes[i].what;
         if (what == HEAD || what == SEED || what == LOG)
@@ -392,7 +394,7 @@ static void check_law_at(const law_formula &f, enum cor_disk_datum datum, int ex
     expect(abs(exact_value(result, known) - wanted) <= abs(wanted) * rounding, f.name);
 }
 
-/* A leading logarithm depends neither on nu nor on a datum. */
+/* Adapts a leading logarithm, which depends only on x, to the type of the other functions. */
 template <Real (*law)(Real)> static Real of_x(Real x, Real, enum cor_disk_datum)
 {
     return law(x);
@@ -422,7 +424,7 @@ static void check_law(void)
     for (const law_formula &f : laws)
         for (const enum cor_disk_datum datum :
              {COR_DISK_DATUM_CENTRE_OF_MASS, COR_DISK_DATUM_DIAMETER, COR_DISK_DATUM_PRINTED})
-            for (const int exponent : {-6, -949}) /* including places where functions scale their argument */
+            for (const int exponent : {-6, -949}) /* at x = 0.75 2^-949 functions scale their argument */
                 check_law_at(f, datum, exponent);
 }
 

@@ -102,7 +102,6 @@ static ball q_of(const ball &t)
     return from_to(low - log1p(low), high - log1p(high));
 }
 
-/* Returns the unit in the last place of a positive number. */
 static double ulp(double x)
 {
     int exponent;
@@ -142,8 +141,8 @@ static void series_factors(double *factor, double *slope)
     *slope = size(b).above();
 }
 
-/* Returns the error of t.hi + t.lo for q.hi < 0.1, t in [low, high], with respect to t of q.hi + q.lo. |q.lo| <= 1.01
- * 2^-53 q.hi. P = sqrt(2 q), p = sqrt(2 q.hi) rounded, and delta = 2 q/p^2 - 1. */
+/* Bounds the error of t.hi + t.lo relative to t(q.hi + q.lo), for q.hi < 0.1 and t <= high. |q.lo| <= 1.01 2^-53 q.hi.
+ * p is the rounded sqrt(2 q.hi), and delta bounds |2 q/p^2 - 1|. */
 static double series_error(double high)
 {
     static double factor, slope;
@@ -161,8 +160,8 @@ static double series_error(double high)
     return error.above();
 }
 
-/* Returns the relative error e of y after the step of fourth order, 1 + t = y (1 + e), for t in [low, high],
- * q.hi >= 0.1. The step solves r = u e + w, w = e - ln(1 + e) = e^2 W, up to
+/* Bounds the relative error of y after the step of fourth order, for t in [low, high] and q.hi >= 0.1. The exact
+ * correction e with 1 + t = y (1 + e) satisfies r = u e + w, w = e - ln(1 + e) = e^2 W. The step misses e by
  *
  *     e^4 (u^2 V + W^2 (1 + 4 u/3))/(u (b + 2 r)),     2 W + (4/3) e W - 1 = e^2 V */
 static double step_error(double low, double high, const library &n)
@@ -192,7 +191,7 @@ static double step_error(double low, double high, const library &n)
         const ball r = v * e + e2 * W, b = 2 * v * v + ball(4) / 3 * v * r;
         const ball divisor = v * (b + 2 * r);
         const ball missed = e2 * e2 * (v * v * V + W * W * (ball(1) + 4 * v / ball(3))) / divisor;
-        /* error of r, from q.lo, from log and from two roundings; then the derivative of the step */
+        /* error of r, from q.lo, from log and from two roundings; below, its effect on the step */
         const ball residual = ball(u) * (1.1 * q + (2 * n.log) * log(start) + q + v + ball(1));
         const ball N = r * (b + r),
                    dN = 4 * v * v + (ball(16) / 3 * v + ball(2)) * r - 2 * v * v - (ball(8) / 3 * v) * r;
@@ -354,8 +353,8 @@ static void bound_report(const char *name, const bound &worst, double promised, 
     good = good && holds;
 }
 
-/* Returns the error after the last rounding, in ulp of the exact value, if the error before this rounding is `units`.
- * If exact value and rounded sum are on two sides of a power of two, the sum may have the unit of the higher side. */
+/* Returns the error after the last rounding, in ulp of the exact value, if the error before this rounding is `units`. A
+ * power of two may be between the exact value and the sum. Then the sum may have the larger ulp. */
 static double rounded(double units)
 {
     return (units + (units > 1 ? 1 : 0.5)) * (1 + 1e-9);
@@ -378,7 +377,7 @@ static double of_root(double low, double high, double t_error, double sum_error)
     return of_load(low, high, t_error, sum_error) / 2 + 4 * COR_PROOF_PAIRS;
 }
 
-/* d ln((1 + t/2)/sqrt(1 + t))/dt = t/(2 (1 + t) (2 + t)) */
+/* for functions of a speed, q is twice the logarithm */
 static double of_compression(double low, double high, double t_error, double sum_error)
 {
     const double slope = (high + t_error) / (2 * (1 + low) * (2 + low));
@@ -486,8 +485,8 @@ static double row_defect(const double *c, double node, int octave, double half, 
     return sum.above() / t_least * (1 + 1e-9);
 }
 
-/* Adds the errors of the load by cor_inline_row_product. c_0 times both halves of the compression is exact. The row is
- * at most `share` of c_0. Each term has 12 roundings, and the rounding of t counts as at most 10 more. */
+/* Adds the errors of the load by cor_inline_row_product. c_0 times both halves of the compression is exact. The other
+ * terms are at most `share` of c_0. Each has 12 roundings, and the rounding of t counts as at most 10 more. */
 static void sum_over_rows(void)
 {
     bound load = {};
@@ -518,7 +517,7 @@ static const struct {
     const char *name;
     double constant, power;
     int square;
-    double factor; /* leading logarithms: value = factor exp(-(1 + square) q) q^power */
+    double factor; /* if not 0: a leading logarithm with the value factor exp(-(1 + square) q) q^power */
     double least;  /* least q */
 } q_laws[] = {{"compression of a load", 1, 1, 0, 0, least_depth},
               {"energy of a load", 0.5, 1, 1, 0, least_depth},
@@ -541,7 +540,7 @@ static void sum_over_q(double limit)
                 const double relative = fabs(f.power) * q / (f.constant + low) * (1 + 2 * q / (f.constant + low)) +
                                         4 * COR_PROOF_PAIRS + 0x1p-72;
                 double units = relative / u;
-                if (f.factor != 0 && high < 1) { /* the value determines the units */
+                if (f.factor != 0 && high < 1) { /* takes the ulp from the range of values */
                     const double power_low = std::pow(low, f.power), power_high = std::pow(high, f.power);
                     const double least = f.factor * exp(-(1 + f.square) * high) * std::min(power_low, power_high);
                     const double most = f.factor * exp(-(1 + f.square) * low) * std::max(power_low, power_high);
@@ -554,8 +553,8 @@ static void sum_over_q(double limit)
     }
 }
 
-/* Tests doubles next to the borders of a unit, with the linked library. The sums above leave more than 1 ulp before the
- * last rounding at t = 1/2 and 1. */
+/* Tests doubles next to t = 1/2 and 1 with the linked library. Next to these powers of two the sums above exceed 1 ulp
+ * before the last rounding. */
 static void check_borders(void)
 {
     enum { STEPS = 24 };

@@ -6,20 +6,21 @@
 #ifndef COR_TESTS_PROOF_ERRORS_H
 #define COR_TESTS_PROOF_ERRORS_H
 
-/* A relative error of 2^-46. The evaluator cuts one root to 26 bits and squares the other in a term below 6e-8. */
+/* 64 ulp are a relative error of 2^-46. One cube root is cut to 26 bits, and the other is used only in a term below
+ * 6e-8. */
 #define COR_PROOF_CBRT_ULP 64
 #define COR_PROOF_LOG_ULP 1
 #define COR_PROOF_LOG1P_ULP 1
-/* the error of log for which t(q) is within 2 ulp */
+/* if log has an error up to this number, t(q) is within 2 ulp */
 #define COR_PROOF_LOG_NEAR_ULP 0.55
 
-/* the error of ln(limit/x) far from the limit, in addition to the error of log(m); |ln(m)| < 0.3466 */
+/* the error of ln(limit/x) far from the limit, without the error of log(m); |ln(m)| < 0.3466 */
 #define COR_PROOF_FAR 0x1p-80
 /* the error of the quotient's remainder near the limit, relative to the quotient */
 #define COR_PROOF_NEAR 0x1p-74
 /* the error of a correction of a square root, relative to the root */
 #define COR_PROOF_ROOT 0x1p-70
-/* rounding in the rest of the series, relative to the rest; p is below COR_PROOF_SERIES_MAX_P */
+/* rounding error of the series without its first term, relative to the rest; p is below COR_PROOF_SERIES_MAX_P */
 #define COR_PROOF_SERIES (5.1 * 0x1p-53)
 #define COR_PROOF_SERIES_MAX_P 0.4473
 /* |t - ln(1 + t) - p^2/2| of the series in real arithmetic, relative to p^3 */

@@ -4,7 +4,7 @@
  *
  *     goals OUTPUT-DIRECTORY TABLES.h [PART PARTS [PATTERN...]]
  *
- * writes every goal, or only goals with a name that fits a pattern and a number PART modulo PARTS. TABLES.h is
+ * writes every goal, or only those whose name fits a pattern and whose number modulo PARTS is PART. TABLES.h is
  * generated/sphere_rows.h; the proved errors of rows in beta^5 are read from its text. The exit status is 1 if the
  * evaluator does not compute the formula of a row. */
 #include "trace.h"
@@ -22,7 +22,8 @@
 #include "cor/contact.h"
 #include "errors.h"
 
-/* The evaluator's source, with numbers that record their operations. Included above, cor/contact.h has real doubles. */
+/* The evaluator's source, compiled with numbers that record their operations. cor/contact.h is included above, so its
+ * doubles are real. */
 namespace trace
 {
 #define double Real
@@ -82,8 +83,8 @@ static std::string numbered(const std::string &name, int i)
 struct table {
     const Real *(*rows)(int i);
     int count;
-    number first, step;      /* nodes first + i step, or */
-    int octave, octave_bits; /* 2^octave_bits rows to each octave, from this octave onward */
+    number first, step;      /* nodes first + i step, if octave_bits < 0 */
+    int octave, octave_bits; /* otherwise 2^octave_bits rows in each octave, from `octave` onward */
 };
 #define GRID(name, NAME)                                                                                               \
     {                                                                                                                  \
@@ -172,8 +173,8 @@ static mpq_class arbitrary(void)
     return value + 1 + calls++ % 4096;
 }
 
-/* Checks that a list of operations, without rounding, is a formula. Compares their sum with the formula at 24 arbitrary
- * values of the variables. This is a proof for polynomials of one variable and a degree below 24. */
+/* Checks that the sum of some operations, without rounding, equals a formula. Compares them at 24 arbitrary values of
+ * the variables. This is a proof for polynomials of one variable and a degree below 24. */
 static void check_formula(const std::string &what, std::initializer_list<term> operations,
                           const std::function<mpq_class(assignment &)> &formula)
 {
@@ -187,7 +188,7 @@ static void check_formula(const std::string &what, std::initializer_list<term> o
     }
 }
 
-/* ---- widened intervals, used only for the binades that a result can reach ---- */
+/* ---- intervals, widened by 2^-45, for the binades that a result can reach ---- */
 
 struct interval {
     number low, high;
@@ -300,7 +301,7 @@ static number constant_of(int id)
     return of(id).what == CONSTANT ? of(id).value : NAN;
 }
 
-/* True if the operations that lead to `id` fit the pattern at p: gappa::match. */
+/* True if the operations that lead to `id` fit the pattern at p. See gappa::match. */
 static bool fits(int id, const char *&p, std::map<std::string, int> &names)
 {
     static const std::map<char, operation> signs = {{'+', ADD}, {'-', SUBTRACT}, {'*', MULTIPLY}, {'/', DIVIDE}};
@@ -398,7 +399,7 @@ struct gappa {
         expect(fits(id, at, names), pattern);
     }
 
-    /* Matches like match(), but a name may get another operation than before, unless it is one of the `known` names. */
+    /* Like match(), but keeps only the `known` names; other names may get another operation than before. */
     void match_anew(term id, const char *pattern, std::initializer_list<std::pair<std::string, term>> known)
     {
         gappa other;
@@ -496,9 +497,8 @@ static std::string power_of_two(int k)
     return "1b" + std::to_string(k);
 }
 
-/* Writes goals: the result of the last operation is within `ulp` units of the last place of the exact value, or of any
- * number within 2^-55 of it. Each file covers one binade that the exact value may reach, and one side of its borders
- * for the last sum. Next to a power of two, the sum can have another spacing than the exact value. */
+/* Writes goals: the rounded result of the last operation, a sum, is within `ulp` ulp of the exact value. Each file
+ * assumes that the exact value is in one binade, up to 2^-55, and that the sum is below, in or above this binade. */
 static void write_goals(const std::string &name, gappa &g, term result, ranges &known, number ulp)
 {
     const node n = of(result);
@@ -537,11 +537,11 @@ static void write_goals(const std::string &name, gappa &g, term result, ranges &
 enum shape { IN_BETA, IN_ROOT, BY_OCTAVES, NEAR, NEAR_ROOT };
 
 struct evaluator {
-    const char *name; /* value of the function, or of the table */
+    const char *name; /* name of the function or of its table */
     function value;
     number first, end;
     shape kind;
-    bool product; /* the value is m (c_0 + row) with a factor m */
+    bool product; /* the value is m (c_0 + row); m is a factor */
     number ulp;
     table rows;
 };
@@ -571,7 +571,7 @@ struct landmarks {
     int x, root, significand, head, loss, place;
 };
 
-/* Returns the landmarks. place: t of row 0, computed as y - 0 - 0 step or y - 0 */
+/* Returns the landmarks. place: t in row 0, which the source computes as y - 0 - 0 step or y - 0 */
 static landmarks landmarks_of(int result)
 {
     std::vector<bool> needed(nodes.size(), false); /* the nodes on which the result depends */
@@ -691,8 +691,8 @@ static void write_log(void)
     }
 }
 
-/* The factors of the tails, which are pairs: rows in u = ln(beta) up to u = 10, then three orders in mu = beta^(-5/3).
- * `error` is the relative error in the goals, in units of 2^-53. */
+/* The functions for large beta have factors, which are pairs. A factor has rows in u = ln(beta) up to u = 10, then
+ * three orders in mu = beta^(-5/3). `error` is the relative error in the goals, in units of 2^-53. */
 struct tail {
     std::string name;
     number error, far_error;
@@ -1178,7 +1178,7 @@ static void write_far_root(void)
 /* Writes the goals for the last operations of functions beyond their tables. error: as in struct tail */
 static void write_last_steps(void)
 {
-    const number pairs = 0x1p-12; /* errors of powers and quotients of pairs, 2^-65 */
+    const number pairs = 0x1p-12; /* 2^-65, the error of powers and quotients of pairs, in units of 2^-53 */
     for (const tail &f : tails)
         write_rounding("last_" + f.name, std::max(f.error, f.far_error) + pairs,
                        0.5 + std::max(f.error, f.far_error) + 2 * pairs);
@@ -1191,7 +1191,7 @@ static void write_last_steps(void)
     g.say("eps = rnd(e);\nV = rnd(1 - eps);");
     g.hypotheses = {"eps in [0, 1b-8]", "eps - E in [-1b-60, 1b-60]"};
     g.write("last_loss", {}, "|V - (1 - E)|" + at_most(std::ldexp(0.51, -53)));
-    /* scaling a normal number within 0.8 ulp of E to a subnormal number gives 0.91 units of 2^-1074 */
+    /* a number within 0.8 ulp of E, rounded to a subnormal number, is within 0.91 units of 2^-1074 */
     gappa s;
     s.text += "@subnormal = fixed<-1074, ne>;\nV = subnormal(S);\n";
     s.hypotheses = {"S in [0, 1b-1022]", "S - E in [-0x1.ap-1076, 0x1.ap-1076]"};

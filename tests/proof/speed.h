@@ -11,7 +11,7 @@ static const number units_per_ulp = 2;
 static const number eps_ulp = 0.96, far_root_ulp = 0.9 + 4.1e-17 * 0x1p52, duration_overlap_ulp = 1.35,
                     duration_force_ulp = 1.14, max_overlap_ulp = 0.84, inverse_ulp = 1.93;
 
-/* Errors of x^(1/5), rounded, and of the pair that is rounded last */
+/* Errors of the rounded x^(1/5), and of its pair before this rounding */
 static const number fifth_root = 1.42, root_pair = 0.41;
 
 /* Covers products of errors, errors of pairs (2^-70), and the change of kappa between neighbours (below 2e-9) */
@@ -43,8 +43,8 @@ static std::vector<number> bits_of_rows(const char *file, const std::string &nam
     return bits;
 }
 
-/* Checks eps from a row in x. x has two rounding errors, 2/5 of a unit of beta. The bound grows faster with kappa than
- * the error, so the least kappa decides. */
+/* Checks eps from a row in x = beta^5. The two rounding errors of x change beta by 2/5 of a unit. The bound grows
+ * faster with kappa than the error, so the least kappa of the row is tested. */
 static void check_rows_at_speed(const evaluator &f, const char *file)
 {
     const std::vector<number> bits = bits_of_rows(file, f.name);
@@ -58,7 +58,7 @@ static void check_rows_at_speed(const evaluator &f, const char *file)
     }
 }
 
-/* Checks the other ways to eps, for arguments from x onward. */
+/* Checks the other ways to compute eps, from the argument x onward. */
 static void check_eps_sums(void)
 {
     const struct {
@@ -77,9 +77,9 @@ static void check_eps_sums(void)
     }
 }
 
-/* Returns the error of scale overlap root^4 in ulp. A rounding error is at most 1/m units if the result has the
- * significand m, and n units of a number with the significand m are n m/2 ulp. `product` is an interval of the
- * significands of the product so far, `error` its error before rounding. */
+/* Returns the error of the product scale y root^4, the largest overlap, in ulp. `product` is an interval of the
+ * significands of the product so far, `error` its error before it is rounded, and `factors` counts the missing roots. A
+ * rounding error is at most 1/m units if the result has the significand m. n units of such a number are n m/2 ulp. */
 static number products_ulp(interval product, interval root, int factors, number error)
 {
     if (product.low >= 2)
@@ -95,8 +95,8 @@ static number products_ulp(interval product, interval root, int factors, number 
                         error + root_pair + 1 / root.low);
 }
 
-/* Returns the largest products_ulp(). Cells of the significands of scale overlap and of the root cover all numbers.
- * `error` is the error of scale overlap before rounding. */
+/* Returns the largest products_ulp() over all significands of scale y and of root. `error`: of scale y, before it is
+ * rounded. */
 static number overlap_ulp(number error)
 {
     enum { CELLS = 256 };
@@ -110,7 +110,7 @@ static number overlap_ulp(number error)
     return most;
 }
 
-/* Checks that the source has the operations that the sums count. */
+/* Checks the order of the operations whose errors are added here. */
 static void check_operations(void)
 {
     start();

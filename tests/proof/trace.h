@@ -153,8 +153,7 @@ inline Real variable(const std::string &name, number value)
 /* Returns the result of an operation with one operand or two. */
 inline Real result_of(operation what, Real x, number value, const Real *y = nullptr)
 {
-    if (x.constant() &&
-        (!y || y->constant())) /* compilers compute it; each double is exact, or rounded as at run time */
+    if (x.constant() && (!y || y->constant())) /* compilers compute constants, exactly or rounded as at run time */
         return Real(value);
     return recording ? Real(value, node_of(what, x.node(), y ? y->node() : -1, value)) : Real(value, 0);
 }
@@ -225,7 +224,7 @@ struct Bits {
     Bits(word x, meaning m, Real r) : value(x), what(m), of(r)
     {
     }
-    /* The bits of a subnormal number count its units of 2^-1074. */
+    /* The bits of a subnormal number, read as an integer, are the number in units of 2^-1074. */
     explicit operator Real() const
     {
         return what == NOTHING ? Real((number)value) : of * Real(0x1p574) * Real(0x1p500);
