@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Runs the examples of a page and compares the output with the page. tests/count.sh has been sourced; corgen, work (a
-# directory) and, for C, library (libcor.a) are set.
+# Runs the examples of a page and compares the output with the page. Needs tests/count.sh, and the variables corgen,
+# work (a directory) and, for C, library (libcor.a).
 #
 #         $ corgen ...         a command of corgen, cor or cc, its output indented below it; a line may end in \
 #     ```c                     a program, after a line <!-- NAME.c -->, or lines that replace the loop in the

@@ -24,7 +24,7 @@ static int teardown(void **state)
     return 0;
 }
 
-/* Rows of every kind, up to beta = 3/8. The second table has s = beta - node^2 from row 2 onward. */
+/* Tables of every kind, up to beta = 3/8. In the second one s = beta - node^2 from row 2 onward. */
 #define TABLE(of, ...)                                                                                                 \
     {                                                                                                                  \
         .quantity = (of), .root = 2, .octave_bits = PIECES_OCTAVE_BITS, .step = 0.125, .degree = 10, .name = "rows",   \
@@ -38,7 +38,7 @@ static const struct pieces tables[] = {
           .rows = 2L * PIECES_PER_OCTAVE, .plain = 2L * PIECES_PER_OCTAVE),
 };
 
-/* Tables of every kind, up to beta = 3/8. In the second one s = beta - node^2 from row 2 onward. */
+/* Evaluates row r in doubles, at a fraction of its width. Sets beta to the damping at that place. */
 static double evaluate(const struct pieces *p, slong r, double fraction, double *beta)
 {
     double c[32] = {0}, node = p->first + (double)r * p->step, half = p->step / 2, octave = 0;

@@ -377,7 +377,7 @@ static double of_root(double low, double high, double t_error, double sum_error)
     return of_load(low, high, t_error, sum_error) / 2 + 4 * COR_PROOF_PAIRS;
 }
 
-/* for functions of a speed, q is twice the logarithm */
+/* d ln((1 + t/2)/sqrt(1 + t))/dt = t/(2 (1 + t) (2 + t)) */
 static double of_compression(double low, double high, double t_error, double sum_error)
 {
     const double slope = (high + t_error) / (2 * (1 + low) * (2 + low));
@@ -386,7 +386,7 @@ static double of_compression(double low, double high, double t_error, double sum
 
 static const struct {
     const char *name;
-    int multiple; /* q is this multiple of the logarithm */
+    int multiple; /* for functions of a speed, q is twice the logarithm */
     double (*relative)(double low, double high, double t_error, double sum_error);
 } t_laws[] = {{"load of a compression", 1, of_load},
               {"load of an energy", 1, of_root},

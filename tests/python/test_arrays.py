@@ -129,7 +129,7 @@ def test_out_may_be_the_argument_or_overlap_it():
     same = X.copy()
     cor.sphere.eps_zero_force(same, out=same)
     np.testing.assert_array_equal(same, eps(X))
-    many = np.linspace(0.1, 3.0, 5000)  # more than C reads before it writes
+    many = np.linspace(0.1, 3.0, 5000)  # more numbers than the loop in C reads at a time
     for x, y in ((slice(0, -1), slice(1, None)), (slice(1, None), slice(0, -1))):
         shifted = np.append(many, 0.0)
         wanted = cor.sphere.eps_zero_force(shifted[x])

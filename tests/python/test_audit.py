@@ -250,7 +250,7 @@ O.dt=1e-5
 
 @pytest.mark.parametrize("name,default", [("density", 1000), ("young", 1e9), ("poisson", 0.25)])
 def test_defaults(tmp_path, name, default):
-    """YADE: a missing number of a material has its default, and its value matters."""
+    """YADE: a missing number of a material counts as YADE's default, and another value changes the result."""
     texts = ["", f"{name}={default}", f"{name}={default * 1.01}"]
     rows = [
         run("audit", write(tmp_path, "deck.py", MINDLIN.format(t)), "--format", "json", "--speed", "1") for t in texts
@@ -259,7 +259,7 @@ def test_defaults(tmp_path, name, default):
 
 
 def test_walls_and_lines(tmp_path):
-    """A facet has its own number, and the replacement line fits the contacts that exist."""
+    """A facet or a wall needs another number than two spheres. The replacement line is for the contacts that exist."""
     cases = {
         "O.bodies.append([sphere((0,0,0),.01),facet(((0,0,0),(1,0,0),(0,1,0)))])\n": {"facet": (0.5, 0.645895)},
         "O.bodies.append([sphere((0,0,0),.01),sphere((0,0,1),.01),wall(0,2)])\n": {
@@ -291,7 +291,8 @@ O.engines=[InteractionLoop([],[Ip2_FrictMat_FrictMat_{}()],[]),NewtonIntegrator(
 
 @pytest.mark.parametrize("functor,speed,measured", [("FrictPhys", 0.1, 0.4454), ("MindlinPhys", 1, 0.63391)])
 def test_damped_fall(tmp_path, functor, speed, measured):
-    """YADE's damping acts on weight and spring. The values are from YADE 2023.02a with a step of 2e-6 s."""
+    """The damping of YADE's NewtonIntegrator acts on the weight and on the contact force. The values are from YADE
+    2023.02a with a step of 2e-6 s."""
     deck = write(tmp_path, "deck.py", FALL.format(functor))
     (row,) = json.loads(run("audit", deck, "--speed", speed, "--format", "json")[1])
     assert abs(row["realised_surface"] - measured) < 3e-4 < row["realised"] - measured
@@ -362,7 +363,7 @@ def test_hostile(tmp_path):
 @pytest.mark.parametrize("key", ["solref", "solimp", "solmix", "priority", "condim", "contype", "size", "density"])
 @pytest.mark.parametrize("wrong", ["{0} 1", "{1}"])
 def test_attributes_that_are_not_numbers(tmp_path, key, wrong):
-    """MuJoCo refuses such attributes on either geom and in defaults, also if the other geom has the number."""
+    """MuJoCo refuses such an attribute of either geom or in defaults, even if the other geom has a number."""
     text = f'{key}="{wrong.format("high", "1 x" if key in ("solref", "solimp", "size") else "nan")}"'
     for geoms in ((text, ""), ("", text)):
         floor, ball = (f'<geom type="{t}" {g}/>' for t, g in zip(("plane", "sphere"), geoms))
@@ -372,7 +373,7 @@ def test_attributes_that_are_not_numbers(tmp_path, key, wrong):
 
 
 def test_long_loop(tmp_path, monkeypatch):
-    """After half of the time cor leaves a loop, states it, and reads the lines below."""
+    """After half of the allowed time cor leaves a loop, reports this, and reads the lines below it."""
     monkeypatch.setattr("cor._audit.script.MAX_SECONDS", 0.1)
     loop = "variable i loop 4000000\nlabel again\nvariable x equal 1\nnext i\njump SELF again\n"
     path = write(tmp_path, "in.loop", loop + "units lj\npair_style gran/hooke 2000 NULL 50 NULL 0 0\nrun 0\n")

@@ -282,8 +282,8 @@ def test_a_grid_has_the_same_minimum_and_intervals(name, given):
 
 @pytest.mark.parametrize("kind", ["times", "drop height", "apexes"])
 def test_an_error_of_a_number_moves_its_bounces(kind):
-    """For exact data with drag, an error of one time or height changes the residuals c r by the coefficients of this
-    number."""
+    """In exact data with drag, an error of one time or height changes the weighted residuals c r by the coefficients of
+    this number."""
     kappa, theta = 0.03, np.array([-0.1, -0.05])
     speed, time, at, apexes = likelihood.impact_of_drop(np.array([1.0]), G, kappa), 0.0, [], [1.0]
     for _ in range(5):
@@ -391,7 +391,8 @@ def test_stored_data(file, title, parameter, value, low, high, aic, p):
 
 
 def test_points_behind_the_drag_of_the_stored_times():
-    """p of a table tennis ball at C_d = 0.40 agrees with p of independent points without buoyancy."""
+    """p values of the bounces of a table tennis ball, taken as independent points: with drag, C_d = 0.40, without
+    buoyancy."""
     record = cor.fit(DATA / "ping_pong_ball_parquet.csv", law="constant").data
     sample = likelihood.Sample(record)
     flights = sample.flights(G, 0.4 * 1.204 * math.pi / 4 * 0.04**2 / (2 * 0.0027 * G))
@@ -612,7 +613,8 @@ def test_a_function_without_numbers_has_no_outliers_and_is_not_determined():
 
 
 def mean_of(eps, sigma, bend):
-    """Returns Huber's mean of points, or with the bend at infinity their weighted mean, and the sum of all weights."""
+    """Returns Huber's mean and the sum of all weights. bend: where weights decrease, in sigma; infinity: the weighted
+    mean."""
     mean, weight = np.median(eps), 1 / sigma**2
     for _ in range(200):
         part = weight * np.minimum(1, bend * sigma / np.maximum(np.abs(eps - mean), 1e-300))
@@ -679,7 +681,7 @@ def test_a_loss_that_explains_nothing_is_zero():
 
 
 def test_outliers_need_scatter():
-    """Rounded heights may not scatter at all, or only in one line; outliers are then not judged."""
+    """Rounded heights may have no scatter, or too little; outliers are then not judged."""
     for h0, h1 in ([100, 100, 50, 50], [64, 64, 32, 32]), ([100, 80, 60, 40], [64, 51.2, 38.4, 25.6]):
         exact = cor.fit({"h0_cm": h0, "h1_cm": h1}, law="constant")
         assert "without scatter" in " ".join(exact.remarks()) and "too few to judge any" in exact.verdict()

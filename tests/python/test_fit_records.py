@@ -211,7 +211,7 @@ def test_bounces_of_a_track(eps, rate, noise, bound):
     gaps = read({"time_s": at, "height_m": heights})
     np.testing.assert_allclose(gaps.record.time_s[:5], bounces[:5], atol=bound)
     assert gaps.remarks[0] == "4 rows without a height are left out."
-    assert np.all(np.abs(gaps.record.line[:5] - record.line[:5]) <= 1)  # rows of the file
+    assert np.all(np.abs(gaps.record.line[:5] - record.line[:5]) <= 1)  # numbers of the rows
 
 
 def test_hostile_bytes():
@@ -234,7 +234,7 @@ def test_hostile_bytes():
                 assert np.all(np.isfinite(values)), name
         if isinstance(record, Times):
             steps = np.diff(record.time_s)
-            steps[record.start[1:-1] - 1] = 1  # the step to the next drop
+            steps[record.start[1:-1] - 1] = 1  # time begins again with each drop
             assert np.all(steps > 0)
 
 

@@ -142,7 +142,7 @@ static long double tsuji_integral(long double zeta, long double end, long double
     return powl(1.25L, -0.6L) * end * quadrature(tsuji_integrand, p);
 }
 
-/* Returns the integrand of (5/8)^(2/5) int (1 - X^(5/2))^(-1/2) up to X = m^(2/5), where X = x m^(2/5). Parameters: (5
+/* Returns the integrand of (5/8)^(2/5) int_0^M (1 - X^(5/2))^(-1/2) dX, M = m^(2/5), in x = X/M. Parameters: (5
  * m/8)^(2/5) and 1 - m. */
 static long double limited_integrand(long double x, long double below, const long double *p)
 {
@@ -172,8 +172,9 @@ long double reference_tsuji_time(enum cor_end end, long double zeta)
     return first + expl(-zeta * phase / 5) * second;
 }
 
-/* The integrand for Hunt and Crossley's loading with b = beta and their rebound with b = -h. tau = ln((1 + b)/(1 + beta
- * v)) runs from 0 to ln(1 + b), where v = 0, and x^(a+1)/(a+1) = energy_left/beta^2. p: a, b, 1 + b, ln(1 + b), beta */
+/* Returns the integrand for the loading (b = beta) or the rebound (b = -h) of Hunt and Crossley's law. tau = ln((1 +
+ * b)/(1 + beta v)) runs from 0 to ln(1 + b), where the speed v is 0. The overlap X has X^(a+1)/(a+1) =
+ * energy_left/beta^2. p: a, b, 1 + b, ln(1 + b), beta */
 static long double crossley_integrand(long double x, long double below, const long double *p)
 {
     const long double tau = p[3] * x, gone = -expm1l(-tau);

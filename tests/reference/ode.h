@@ -13,8 +13,8 @@ enum { ODE_MOST = 11, ODE_ROWS = 6 };
 typedef void ode_slopes(long double *slope, const long double *y, const void *of);
 typedef long double ode_value(const long double *y, const void *of);
 
-/* y' = slopes(y), n components. longest: the longest step. error: per step, relative to each component or its change; 0
- * means 1e-18. h: the length of the next step; 0 means the longest. */
+/* y' = slopes(y), n components. longest: the longest step. error: per step, relative to |y| + |h y'| for each
+ * component; 0 means 1e-18. h: the length of the next step; 0 means the longest. */
 struct ode {
     ode_slopes *slopes;
     const void *of;
@@ -22,8 +22,8 @@ struct ode {
     long double longest, error, h;
 };
 
-/* Computes y after a step of h, from changes, whose rounding errors are smaller than those in y. Returns the error
- * relative to the allowed one. Row k: 2 (k + 1) substeps. */
+/* Computes y after a step of h, and returns its error divided by the allowed error. The table contains changes of y,
+ * which have smaller rounding errors than y. Row k: 2 (k + 1) substeps. */
 static inline long double ode_try(const struct ode *o, const long double *y, long double h, long double *next)
 {
     long double table[ODE_ROWS][ODE_MOST], slope[ODE_MOST], first[ODE_MOST], before[ODE_MOST], change[ODE_MOST];
@@ -172,7 +172,7 @@ static inline long double motion_force(const long double *y, const void *of)
     return m->force(y[0], y[1], m->of);
 }
 
-/* Returns the rise of the force along the motion, by a difference: 0 at a peak. */
+/* Returns the change of the force over a tiny step along the motion, which is 0 at a peak. */
 static inline long double motion_rise(const long double *y, const void *of)
 {
     long double slope[3];
@@ -183,8 +183,8 @@ static inline long double motion_rise(const long double *y, const void *of)
 }
 
 struct motion_course {
-    /* eps and duration at zero overlap, and at zero force or, under a constant force, at the surface. 0 and infinity:
-     * the bodies stay together */
+    /* Index 0: at zero overlap. Index 1: at zero force or, under a constant force, at the surface. eps is 0 and the
+     * duration infinite if the bodies stay together. */
     long double eps[2], duration[2];
     long double max_overlap, time_of_max_overlap, force_max;
 };

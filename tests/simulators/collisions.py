@@ -100,7 +100,7 @@ def lines_of(command, word):
 
 
 def eps_of(rows, power):
-    """Returns eps extrapolated from three rows eps ... VALUE CHANGE; 0 if the velocity still changes."""
+    """Returns eps extrapolated from three rows eps ... VALUE CHANGE, or 0 if a CHANGE of the velocity is not 0."""
     values = [float(row[-2]) for row in rows if abs(float(row[-1])) < 1e-12]
     return extrapolated(power, values) if len(values) == 3 else 0
 
@@ -210,7 +210,8 @@ OBLIQUE = {
 
 
 def oblique_impacts(host, work, every):
-    """The errors of two runs are proportional to the time step. The overlap changes lever arms by 1e-5."""
+    """Extrapolates u'/u from two runs, whose errors are proportional to the time step. Overlaps change lever arms by
+    1e-5."""
     for name, (contact, more) in OBLIQUE.items():
         simulator, model = name.split()
         if simulator != host:
@@ -504,8 +505,8 @@ def unlike(host, work, seed):
 
 
 def several(host, work, seed):
-    """Measured contacts have their eps, other contacts the eps from the dissipation times of equal bodies. The comment
-    on larger balls of one material is right. At the wall each ball slips with its own friction."""
+    """Tests the lines for two balls and a wall. Contacts have the measured eps, or the eps from dissipation times. The
+    eps stated for larger balls is right. At the wall each ball slips with its own friction."""
     draw, end = random.Random(seed + 1), "zero-force" if host == "yade" else "zero-overlap"
     low, high, names = (1e7, 0.1, 2e-3, 1000), (1e9, 0.45, 6e-3, 8000), ["young", "poisson", "radius", "density"]
     balls = [["%.6g" % draw.uniform(*bounds) for bounds in zip(low, high)] for _ in "12"]
@@ -547,7 +548,7 @@ def several(host, work, seed):
                 (host.upper(), seed, i + 1, j + 1, factor, float(row[-2]), wanted))
     verdict(len(seen) == 6 - (host == "yade") and len(slid) == 2, "%s: all contacts of three materials" % host.upper())
     for mu, kind, u in zip((0.05, 0.02), [kind for kind in kinds if kind[1] == 2], slid):
-        right = (1 if host == "lammps" else 3.5) * mu * (1 + kind[3]) / 0.5  # overlaps shorten lever arms
+        right = (1 if host == "lammps" else 3.5) * mu * (1 + kind[3]) / 0.5
         verdict(abs(1 - u - right) < 0.1 * right, "%s, friction %g: 1 - u'/u = %.5f, not %.5f" % (host.upper(), mu, 1 - u, right))
 
 

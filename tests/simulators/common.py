@@ -63,8 +63,8 @@ def numbers_of(*options):
 
 
 def extrapolated(power, values):
-    """Extrapolates to step 0 from the steps 4 h, 2 h and h. Simulators use the velocity of half a step earlier, an
-    error of order h. Damping proportional to x^b adds an error of order h^(1+b), whose exponent is `power`."""
+    """Extrapolates to step 0 from the steps 4 h, 2 h and h. Simulators use the velocity of half a step earlier, which
+    causes an error of order h. Damping proportional to x^b adds an error of order h^power, power = 1 + b."""
     first = [2 * fine - coarse for coarse, fine in zip(values, values[1:])]
     return (2**power * first[1] - first[0]) / (2**power - 1)
 

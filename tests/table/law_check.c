@@ -123,7 +123,7 @@ static void check_inverse(struct law_case *c, double beta, const struct collisio
         LET(wanted, PREC, "of_loss + sign*eps", of_loss, sign, eps);
         const double given = arf_get_d(arb_midref(wanted), ARF_RND_NEAR);
         LET(exact, PREC, "beta + sign*(given - wanted)/slope", beta, sign, given, wanted, slope);
-        /* the slope has some 24 bits: a shift of 2^-38 has an error of 2^-62, below the last place */
+        /* The slope has about 24 bits. For a relative shift of 2^-38 the exact inverse is wrong by only 2^-62. */
         LET(x, PREC, "1 - beta/exact", beta, exact);
         if (fabs(arf_get_d(arb_midref(x), ARF_RND_UP)) < 0x1p-38 && given > 0 && given < 1)
             note(c, end, of_loss ? CHECK_BETA_OF_LOSS : CHECK_BETA, inverse(given), exact, given);
@@ -188,7 +188,7 @@ void law_check_random(const struct law_functions *f, size_t count)
         case 2:
             beta = pow(10, random_uniform(&r, 0, LARGEST_LOG10));
             break;
-        default: /* a beta below the threshold, or any up to 8 */
+        default: /* a beta below the threshold, if any, otherwise up to 8 */
             beta = c.threshold < HUGE_VAL ? c.threshold * (1 - pow(2, random_uniform(&r, -45, -0.2)))
                                           : random_log(&r, 0.02, 8);
         }
@@ -197,11 +197,11 @@ void law_check_random(const struct law_functions *f, size_t count)
     print_worst(&c, "random");
 }
 
-/* Returns a random border between tables: a power of two (near eps = 1), 8 (middle), beta_c - 2^k or beta_c (zero
- * overlap), or exp(u) for whole eighths of octaves of u (tails). Other borders do not exist. */
+/* Returns a random border between tables: a power of two (rows for eps near 1), 8 (middle), or beta_c or beta_c - 2^k
+ * (zero overlap). In the tails it is exp(u), where u is a whole eighth of an octave. */
 static double border(struct law_case *c, struct random_state *r, size_t i)
 {
-    switch ((i + 3) % 4) { /* first the border to the rows in beta_c - beta, which short runs also test */
+    switch ((i + 3) % 4) { /* starts with a border in beta_c - beta, so that short runs test it */
     case 0:
         return ldexp(1, -(int)random_uniform(r, 1, 9));
     case 1:
@@ -293,7 +293,7 @@ void law_check_round_trip(const struct law_functions *f, size_t count)
             check(relative_error(loss_back, loss) < 8e-16, "%s: loss %.17g comes back as %.17g", f->name, loss,
                   loss_back);
             const double beta = f->beta[end](eps), back = f->eps[end](beta);
-            /* the inverse is as ill-conditioned as eps in beta; above the largest double no beta exists */
+            /* an error of beta changes eps by `slope`; a huge beta may overflow */
             const double step = 0x1p-20, slope = fabs((f->eps[end](beta * (1 - step)) / back - 1) / step);
             if (beta < 0x1p1000)
                 check(fabs(back / eps - 1) <= (2.5 * slope + 2) * DBL_EPSILON, "%s: eps %.17g comes back as %.17g, %g",

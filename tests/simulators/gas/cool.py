@@ -7,8 +7,8 @@ compared with kinetic theory for cor's eps(g) (theory.c).
     tests/simulators/gas/cool.py --lattice 50x50x40:20 [--ranks 2] [--results FOLDER] [--write]
                                              100,000 spheres and, for the statistical error, eight gases of 2000.
                                              FOLDER stores each gas; a stored gas is not simulated again
-A third number, as in 50x50x40:12:50, is the number of time steps in the shortest contact, with the damping of the
-lines. Without it 12 steps are used, and the damping is corrected for them.
+--lattice LATTICE[:STAGES[:STEPS]]: the shortest contact has STEPS time steps, with the damping of the lines. By
+default it has 12 steps, and the damping is corrected for them.
 --write renews docs/gas/ and the numbers of docs/at-scale.md from the results.
 """
 import argparse
@@ -37,7 +37,7 @@ RESTITUTION = ["--restitution", "0.85", "--at", "0.1"]
 FRACTION = "0.03"  # of volume
 SPEED = 0.1  # initial sqrt(T/m)
 COARSE = 12  # time steps in the shortest contact, at 4 sqrt(2 T/m)
-STAGES = 20  # 1 + t/t_1 grows by 1.1 in each; t_1 is `unit` of in.gas
+STAGES = 20  # in each, 1 + t/t_1 grows by the factor 1.1; t_1 is `unit` of in.gas
 SHORT_STAGES = 12
 
 # The gases whose scatter gives the statistical error, and the scatter of their ln T, multiplied by sqrt(N)

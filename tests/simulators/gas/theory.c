@@ -75,10 +75,10 @@ struct collision_moments {
     double duration_s;       /* mean duration of a contact */
 };
 
-/* In scaled units x' = u - (2/3) beta x^(3/2), u' = -x^(3/2) - alpha until x = 0, where -u is eps. With y and s, the
- * derivatives of x and u by alpha, the loss 1 - eps^2 has the relative derivative 2 eps s/(1 - eps^2) at alpha = 0.
- * Runge-Kutta steps in p, t = T p^3 (10 - 15 p + 6 p^2), pass over the roots of x at both ends. A hundred times more
- * steps change the result by less than 1e-3, for beta from 1e-3 to 2. */
+/* Returns -d ln(1 - eps^2)/d alpha at alpha = 0, divided by x_max, for the scaled motion x' = u - (2/3) beta x^(3/2),
+ * u' = -x^(3/2) - alpha, which ends at x = 0 with u = -eps. y and s are the derivatives of x and u by alpha.
+ * Runge-Kutta steps in p, where t = T p^3 (10 - 15 p + 6 p^2), are smooth at both ends. A hundred times more steps
+ * change the result by less than 1e-3, for beta from 1e-3 to 2. */
 static double turning(double beta)
 {
     enum { STEPS = 40 };
@@ -119,8 +119,8 @@ static void moments_add(struct collision_moments *sum, const struct gas *gas, do
     const double G = g * g / 2, eps = gas->eps(&gas->contact, g * v_T);
     const double turned = turning(cor_contact_beta(&gas->contact, g * v_T)) * 2 / (g * g) * overlap(gas, g * v_T);
     const double loss = gas->loss * (1 - eps) * (1 + eps) * (1 - turned);
-    /* S, SX and SC are means at given g: of S = S_2(c_1^2) + S_2(c_2^2), of S (c_1^2 + c_2^2), and of S times the
-     * squared normal velocity of the centre of mass */
+    /* Means at a given g, with s = S_2(c_1^2) + S_2(c_2^2): S is the mean of s, SX of s (c_1^2 + c_2^2), and SC of s
+     * times the squared normal velocity of the centre of mass. */
     const double S = 3.0 / 16 + G * (-3.0 / 4 + G / 4);
     const double SX = -13.0 / 32 + G * (1.0 / 16 + G * (-1.0 / 8 + G / 4));
     const double SC = -9.0 / 64 + G * (3.0 / 16 + G / 16);

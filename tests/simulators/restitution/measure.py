@@ -36,7 +36,7 @@ DAMPING_EXPONENT = {"linear": 1, "tsuji": 0.25, "viscoelastic": 0.5, "hertz-dash
 COUNTS = [5000, 10000, 20000]
 # Largest |eps - e| with corgen's lines. A user's own e: largest difference from the map of runtime/scene/simulators.c
 TOLERANCE = 1e-5
-# The bodies in the drivers' programs: effective mass 1.6 g, effective radius 4 mm; at a wall only the first body
+# The bodies in the drivers here: effective mass 1.6 g, effective radius 4 mm; at a wall only the first body
 SPRING = ["--stiffness", "1e5", "--effective-mass"]
 BODY = "--young 1e7 --poisson 0.3 --radius 5e-3 --mass 2e-3".split()
 SECOND = "--radius-2 2e-2 --mass-2 8e-3".split()
@@ -75,9 +75,9 @@ class Case:
     def __init__(self, block, law, e, duration, expected, own=False, wall=False):
         self.model, self.end, self.lines = block.model, block.end, block.lines
         self.law, self.e, self.duration, self.expected, self.own, self.wall = law, e, duration, expected, own, wall
-        self.eps = self.eps_most = None  # equal if the place within a time step does not matter
+        self.eps = self.eps_most = None  # least and largest eps over the places within a time step
         self.change = 0.0
-        self.numbers = ()  # for a compiled driver
+        self.numbers = ()  # that a compiled driver needs
 
 
 HEADING = r"(Instead, [^:]*: |For eps = [^:]*: )?[^:,]*, (.*) \(([^()]*)\): contacts end at (.*)"
@@ -93,7 +93,7 @@ class Block:
         said = next((re.match(r"realises eps = (\S+) at ", row) for row in rows if row.startswith("realises")), None)
         self.realised = float(said[1]) if said else math.nan
         cure = next((re.search(r" takes e = (\S+) for it", row) for row in rows if " takes e = " in row), None)
-        self.given = float(cure[1]) if cure else None  # e in the lines, or None: the requested e, or no e
+        self.given = float(cure[1]) if cure else None  # the e in the lines, if it is not the requested e
         self.lines = text.split("\n") if self.active else [row for row in rows[1:] if not is_prose(row)]
 
 
@@ -351,7 +351,7 @@ def run_ode(program, cases, work):
         text, h = "\n".join(case.lines), case.step
         kp, kd = map(float, re.search(r"<kp>(.*)</kp><kd>(.*)</kd>", text).groups())
         erp, cfm = map(float, re.search(r"soft_erp = (\S+), soft_cfm = (\S+)", text).groups())
-        # Gazebo's ODEPhysics.cc: kp of both collisions in series, kd added
+        # Gazebo's ODEPhysics.cc combines the kp of both collisions in series, and adds their kd
         same = abs(cfm * (h * kp / 2 + 2 * kd) - 1) < 1e-5 and abs(erp - cfm * h * kp / 2) < 1e-5
         read_pairs(case, output_of([program, repr(erp), repr(cfm), repr(h)]) if same else text, "ode")
 
@@ -422,7 +422,7 @@ def judge(host, cases):
             print(getattr(broken[0], "log", "the velocity changes after the contact, e = %s" % broken[0].e)[-2000:])
             verdict(False, name)
         elif "defaults" in model:
-            # in each step Bullet pushes out erp2 = 0.2 of the overlap of the first step
+            # Bullet's default erp2 = 0.2 adds up to 0.2 to e, depending on the first overlap
             good = all(case.expected - TOLERANCE < case.eps and case.expected + 0.15 < case.eps_most <
                        case.expected + 0.2 + TOLERANCE for case in group)
             verdict(good, "%s: from e to e + %.4f" % (name, error))
