@@ -43,7 +43,7 @@
         check_before = before;                                                                                         \
         check_after = after;                                                                                           \
     }
-#define AT_START __attribute__((constructor)) static void /* compilers differ in the order of constructors */
+#define AT_START __attribute__((constructor)) static void /* check_add sorts the tests by line */
 
 #define check(condition, ...)                                                                                          \
     do {                                                                                                               \
@@ -107,7 +107,7 @@ static inline int in_turn(size_t i, size_t n)
     return check_number("COR_TEST_WHOLE", 0) || (i + (size_t)check_number("COR_TEST_TURN", 0)) % few_or_all(n, 1) == 0;
 }
 
-/* True if tests/run --turn leaves this case to another turn, chosen as in in_turn. False without COR_TEST_TURN. */
+/* True if the case belongs to another turn, as in in_turn. False if COR_TEST_TURN is not set. */
 static inline int left_to_turn(size_t i, size_t n)
 {
     return getenv("COR_TEST_TURN") && !in_turn(i, n);
@@ -140,7 +140,7 @@ static inline void draw_begin(void)
 
 #ifndef CHECK_WITHOUT_MAIN
 enum { CHECK_MOST = 64 };
-static struct CMUnitTest check_tests[CHECK_MOST]; /* unused elements have no function and do not run */
+static struct CMUnitTest check_tests[CHECK_MOST]; /* elements without a function are skipped */
 static int check_line[CHECK_MOST], check_count;
 static int (*check_before)(void **state), (*check_after)(void **state);
 

@@ -174,7 +174,7 @@ static struct cor_sphere_contact contact(struct bit_source *source, int by_hand)
         drawn.effective_radius_m = any_number(source);
         drawn.elastic_constant_n_m15 = any_number(source);
         drawn.dissipation_time_s = any_number(source);
-        /* so small that its half may be subnormal */
+        /* half of such a number may be subnormal */
         drawn.beta_per_root = draw_below(source, 4) ? draw_size(source, 1e-307, 1e-303) : any_number(source);
         drawn.scale = any_number(source);
         drawn.beta5_per_speed = any_number(source);

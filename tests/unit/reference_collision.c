@@ -20,14 +20,14 @@ struct effort {
 /* A disk and the results of a run */
 struct disk {
     const struct cor_disk_mode *mode;
-    size_t n, rows; /* rows: two for each n >= 0: cos(n phi) cos(phi) and -sin(n phi) sin(phi) */
+    size_t n, rows; /* rows: the functions cos(n phi) cos(phi) and -sin(n phi) sin(phi) for each n >= 0 */
     double alpha, speed;
     const struct effort *effort;
     size_t points, active; /* active: number of points that have a pressure */
-    double *path, *load;   /* series of a step: path[k][1 + n] for x_0 + 1 and Q, load[k] for the load */
+    double *path, *load;   /* Taylor series of a step: path[k][1 + n] of x_0 + 1 and Q, load[k] of the load */
     long double eps;
     double one_minus_eps2, max_compression, max_load;
-    double level, start, end;           /* level: load where contact begins and ends, 0 if unknown; start, end: times */
+    double level, start, end;           /* level: the load that defines contact, 0 if unknown; start, end: its times */
     double *after, *integral, *average; /* energies of each mode; average may be NULL */
 };
 
@@ -41,7 +41,7 @@ static void *take(size_t count, size_t bytes)
 
 /* ---- bounds ---- */
 
-/* Returns the rim position where the wall's force changes velocities by only a small part of the tolerance. */
+/* Returns the rim position where the wall's force is negligible for the tolerance. */
 static double negligible_position(const struct disk *disk)
 {
     return fmin(0, (log(disk->effort->tolerance * disk->alpha * disk->speed * disk->speed) - MARGIN) / disk->alpha);
@@ -143,7 +143,7 @@ static void follow(struct disk *disk, double time, double h)
                 integrate_energies(disk, t, disk->integral, disk->average);
         } else if (level > 0 && isnan(disk->start)) {
             disk->start = time + t;
-            if (disk->average != NULL) /* subtracts the part before the contact */
+            if (disk->average != NULL) /* removes the energies before the contact */
                 integrate_energies(disk, t, disk->integral, disk->integral);
             for (size_t i = 0; disk->average != NULL && i < disk->n; i++)
                 disk->integral[i] = -disk->integral[i];

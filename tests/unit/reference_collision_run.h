@@ -36,12 +36,12 @@ static void NAME(gauss_rule)(REAL node[GAUSS], REAL weight[GAUSS])
     }
 }
 
-/* Coefficients of t^k. `rise` is alpha k x_k, from which the recurrence computes the exponential. */
+/* Taylor coefficients in time. The recurrence for the exponential needs `rise`, which is alpha k x_k. */
 struct NAME(series) {
     REAL *table;           /* [point][row]: displacement of the rim per unit of the row's sum */
     REAL *shape, *weight;  /* [point]: alpha (cos(phi) - 1); weights of the rule, for both quadrants */
     REAL *position;        /* [k][1 + n]: x_0 + 1 and Q; the state is k = 0 and 1 */
-    REAL *rise, *pressure; /* [k][point]: alpha k x_k without the shape of the disk; pressure times weight */
+    REAL *rise, *pressure; /* [k][point]: alpha k x_k, x without cos(phi) - 1; pressure times weight */
     REAL *sum;             /* [row] */
 };
 
@@ -148,8 +148,8 @@ static void NAME(accelerate)(const struct disk *disk, const struct NAME(series) 
         disk->path[i] = (double)s->position[i];
 }
 
-/* Chooses the points whose pressure matters during a step. The last one is above the negligible position, and within
- * ln(tolerance) of the deepest point in alpha x. Returns the longest step for which no other point matters. */
+/* Chooses the points whose pressure matters during a step. At these points x is above the negligible position, and
+ * alpha x is within ln(tolerance) of its largest value. Returns the longest step for which no other point matters. */
 static double NAME(choose_points)(struct disk *disk, const struct NAME(series) * s)
 {
     double farthest = -HUGE_VAL, fastest = disk->alpha * disk->speed;
@@ -180,7 +180,6 @@ static double NAME(expand)(struct disk *disk, const struct NAME(series) * s)
     return fmin(h, step_allowed(disk));
 }
 
-/* Advances the state by a time h. */
 static void NAME(advance)(const struct disk *disk, const struct NAME(series) * s, double h)
 {
     const size_t width = 1 + disk->n;

@@ -90,7 +90,7 @@ static double gap_at(int j)
     return gap;
 }
 
-/* Finds the forces with which the touching angles just touch. */
+/* Finds the forces for which the rim is exactly at the wall, at all touching angles. */
 static int balance(void)
 {
     int place[MOST_ANGLES], n = 0;
@@ -111,7 +111,8 @@ static int balance(void)
     return 0;
 }
 
-/* Changes one angle at a time: removes the most attractive one, otherwise adds the deepest one (Lawson and Hanson). */
+/* Changes the touching angles one by one (Lawson and Hanson): removes the angle with the most attractive force. If all
+ * forces push, adds the angle that is deepest in the wall. */
 static int press(void)
 {
     for (int round = 0; round < 100 * angles; round++) {

@@ -12,8 +12,8 @@
 
 typedef long double real;
 enum { POINTS = 28, HALVINGS = 40 }; /* points of a panel; halvings towards each end, until only rounding remains */
-#define PHASE 30                     /* a panel spans at most this much of omega s, at the highest frequency */
-#define NEAR 1e-11L                  /* Newton's last relative step is below this; the next, its square, is rounding */
+#define PHASE 30                     /* a panel spans at most this phase omega s of the highest frequency */
+#define NEAR 1e-11L                  /* Newton's method ends after a relative step below this; its square is negligible */
 
 static const real pi = 3.14159265358979323846264338327950288L;
 
@@ -83,14 +83,14 @@ static real rate(int at_end, real x, real q0)
     return sqrt((1 + lambert(at_end ? q0 - log1p(-sine * sine) : q0 - 2 * log(sine))) / 2);
 }
 
-/* Adds the panel of x from low to high to the integral I of each mode. s is *half_time where the panel begins, and
- * grows towards theta = 0; *half_time becomes s where the panel ends. */
+/* Adds the panel of x from low to high to the integral I of each mode. *half_time is s at the beginning of the panel
+ * and becomes s at its end. s grows towards theta = 0. */
 static void add_panel(real *integral, const struct cor_disk_mode *mode, size_t n, const struct rule *rule, int at_end,
                       real low, real high, real q0, real *half_time)
 {
     real slope[POINTS];
     const real half = (high - low) / 2, middle = (high + low) / 2, start = *half_time;
-    /* x of the rule grows with theta */
+    /* theta grows with rule->x at both ends */
     const real sign = at_end ? -1 : 1;
     for (int i = 0; i < POINTS; i++) {
         slope[i] = half * rate(at_end, middle + sign * half * rule->x[i], q0);

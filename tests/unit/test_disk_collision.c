@@ -40,14 +40,13 @@ static int disk_collide(const struct cor_disk_modes *modes, size_t n, double alp
     return cor_disk_collision(modes, n, &options, v, out);
 }
 
-/* Computes a collision in its own workspace, with details. */
 static int collide_in_detail(const struct cor_disk_modes *modes, size_t n,
                              const struct cor_disk_collision_options *options, double v, struct cor_disk_collision *out,
                              const struct cor_disk_collision_detail *detail)
 {
     const size_t bytes = cor_disk_collision_workspace(modes, n, options);
     assert_true(bytes > 0);
-    void *const workspace = malloc(bytes + 1); /* for analysers that assume bytes might be 0 */
+    void *const workspace = malloc(bytes + 1); /* + 1 for analysers, which do not know that bytes > 0 */
     assert_non_null(workspace);
     const int status = cor_disk_collision_in(workspace, bytes, modes, n, options, v, out, detail);
     free(workspace);
@@ -203,7 +202,7 @@ TEST(reference)
         {0.33, (int[]){1, 8, 9, 31, -1}, 12, 300, 0.1, 0, 0, 0},
         {0.33, (int[]){1, -1}, 5, 300, 0.1, 0, 0, 0},
         {0.33, (int[]){109, -1}, 1, 300, 0.1, 0, 0, 0},
-        /* no mode gains energy where its omega h is a multiple of pi */
+        /* modes must not gain energy if their omega h is a multiple of pi */
         {0.33, (int[]){0, -1}, 22, 200, 0.1, 1e-2, 100, 2.3},
         {0.9, (int[]){0, -1}, 11, 200, 0.1, 1e-2, 100, 2.3},
         {0.33, (int[]){0, -1}, 22, 2000, 0.1, 1e-2, 100, 2.3},
@@ -257,7 +256,7 @@ TEST(second_contact)
     const struct cor_disk_modes modes = {0.33, 1, some};
     const struct reference_collision truth = truth_of(&modes, 1, 800, 0.1);
     judge(&modes, 1, 800, 0.1, least_tolerance, &truth, 1);
-    /* with a larger tolerance the disk is closer when the first contact has become negligible */
+    /* a larger tolerance ends the first contact when the disk is closer to the wall */
     for (double tolerance = 1e-8; tolerance < 1e-3; tolerance *= 10)
         judge(&modes, 1, 800, 0.1, tolerance, &truth, 0);
 }
@@ -270,8 +269,8 @@ static void note_step(void *context, const struct cor_disk_moment *moment)
     time[0] = moment->time;
 }
 
-/* omega_max h is at most 1, so no two modes together turn by 2 pi between kicks. Here the fastest mode limits the step,
- * not the stiffness of the wall. */
+/* omega_max h is at most 1. So no two modes together turn by 2 pi between kicks, which would be a resonance. Here the
+ * fastest mode limits the step, not the stiffness of the wall. */
 TEST(no_resonance)
 {
     const struct cor_disk_modes modes = modes_cut(&cor_disk_modes_nu033, (int[]){0, -1}, 0, 18);
@@ -288,7 +287,6 @@ TEST(no_resonance)
 
 /* ---- tolerances ---- */
 
-/* The limits of the allowed tolerances */
 TEST(extreme_tolerances)
 {
     struct cor_disk_collision finest, coarsest;
@@ -300,7 +298,6 @@ TEST(extreme_tolerances)
     assert_true(fabs(finest.energy_drift) < 1e-12);
 }
 
-/* The caller may choose the number of angles at which the wall's force is computed. */
 TEST(phi_points)
 {
     struct cor_disk_collision truth, out;
@@ -352,7 +349,7 @@ static void write_down(void *context, const struct cor_disk_moment *moment)
         memcpy(d->first_q, d->q, sizeof d->q);
     } else {
         const double dt = moment->time - d->last.time;
-        /* modes follow a force that grows like exp(alpha v t), without oscillations of their own */
+        /* at first each mode follows the force, which grows like exp(alpha v t), without oscillating */
         for (size_t i = 0; d->count == 1 && i < d->n; i++)
             d->astray = fmax(d->astray, fabs(d->q[i] / d->first_q[i] / exp(d->alpha * d->speed * dt) - 1));
         check(dt > 0, "time %g after %g", moment->time, d->last.time);
@@ -388,16 +385,16 @@ TEST(moments)
         assert_true(diary.first.time < 0 && fabs(diary.first.velocity / diary.speed - 1) < 1e-6);
         assert_true(fabs((diary.first.position + 1) / (diary.speed * diary.first.time) - 1) < 1e-6);
         assert_true(diary.first.wall_energy < scene[k].tolerance * energy);
-        /* the last moment is after the contact; it belongs to the last run, which is not extrapolated */
+        /* the last moment is after the contact, in the last run; the results are extrapolated from several runs */
         assert_true(diary.last.wall_energy < scene[k].tolerance * energy);
         double off = fabs(diary.last.velocity / -diary.speed - out.eps);
         for (size_t i = 0; i < diary.n; i++)
             off = fmax(off, fabs(diary.energy[i] / energy - after[i]));
         assert_true(diary.astray < 0.01);
         assert_true(off < 1e-4);
-        /* the modified potential differs from the wall's potential by a term of the order of the squared step */
+        /* the conserved energy has a modified potential, which differs from the wall's potential by order h^2 */
         assert_true(diary.wander <= scene[k].wander);
-        /* the disk may be deeper between moments; no moment is deeper than the result, up to order 4 */
+        /* the disk may be deeper between moments; a moment may be deeper than the result by an error of order h^4 */
         assert_true(fabs(diary.max_position + 1 - out.max_compression) < 1e-3 * out.max_compression &&
                     diary.max_position + 1 < (1 + 2e-6) * out.max_compression);
         assert_true(out.contact_time < diary.last.time - diary.first.time);
@@ -618,7 +615,7 @@ static void refused(const struct cor_disk_modes *modes, size_t n, const struct c
         assert_int_equal(((unsigned char *)after)[i], 0x5a);
     if (expected == COR_ERROR_SPEED)
         return;
-    int of_speed = -7; /* the speed does not affect the workspace, so no list is refused for it */
+    int of_speed = -7; /* no error in the speed, so the whole list is refused */
     assert_int_equal(cor_disk_collision_workspace(modes, n, options), 0);
     assert_int_equal(cor_disk_collision_array(modes, n, options, &v, 1, &out, &of_speed), expected);
     assert_int_equal(of_speed, -7);

@@ -64,7 +64,6 @@ struct tally {
     double worst_of_tolerance, worst_of_estimate;
 };
 
-/* Compares eps and 1 - eps^2 with the reference. */
 static void judge_numbers(const struct scene *s, int status, const struct cor_disk_collision *out,
                           const struct reference_collision *reference, struct tally *tally)
 {
@@ -104,12 +103,13 @@ static void scene_judge(const struct scene *s, struct tally *tally)
         judge_numbers(s, status, &out, &reference, tally);
 }
 
-/* Judges a call that returned COR_OK, and one with another tolerance, by a call with a hundredth of the tolerance. */
+/* Judges a call that returned COR_OK, and a call with another tolerance. The reference is a call with a hundredth of
+ * the tolerance. */
 static void scene_judge_by_tighter(const struct scene *s, struct tally *tally)
 {
     struct scene other = *s, tighter = *s;
     struct cor_disk_collision out, of_other, truth;
-    other.tolerance = 1e-8 / s->tolerance; /* this tolerance, too, is from 1e-6 to 1e-2 */
+    other.tolerance = 1e-8 / s->tolerance; /* is also from 1e-6 to 1e-2 */
     tighter.tolerance = 0.01 * s->tolerance;
     const int status = scene_collide(s, 0, &out);
     if (status != COR_OK)
@@ -180,14 +180,14 @@ static const struct known_scene {
     {{0.33, 20, 4767.2836646688293, 0.10233708232535071, 5.5257690548836654e-10}, 0.93508420077908161, 1e-14, {0}, 1},
     {{0.9, 6, 4000, 0.1, 1e-11}, 0.84866222836689342, 1e-14, {0}, 0},
     {{0.9, 7, 4000, 0.1, 1e-11}, 0.94613165857209169, 1e-14, {0}, 0},
-    /* runs that agreed by chance: the first two of six modes, and the fifth and sixth of 48 */
+    /* Runs with different steps agreed by chance: the first two for six modes, the fifth and sixth for 48. */
     {{0.9, 6, 0x1.8bdeb3d65fedbp+11, 0x1.87f15e3cb249fp-5, 0x1.2dd0dd9825526p-15}, 0.87073496665805972, 1e-14, {0}, 0},
     {{0.33, 48, 0x1.95b6e78a562f8p+12, 0x1.e81c11e886a5bp-4, 0x1.3aace989748acp-22},
      0.91298043088108116,
      1e-14,
      {0},
      0},
-    /* repeated impacts amplify the error of the angles; the load does not show this */
+    /* repeated impacts amplify the error of the angles, which the estimate from the load does not contain */
     {{0.9, 80, 2018.0773948944377, 0.15687429682060067, 3e-3}, 0.80948591625, 1e-9, {8.65e-3}, 0},
     /* the next two run only in one turn of three */
     {{0.33, 24, 4000, 0.1, 1e-4}, 0.92397154646327462, 1e-14, {1e-8, 1e-9}, 1e-4},
@@ -235,7 +235,7 @@ TEST(known)
 TEST(known_in_turn)
 {
     leave_to_turn(2, 3);
-    scenes_known(KNOWN - LONG_ONLY - IN_TURN, KNOWN - LONG_ONLY - (points(2) < 2)); /* not for few points */
+    scenes_known(KNOWN - LONG_ONLY - IN_TURN, KNOWN - LONG_ONLY - (points(2) < 2)); /* few points omit the longest */
 }
 
 /* ---- the amplification of errors ---- */

@@ -69,8 +69,9 @@ TEST(drift)
 
 enum { MODES = 34 }; /* the largest number of modes; their n, at most 13, fill one or two blocks of lanes */
 
-/* The potential of (15.1), U = V - (h^2/24) |grad V|^2/m, with V = (1/alpha) int exp(alpha x(phi)) dphi by the rule of
- * phi angles. Its gradient in x_0 and Q is from central differences. *fastest: the largest acceleration of the rim */
+/* The modified potential (15.1), U = V - (h^2/24) |grad V|^2/m, with V = (1/alpha) int exp(alpha x(phi)) dphi by the
+ * rule of phi angles. Central differences give its gradient in x_0 and Q. *fastest: the largest acceleration of the rim
+ * */
 struct potential {
     size_t modes, phi;
     double alpha, h;
@@ -129,7 +130,7 @@ TEST(kick)
         COR_CLEAR_DOUBLES(m->size.cells, m->p);
         stage.now.depth = random_uniform(&draw, -1, 0.5) / p.alpha;
         stage.now.v = 0;
-        cor_collision_drift(m, 0, &stage.now); /* turns each mode by omega h, at constant time, and sums the modes */
+        cor_collision_drift(m, 0, &stage.now); /* turns each mode by omega h at a fixed time, and sums the modes */
         y[0] = stage.now.depth;
         for (size_t i = 0; i < p.modes; i++)
             y[1 + i] = m->q[m->place[i]] / sqrtl(mass * (long double)m->mode[i].omega);
@@ -273,7 +274,7 @@ TEST(energies)
     const struct cor_motion m = {.size.modes = 2, .after = {after[0], after[1]}};
     struct cor_collision_run run[2] = {{.number = 1, .eps = 0.8}, {.eps = 0.8}};
     struct cor_disk_collision out = {0};
-    /* a change of the energies counts even if eps does not change, with 4/3 of the differences */
+    /* the movement is 4/3 of the difference of the energies, even if eps does not change */
     assert_true(fabs(cor_collision_movement(&m, run, 2) - 0.5 * 4 / 3 * 0.01 * sqrt(2)) < 1e-15);
     /* the weights 4/3 and -1/3 give a negative energy, which counts as 0; the result states how negative it is */
     after[1][0] = 0.25;
@@ -281,7 +282,7 @@ TEST(energies)
     const double less = cor_collision_results(&m, run, 2, &out, found);
     assert_true(fabs(less - 0.01) < 1e-16 && found[1] == 0 && fabs(found[0] - 0.8 / 3) < 1e-15);
     assert_true(out.one_minus_eps2 == found[0]);
-    /* run 0 does not contain the load that defines the contact */
+    /* run 0 cannot contain the load that defines the contact, so its contact time is NaN */
     assert_true(!isnan(out.contact_time));
     run[0].number = 0;
     cor_collision_results(&m, run, 1, &out, NULL);
@@ -319,7 +320,7 @@ TEST(step_error)
                                         : 0.33) *
                                last,
                   "%d runs, ratio %g: %g", runs, ratio, error);
-            /* a ratio of one half does not count as convergence */
+            /* a ratio above one half does not count as convergence */
             if (runs > 2 && ratio > 0.5)
                 assert_true(error >= 3.9 * evidence.movement[runs - 2]);
         }
@@ -327,7 +328,7 @@ TEST(step_error)
     remainder_of(&evidence, 6, 1e-3, 0.1);
     evidence.movement[5] = 1e-15;
     assert_true(cor_collision_step_error(&soft, &evidence, 0) > 3e-10);
-    /* earlier slow convergence counts */
+    /* slow convergence of earlier runs counts, too */
     remainder_of(&evidence, 5, 1e-3, 0.4);
     evidence.movement[4] = 0.1 * evidence.movement[3];
     assert_true(cor_collision_step_error(&soft, &evidence, 0) > 0.6 * evidence.movement[4]);
@@ -367,26 +368,26 @@ TEST(other_errors)
     const struct cor_collision_evidence calm = {.amplification = 0.1}, wild = {.amplification = 1e6};
     const struct cor_collision_run run = {.steps = 1000, .max_load = 1, .ripple = 1e-6};
     struct cor_collision_error error, more;
-    /* the round-off of 1000 steps is a random walk, which `wild` amplifies by 10^6 */
+    /* the round-off of 1000 steps is a random walk; the amplification 10^6 multiplies it */
     cor_collision_other_errors(&stage.m, &run, 0, &calm, &error);
     cor_collision_other_errors(&stage.m, &run, 0, &wild, &more);
     assert_true(error.round_off > sqrt(1000) * 0x1p-53 && error.round_off < 10 * sqrt(1000) * 0x1p-53);
     assert_true(more.round_off > 1e6 * sqrt(1000) * 0x1p-53 && more.round_off < 1e7 * sqrt(1000) * 0x1p-53);
-    /* drifting phases add round-off if the modes have a tenth of the energy */
+    /* modes with a tenth of the energy add round-off, because their phases drift */
     const double walk = more.round_off;
     cor_collision_other_errors(&stage.m, &run, 0.1, &calm, &error);
     cor_collision_other_errors(&stage.m, &run, 0.1, &wild, &more);
     assert_true(error.round_off > 100 * 0x1p-53 && error.round_off < 1000 * 0x1p-53);
     assert_true(more.round_off - walk > 1e6 * 50 * 0x1p-53 && more.round_off - walk < 1e6 * 1000 * 0x1p-53);
-    /* the wall has 1e-6 of the tolerance at both ends */
+    /* at both ends the energy of the wall is 1e-6 of the tolerance, 1e-14 of the energy of the disk */
     assert_true(error.wall > 2e-14 && error.wall < 1e-13 && more.wall > 1e6 * 2e-14 && more.wall < 1e6 * 1e-13);
     const struct cor_collision_error parts = {0.25, 0.125, 0.0625, 0.03125}, large = {0.75, 0, 0.5, 0};
     assert_true(cor_collision_lasting_error(&parts) == 0.09375 && cor_collision_total_error(&parts) == 0.46875);
     assert_true(cor_collision_lasting_error(&large) == 0.5 && cor_collision_total_error(&large) == 1);
 }
 
-/* The collision amplifies the error of the angles. The factor of amplification is a bound (for calm collisions a
- * thousandth of it), a measured value, or the result of a run with other angles. */
+/* The error of the angles is the error of the quadrature times an amplification: a thousandth of a bound, a measured
+ * factor, or at least 0.1. A run with other angles can replace this error. */
 TEST(angles_error)
 {
     struct stage stage;
@@ -411,7 +412,7 @@ TEST(angles_error)
     cor_collision_other_errors(&stage.m, &run, 0.1, &evidence, &error);
     assert_true(fabs(error.angles - 3e-9) < 1e-20);
     evidence.angles_measured = 0;
-    /* with half of the angles the load changes by 100 %, so the error is unknown */
+    /* if the load changes by 100 % with half of the angles, the error is unknown */
     run.ripple = 1;
     cor_collision_other_errors(&stage.m, &run, 0.1, &evidence, &error);
     assert_true(error.angles == 1);

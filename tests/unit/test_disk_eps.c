@@ -28,7 +28,8 @@ static int cells;
 static const struct cell *cell_at[ROWS * COLUMNS];
 static const struct cor_disk_limit_piece *piece_at[ROWS * COLUMNS];
 
-/* Sets the values of a cell at its places in a piece. They are whole numbers and agree with the neighbouring pieces. */
+/* Sets the values of a cell at the places that are in a piece. The values are whole numbers and agree with the
+ * neighbouring pieces. */
 static void values_of_piece(struct cell *of, const struct cor_disk_limit_piece *piece)
 {
     for (int k = 0; k < COR_DISK_LIMIT_POINTS; k++) {
@@ -128,8 +129,9 @@ static const struct cell *cell_beyond(const struct cell *at, int across, int las
     return ends ? NULL : cell_of(x, y);
 }
 
-/* Computes the joined polynomials by another route. If the cells beyond a side are smaller, their values replace the
- * first or last of four interpolated values. On the other two sides the difference is interpolated between zeros. */
+/* Computes the joined polynomials by Neville's interpolation. On a side with smaller cells beyond it, the polynomial of
+ * these cells counts. It replaces the own values on a side in nu. On a side in x the difference is interpolated, with
+ * zeros at the other places. */
 static long double joined(const struct cell *at, long double x, long double y, long double *uncertainty)
 {
     const long double x_in = (x - at->x) / at->side, y_in = (y - at->nu) / at->side;
@@ -181,8 +183,8 @@ TEST(test_between)
 
 /* ---- borders ---- */
 
-/* A random place on a border, one of the sides of a rectangle. Two points are compared, at the distances `off` in v and
- * nu before and after the border. */
+/* A random point on a side of a rectangle. `off`: the distances in v and nu from this border to the two compared
+ * points. */
 struct border {
     double v, nu, off[2];
     long double x, y;
@@ -310,7 +312,7 @@ TEST(test_one_another)
         const double most =
             v <= COR_DISK_EPS_CALM_SPEED ? COR_DISK_EPS_MAX_UNCERTAINTY : COR_DISK_EPS_MAX_UNCERTAINTY_FAST;
         check(of_loss > 0 && of_loss <= most, "v = %a, nu = %a: %g", v, nu, of_loss);
-        /* half the width of the interval of eps from (1 - eps^2) +- of_loss */
+        /* half the width of the interval of eps for 1 - eps^2 +- of_loss */
         const double half = (sqrt(1 - loss + of_loss) - sqrt(1 - loss - of_loss)) / 2;
         check(fabs(of_eps - half) <= 1e-4 * half, "v = %a, nu = %a: %g instead of %g", v, nu, of_eps, half);
     }

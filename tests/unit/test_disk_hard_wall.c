@@ -15,8 +15,8 @@ static double first_omega(size_t level)
     return 15 * pow(2, 0.5 * (double)level);
 }
 
-/* Terms of every error estimate: NOISE is from the coarsest steps, UNSEEN/Omega^2 from waves that a level does not
- * see */
+/* Terms of every error estimate: NOISE for the coarsest steps, UNSEEN/Omega^2 for waves that a level does not resolve
+ * */
 #define NOISE 8e-7
 #define UNSEEN 0.07
 
@@ -158,11 +158,11 @@ TEST(budgets)
               "%zu levels: %.12f +- %.1e, not %.12f", again.omega_levels, again.one_minus_eps2, again.error_estimate,
               out.one_minus_eps2);
         const struct cor_disk_hard_wall whole = again;
-        /* the modes of the first seven levels use nearly all of a small budget */
+        /* a budget that hardly exceeds the work of computing the modes for seven levels */
         const double for_modes = COR_HARD_WALL_MODE_WORK * (double)cor_disk_modes_below(nu, first_omega(6));
         cor_hard_wall_within(1.05 * for_modes, nu, &free_steps, speed, &again, &work);
         check(work >= for_modes && work <= 1.1 * for_modes, "%.3g operations, %.3g for the modes", work, for_modes);
-        /* all levels together use the whole budget of steps, except a rest that is too small for another level */
+        /* the levels use the budget of steps, except a rest that is too small for another level */
         const struct cor_disk_hard_wall_options some = {COR_DISK_HARD_WALL_MIN_TOLERANCE,
                                                         1000 + random_below(&draw, 3000)};
         const int stopped = cor_hard_wall_within(most, nu, &some, speed, &again, &work);
@@ -285,18 +285,18 @@ TEST(joins)
 enum { OBSERVED = 500 };
 struct watched {
     struct cor_disk_hard_wall_moment last;
-    double highest, widest, impulse, kicks, moved, swung; /* last three: integrals of load, velocity, q[OBSERVED] */
+    double highest, widest, impulse, kicks, moved, swung; /* integrals: kicks of load, moved of velocity, swung of q */
     size_t moments, n;
     const struct cor_disk_mode *mode;
     const double *q, *q_dot;
-    double largest_energy, left;         /* left: energy in the modes at the last moment */
+    double largest_energy, left;         /* left: energy of the modes at the last moment */
     double contact_time, contact_energy; /* integral of the modes' energy over the contact */
-    double reach;                        /* least distance that the rim may still move into the wall */
-    size_t not_to_return;                /* moments since no part of the rim can return to the wall */
+    double reach;                        /* lower bound of the depth that the rim can still reach */
+    size_t not_to_return;                /* moments since the rim cannot return to the wall */
 };
 
-/* Bounds the rim's motion by the sum of the amplitudes of the modes. *least: the same sum, with amplitudes near Omega
- * reduced by the cutoff */
+/* *most: bound on the rim's motion, the sum of the amplitudes of the modes. *least: the same sum, with amplitudes near
+ * Omega reduced by the cutoff */
 static void swing_of(const struct watched *w, double *most, double *least)
 {
     double omega = 0;
@@ -318,7 +318,7 @@ static void watch(void *context, const struct cor_disk_hard_wall_moment *moment)
     for (size_t i = 0; i < w->n; i++)
         energy += pi / 2 * (pow(w->mode[i].omega * w->q[i], 2) + w->q_dot[i] * w->q_dot[i]);
     w->left = energy;
-    /* the first kick represents the step around it, which begins at the touch */
+    /* the first kick is in the middle of its step, which begins at the touch */
     const double passed = moment->time - w->last.time, h = w->moments > 0 ? passed : 2 * passed;
     w->kicks += h * moment->load;
     w->swung += h * w->q[OBSERVED];
@@ -386,7 +386,7 @@ TEST(details)
               "the centre of mass moved by %g, not %g", w.moved, w.last.position + 1);
         check(relative_error(w.left / energy, left) < 1e-9, "%.12g left at the last moment, not %.12g", w.left / energy,
               left);
-        /* a point contact obeys Newton's law for a mode, integrated over the collision */
+        /* in a point contact, Newton's law for one mode holds, integrated over the collision */
         const struct cor_disk_mode *const mode = &modes->mode[OBSERVED];
         const double r = mode->omega / first_omega(out.omega_levels - 1), fade = (1 - r * r) * sqrt(1 + r * r);
         const double pushed = pow(mode->omega, 2) * w.swung + q_dot[OBSERVED], push = -fade * mode->c * w.kicks / pi;
@@ -395,7 +395,7 @@ TEST(details)
               out.max_compression);
         check(w.last.load <= 0 && w.last.time >= out.contact_time, "ends at %g", w.last.time);
         check(w.reach < 0, "ends where the rim may come %g into the wall", w.reach);
-        /* the method tests this after every eighth kick */
+        /* the method looks for the end after every eighth kick */
         check(w.not_to_return <= 9, "ends %zu kicks after the last that could matter", w.not_to_return);
         check(w.largest_energy < energy * 1.01, "energy %g of %g", w.largest_energy, energy);
         check(speed < 1e-7 ? w.widest <= 0 : fabs(w.widest / (1.42 * sqrt(speed)) - 1) < 0.1, "widest %g", w.widest);
@@ -501,17 +501,17 @@ TEST(parts_of_the_estimate)
         check(estimate >= (3 * change[0] + noise + unseen) * (1 - 1e-9), "v = %g, %zu levels: %g, changed by %g", speed,
               levels, estimate, change[0]);
     }
-    /* here the second last change decides; the usual error at Omega = 240 is below three times the last change */
+    /* the second last change decides here; below, it is the usual error at Omega = 240 */
     double estimate = estimate_and_changes(0.1285, 0.06194, tolerance, 8, change);
     check(relative_error(estimate, change[1] + noise + UNSEEN / pow(first_omega(7), 2)) < 1e-9, "%.17g", estimate);
-    EACH (tolerances, tolerance, 3e-6) { /* a larger tolerance adds noise beyond the noise for 1e-6 */
+    EACH (tolerances, tolerance, 3e-6) { /* a tolerance above 1e-6 adds noise */
         estimate = estimate_and_changes(0.3305, 0.06118, *tolerances, 9, change);
         const double usual = 6.8e-7 * pow(680 / 240.0, 3.5) + 0.23 * fmax(change[0], change[1]),
                      more = NOISE * pow(*tolerances / 4e-6, 2.5 / 3) - noise;
         check(relative_error(estimate, usual + more) < 1e-9, "%.17g, not %.17g", estimate, usual + more);
     }
-    /* a point contact has its own error */
-    for (size_t levels = 5; levels <= 7; levels++) { /* the largest of three changes counts */
+    /* a point contact adds an error of 3e-8 */
+    for (size_t levels = 5; levels <= 7; levels++) { /* the largest weighted change counts */
         estimate = estimate_and_changes(0.33, 1e-8, tolerance, levels, change);
         const double most = fmax(fmax(3 * change[0], change[1]), 0.3 * change[2]),
                      expected = most + noise + UNSEEN / pow(first_omega(levels - 1), 2) + 3e-8;

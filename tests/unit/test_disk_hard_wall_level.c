@@ -74,8 +74,7 @@ static void as_written_out(double nu, double speed, double omega, enum cor_hard_
     double l[2];
     for (int i = 0; i < 2; i++, wall.h /= 2)
         l[i] = reference_hard_wall(&modes, speed, &wall);
-    /* the reference has errors h^2 and h^4; level and reference have noise from the steps, which decreases like
-     * 1/Omega^2 */
+    /* the reference has errors of order h^2 and h^4; both results have noise from the steps, of order 1/Omega^2 */
     const double reference = l[1] + (l[1] - l[0]) / 3;
     check(fabs(level.one_minus_eps2 - reference) < 1.5e-3 / (omega * omega), "nu = %g, v = %g: %.9f, not %.9f", nu,
           speed, level.one_minus_eps2, reference);
@@ -183,9 +182,9 @@ TEST(two_fades)
     }
 }
 
-/* The compliance under kicks removes the error h^2 of the steps: from Omega h = 0.8 to 0.2 nothing changes, while plain
- * kicks are off by 1e-4. true_depth corrects the largest depth in the same way. The energy of the modes is the loss of
- * the centre of mass. */
+/* A compliance in the kicks removes the error of order h^2. From Omega h = 0.8 to 0.2 the result is the same, while
+ * plain kicks would change it by 1e-4. true_depth corrects the largest depth in the same way. The modes have the energy
+ * that the centre of mass loses. */
 TEST(steps_and_energy)
 {
     const double speed = 0.1, omega = 120;
@@ -204,8 +203,8 @@ TEST(steps_and_energy)
           depth[2]);
 }
 
-/* With half of the work that it needs, counted in multiplications or in steps, a level gives up within a few steps. Its
- * work grows from level to level as the sequence expects. */
+/* With half of the work that it needs, counted in multiplications or in steps, a level stops within a few steps. From
+ * level to level the work grows by at most 1.2 COR_HARD_WALL_GROWTH. */
 TEST(budget)
 {
     EACH (speeds, 0.3, 0.01, 1e-9) {

@@ -18,7 +18,6 @@ static const struct cor_disk_modes *table(int i)
     return i == 0 ? &cor_disk_modes_nu033 : &cor_disk_modes_nu090;
 }
 
-/* Returns the table of the n lowest modes. */
 static struct cor_disk_modes lowest(const struct cor_disk_modes *modes, size_t n)
 {
     struct cor_disk_modes few = *modes;
@@ -105,7 +104,7 @@ TEST(test_tail)
                   speed, n, error / all, out.error_estimate / all);
         }
         check(n < 100 || n > 1000 || estimates < 30 * errors, "%zu modes: %g, %g", n, estimates, errors);
-        /* neither a large nor a small term of the fit is lost */
+        /* exact estimates, which would change if the fit lacked a large or a small term */
         if (n == 12 || n == 1797)
             check_near(estimates, n == 12 ? 1.84848433 : 3.64785667e-4, 1e-8);
     }
@@ -247,7 +246,7 @@ TEST(test_array)
             speed[i] = random_log(&draw, 1e-320, limit);
         against_one(table(t), 64, datum, speed, 20, 1);
     }
-    /* a table whose modes l = 0 cannot be continued */
+    /* a table that is too short to continue its modes l = 0 */
     struct cor_disk_modes few = lowest(&cor_disk_modes_nu033, 20);
     against_one(&few, 7, COR_DISK_DATUM_DIAMETER, speed, 20, 1);
 }
@@ -273,8 +272,8 @@ TEST(test_limits)
           "too fast");
 }
 
-/* Checks that all three functions refuse one speed or two and change no results. In a list each speed has its own
- * status. A tolerance is for the sum over all modes. */
+/* Checks that each function refuses the arguments and changes no results. Skips the list for a wrong speed, because a
+ * list has a status for each speed, and skips the tolerance for a part of the modes. */
 static void refused(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum, double speed,
                     int expected)
 {

@@ -31,7 +31,6 @@ static const struct public_function inline_functions[] = {EMBEDDED_LIST(INLINE_R
 
 #include "scene_calls.h"
 
-/* Returns the number of functions in the list and in cor_sphere.h. */
 static size_t all_count(void)
 {
     return function_count() + COUNT_OF(inline_functions);
@@ -125,7 +124,7 @@ static void call_again(size_t k, size_t i)
         f->call(&flushed, &of_zeros);
     }
     assert_int_equal(r.count, before->count);
-    /* a text has any length; only spheres and laws use subnormal numbers */
+    /* not for a text; with subnormal arguments only for functions of spheres and laws */
     const int compares = strcmp(f->name, "cor_simulator_lines") != 0 &&
                          (i % 2 == WITHOUT_SUBNORMALS || strncmp(f->name, "cor_sphere_", 11) == 0 ||
                           strncmp(f->name, "cor_law_", 8) == 0 || strncmp(f->name, "cor_inline_", 11) == 0);

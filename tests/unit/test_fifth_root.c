@@ -101,7 +101,7 @@ TEST(pairs)
         const double head = cor_inline_head(x);
         assert_true(head + (x - head) == x && fabs(x - head) < 0x1p-25 * fabs(head));
         assert_true(cor_inline_product(head, head).lo == 0);
-        /* the tails have 27 bits, so their product may lose one */
+        /* the tails have 27 bits, so the product of two tails may lose one bit */
         assert_true(fabs(p.lo - fma(x, y, -p.hi)) <= 0x1p-104 * fabs(p.hi));
         const struct cor_inline_pair a = {x, x * 0x1p-54}, b = {y, -y * 0x1p-55}, q = cor_pair_over(a, b),
                                      back = cor_inline_pair_times(q, b);

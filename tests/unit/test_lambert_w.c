@@ -19,7 +19,7 @@ static long double q_exact(long double t)
     return z * (t - sum);
 }
 
-/* Returns the error of t from the slope t/(1 + t) of q, where q = q0 + q1. */
+/* Returns the error of t: the error of q(t) divided by the slope t/(1 + t). The exact q is q0 + q1. */
 static long double t_off(struct cor_inline_pair t, long double q0, long double q1)
 {
     const long double whole = (long double)t.hi + t.lo;
@@ -43,7 +43,7 @@ TEST(t_of_q)
                           relative = fabsl(off) / (1 + whole) * 0x1p53L;
         check(rounded <= 2 + slack, "t(%a) = %a: %Lg ulp", hi, cor_lambert_t(hi), rounded);
         check(relative <= 1 + slack, "1 + t(%a + %a): %Lg 2^-53", hi, lo, relative);
-        /* where the series begins, only the terms after the first are rounded; their sum is below t/60 */
+        /* for small q only the terms of the series after the first are rounded; their sum is below t/60 */
         const long double bound = hi < 1e-3 ? 0x1p-57L : 1.5L * 0x1p-52L;
         check(hi < 1e-30 || hi > 1e3 || fabsl(off) <= (bound + slack * 0x1p-53L) * whole, "t(%a + %a): %Lg", hi, lo,
               off / whole);

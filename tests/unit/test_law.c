@@ -45,9 +45,9 @@ TEST(special_crossley)
     assert_true(cor_hunt_crossley_duration_approach_only(INFINITY, 1.5) == INFINITY);
 }
 
-/* Spheres, and Hertz's spring with a dashpot, damped during approach only. With the largest overlap Y,
- * eps is sqrt(4/5) Y^(5/4). The rebound lasts half an elastic collision, divided by eps^(1/5).
- * `first`: loss/beta at 0 */
+/* Spheres, and Hertz's spring with a dashpot, damped during approach only. With the largest overlap Y, eps is sqrt(4/5)
+ * Y^(5/4). The rebound lasts half an elastic collision, divided by eps^(1/5). `first`: limit of loss/beta at beta = 0
+ * */
 static const struct {
     enum cor_law law;
     long double first;
@@ -72,16 +72,16 @@ TEST(damped_approach)
         check_ulp(loss(0x1p-1000), 0x1p-1000L * approaches[k].first, COR_SPHERE_APPROACH_MAX_ULP);
         check_ulp(loss(0x1p-1050), 0x1p-1050L * approaches[k].first, COR_SPHERE_APPROACH_MAX_ULP);
         for (double beta = 0x1p-10; beta < 1e6; beta *= beta < 12.5 ? 1.002 : 1.37)
-            for (int side = -1; side <= 1; side++) { /* beta, or a neighbour of a row's end, a multiple of 1/16 */
+            for (int side = -1; side <= 1; side++) { /* beta, or a neighbour of a multiple of 1/16, where rows end */
                 const double at = side == 0 ? beta : nextafter(floor(16 * beta) / 16 + 0.0625, side * DBL_MAX);
                 const long double e = sqrtl(0.8L) * powl(f[COR_MAX_OVERLAP](at), 1.25L);
                 check_near(eps(at), e, part);
                 check(fabsl(loss(at) - (1 - e)) < part * fmaxl(e, 0.25L), "loss at %a", at);
                 check_near(duration(at), f[COR_TIME_OF_MAX_OVERLAP](at) + half * powl(e, -0.2L), part);
-                /* beta beta'(eps)/eps is at most 6/5 for strong damping, and eps/(1 - eps) for weak */
+                /* |d ln(beta)/d ln(eps)| is at most 6/5 for strong damping, and eps/(1 - eps) for weak */
                 check_near(beta_of(eps(at)), at, part * fmaxl(2, 1 / (1 - e)));
             }
-        for (int i = -53; i <= -1; i++) /* both are exact */
+        for (int i = -53; i <= -1; i++) /* both arguments are exact */
             assert_true(same_bits(beta_of(1 - ldexp(1, i)), beta_of_loss(ldexp(1, i))));
     }
     const double least = cor_sphere_eps_approach_only(DBL_MAX);
@@ -194,7 +194,7 @@ TEST(every_size)
     }
 }
 
-/* Near critical damping, slopes are Taylor series on one side of a seam and quotients on the other. */
+/* Near critical damping, the code changes from Taylor series to quotients. */
 TEST(near_critical_damping)
 {
     for (int i = -64; i <= 64; i++)
@@ -231,7 +231,7 @@ TEST(order_of_the_ends)
 
 /* ---- the equation of motion ---- */
 
-/* x'' = -x^(a4/4) - beta x^(b4/4) x', with the damping changed by the rule of the end */
+/* x'' = -x^(a4/4) - beta x^(b4/4) x', where the end of contact may modify the damping */
 struct law {
     int a4, b4;
     long double beta;
@@ -322,7 +322,7 @@ static double random_crossley_beta(void)
     case 4:
         return -1 + random_log(&draw, 1.2e-16, 0.9);
     default:
-        return random_uniform(&draw, 0, 4); /* the method for the end of the rebound changes at 2 */
+        return random_uniform(&draw, 0, 4); /* at 2 the method for the end of the rebound changes */
     }
 }
 
@@ -362,7 +362,7 @@ TEST(crossley_times)
                   beta, a, off);
         }
     }
-    /* a pumped collision lasts as long as the time-reversed damped one */
+    /* a collision that gains energy lasts as long as the time-reversed damped one */
     for (double beta = 0.1; beta < 30; beta *= 1.7) {
         const double eps = crossley_eps(beta), back = -beta * eps, unit = pow(eps, (1 - 1.5) / (1 + 1.5));
         if (back < -0.999)
@@ -370,7 +370,7 @@ TEST(crossley_times)
         check_near(cor_hunt_crossley_duration(back, 1.5) * unit, cor_hunt_crossley_duration(beta, 1.5),
                    1e-12 / (1 + back));
     }
-    /* the elastic limit; a constant force, a = 0, whose duration is exactly (1 + eps) over its mean */
+    /* the elastic limit; a constant force, a = 0, with a closed form */
     check_near(cor_hunt_crossley_duration(1e-20, 2), cor_hunt_crossley_duration(0, 2), 1e-13);
     check_near(cor_hunt_crossley_duration(1, 0), log(2) - log1p(-crossley_eps(1)), COR_HUNT_CROSSLEY_TIME_MAX_ERROR);
 }
@@ -453,9 +453,9 @@ TEST(hertz_dashpot_slowest_speed)
 
 /* ---- oblique impacts ---- */
 
-/* x'' = -x^a, and two linear systems that start at the turning point: displacements s'' = -kappa x^(a-1) s, and
- * velocities u' = -f with forces f' = kappa x^(a-1) u. Each system has an even and an odd solution. State: x, x', s and
- * s' of both solutions, f and u of both solutions; the even solution comes first. */
+/* x'' = -x^a, and two linear systems that start at the turning point. Displacements: s'' = -kappa x^(a-1) s. Velocities
+ * u and forces f: u' = -f, f' = kappa x^(a-1) u. Each system has an even and an odd solution. State: x, x'; s, s' of
+ * the even, then of the odd solution; f, u of the even, then of the odd solution. */
 enum { OBLIQUE = 10 }; /* the next element is r; the time is -r^4, so x^(a-1) is smooth in r if 4 a is an integer */
 
 static void oblique_slopes(long double *dy, const long double *y, const void *of)
@@ -475,11 +475,11 @@ static void oblique_slopes(long double *dy, const long double *y, const void *of
 static void oblique_ratios(long double ratio[2], long double a, long double kappa)
 {
     const long double a_kappa[2] = {a, kappa}, first = powl(reference_crossley_elastic_half(a), 0.25L);
-    /* first values: s = 1 of the even solution, s' = 1 of the odd one, and likewise u = 1 and f = 1 */
+    /* even solutions start with s = 1 and u = 1, odd ones with s' = 1 and f = 1 */
     long double y[OBLIQUE + 1] = {powl((a + 1) / 2, 1 / (a + 1)), 0, 1, 0, 0, 1, 0, 1, 1, 0, first};
     struct ode o = {.slopes = oblique_slopes, .of = a_kappa, .n = OBLIQUE + 1, .longest = 0.1L};
     ode_advance(&o, y, first);
-    /* the combination that vanishes at the start; by symmetry the odd solution there is minus its value at the end */
+    /* combines both solutions so that s or f is 0 at first contact, where the odd one is minus its value at the end */
     ratio[0] = (y[2] * y[5] + y[4] * y[3]) / (y[2] * y[5] - y[4] * y[3]);
     ratio[1] = (y[8] * y[7] + y[6] * y[9]) / (y[8] * y[7] - y[6] * y[9]);
 }
@@ -516,8 +516,8 @@ TEST(oblique_impacts)
         assert_true(isnan(cor_tangential_no_slip(wrong[i][0], wrong[i][1])));
 }
 
-/* x'' = -x^(3/2) and a displacement s limited by friction, |kappa x^(1/2) s| <= kappa x^(3/2)/u for the limit L = 1 of
- * u/v. While slipping, s equals the limit. y = {x, x', s, s' in units of its first value} */
+/* x'' = -x^(3/2), and a displacement s that friction limits to |s| <= x/u. u is u/v in units of L (docs/theory.md, 20).
+ * During slip, s equals the limit. y = {x, x', s, s' in units of its first value} */
 struct friction {
     double kappa, u;
     int slips;

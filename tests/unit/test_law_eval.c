@@ -113,7 +113,7 @@ TEST(falling_beta)
     }
 }
 
-/* Both exponents count. A summand that is 200 octaves smaller is omitted. */
+/* The sum of two scaled pairs obeys both exponents, and omits a summand that is 200 octaves smaller. */
 TEST(sums_of_scaled_pairs)
 {
     for (size_t i = 0; i < points(2000); i++) {

@@ -16,7 +16,7 @@
 struct table {
     const char *name;
     const double *(*rows)(int);
-    int count, roots; /* roots: number of the first row that is used at the square of a root */
+    int count, roots; /* roots: first row in s = z^2 - node^2 */
     double first, step;
 };
 
@@ -27,9 +27,8 @@ struct table {
 #define AT(NAME) COR_ROWS_##NAME##_FIRST, COR_ROWS_##NAME##_STEP
 #define GRID(name, NAME) TABLE(name, NAME, ROWS, AT(NAME))
 #define ROOT_GRID(name, NAME) TABLE(name, NAME, PLAIN_ROWS, AT(NAME))
-/* a place in a cell does not depend on its octave */
+/* all octaves have the same cells */
 #define OCTAVES(name, NAME) TABLE(name, NAME, ROWS, 0, 1.0 / (1 << COR_ROWS_##NAME##_OCTAVE_BITS))
-/* spheres, with a tail; Hertz's dashpot, near 0 and beyond */
 #define TAILED(name, NAME) GRID(name, NAME), GRID(tail_##name, TAIL_##NAME)
 #define NEAR(name, NAME) GRID(hertz_dashpot_near_##name, HERTZ_DASHPOT_NEAR_##NAME)
 #define FAR(name, NAME) OCTAVES(hertz_dashpot_##name, HERTZ_DASHPOT_##NAME)

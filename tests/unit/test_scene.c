@@ -112,8 +112,8 @@ TEST(every_law)
     }
 }
 
-/* Each number of two bodies is given or not. The refusal names the first missing number. If no number is missing, it is
- * about density and mass of one body, otherwise about the numbers that a wall lacks. */
+/* Each number of two bodies is given or not. The refusal names the first missing number. If none is missing, it reports
+ * density and mass that are both given or both missing, then numbers that a wall cannot have. */
 TEST(incomplete_bodies)
 {
     static const int number[] = {COR_SCENE_YOUNG,   COR_SCENE_POISSON, COR_SCENE_RADIUS,    COR_SCENE_DISSIPATION_TIME,

@@ -69,7 +69,7 @@ static double strongly_damped(double a, double b, double mu)
 {
     enum { STEPS = 400 };
     const double top = pow(b * (b + 1) / (2 * b + 1), 1 / (b + 1));
-    double lost = 0; /* lost speed: the integral of X^a/V by Simpson's rule in u, X = top u^4 */
+    double lost = 0; /* the speed lost to the spring: the integral of X^a/V by Simpson's rule in u, X = top u^4 */
     for (int i = 0; i <= STEPS; i++) {
         const double u = (double)i / (double)STEPS, x = top * u * u * u * u, speed = 1 - pow(x, b + 1) / (b + 1);
         lost += (i % STEPS == 0 ? 1 : 2 + 2 * (i % 2)) * pow(x, a) / speed * 4 * top * u * u * u / (3 * STEPS);
@@ -88,7 +88,7 @@ TEST(strong_damping)
 {
     const struct cor_exponents dashpot = cor_law_exponents[COR_LAW_HERTZ_DASHPOT];
     const double weak = random_uniform(&draw, 0.1, 1.2);
-    /* b = 0: the force at the first moment is a maximum, perhaps not the largest */
+    /* b = 0: the damping force is largest at first, but a later maximum may exceed it */
     const struct motion motion = {2, 0, dashpot_force, &weak, 0, 0};
     check_near(cor_law_force_max(&dashpot, weak), motion_course(&motion).force_max, 1e-11);
     for (size_t i = 0; i < points(2000); i++) {

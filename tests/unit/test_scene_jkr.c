@@ -78,8 +78,8 @@ static double kappa_of(const struct cor_scene_contact *s)
     return cor_scene_damping(s, COR_SCENE_DAMPING_COEFFICIENT) * pow(l, b) * sqrt(l / (force * s->mass_kg));
 }
 
-/* Solves m x'' = -F - d c x' for the contact radius c in units of the first radius, the speed x', and the time. In the
- * variable of the integration, the slope of the time is dx/dc, which is 0 at the end of the tail. */
+/* Solves m x'' = -F - d c x' for the contact radius c in units of the first radius, the speed x', and the time t. The
+ * variable of the integration is s with dt/ds = dx/dc, which is 0 at the end of the tail. */
 struct moved {
     const struct cor_scene_contact *contact;
     long double damper, unit, last;
@@ -166,7 +166,7 @@ TEST(creeping)
         struct cor_scene_contact s = spheres(0, 0.1);
         s.law = laws[random_below(&draw, 4)];
         cor_scene_set_damping(&s, COR_SCENE_DAMPING_COEFFICIENT, 1, 1, 0);
-        s.damping *= random_log(&draw, 1e-3, 30) / kappa_of(&s); /* kappa of docs/theory.md, 23 */
+        s.damping *= random_log(&draw, 1e-3, 30) / kappa_of(&s); /* kappa (docs/theory.md, 23) becomes 1e-3 to 30 */
         const int end = (int)random_below(&draw, COR_SCENE_ENDS);
         const double stick = cor_scene_sticking_speed(&s, end), v = random_log(&draw, 1e-4, 1e2);
         const double speed = random_below(&draw, 2) && isfinite(stick) ? stick * (1 + (v > 0.1 ? 1e-9 : -1e-9)) : v;
@@ -191,7 +191,6 @@ TEST(little_adhesion)
     }
 }
 
-/* A restitution gives the damping, and the damping the restitution. */
 TEST(round_trip)
 {
     static const struct cor_exponents laws[] = {{3, 1, 2}, {6, 1, 4}, {3, 0, 2}, {3, 3, 2}};

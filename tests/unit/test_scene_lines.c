@@ -71,8 +71,7 @@ static void is_near(const char *number, double wanted, double tolerance)
 static const char *const pairs[] = {"\n# pair_coeff 1 1 hertz ", "\n# pair_coeff 2 2 hertz ",
                                     "\npair_coeff 1 2 hertz "};
 
-/* The stiffness of a contact follows from its duration at zero force, 2 A(zeta) sqrt(m/K). kn of two equal bodies in
- * series is twice as large. */
+/* K follows from the duration at zero force, 2 A(zeta) sqrt(m/K). Two equal bodies in series have kn = 2 K. */
 TEST(stiffness_of_a_duration)
 {
     const double zeta = 0.1, mass_kg = 2e-3, duration_s = 5e-4;
@@ -110,7 +109,7 @@ TEST(walls)
     const double l = log(2) / PI, zeta = l / sqrt(1 + l * l);
     is_near(strchr(found(text_for("lammps", NULL, &scene, 0), "\nfix cor_wall all wall/gran granular hooke "), ' '),
             2 * zeta * sqrt(1e5 * 2e-3), 1e-11);
-    /* At a wall YADE computes other contacts from the same tc and en. */
+    /* The lines have kn, because tc and en would give YADE another contact at a wall. */
     text = text_for("yade", NULL, &scene, 0);
     found(text, "ViscElMat(kn=");
     assert_null(strstr(text, "tc="));
@@ -135,7 +134,7 @@ TEST(ends)
         const char *const text = text_for(cor_simulators[i / 3].name, NULL, &scene, 0), *at = strstr(text, "realises ");
         check(strncmp(text, "refused: ", 9) == 0 || strncmp(at, "realises eps = 0.5 at every speed", 33) == 0, "%s",
               text);
-        const char *const instant = strstr(text, "contacts end at an instant"); /* an instant contact has every end */
+        const char *const instant = strstr(text, "contacts end at an instant"); /* an instant fits every end */
         check(!(instant && instant < strchr(text, '\n') && strstr(text, "has no contacts of this law")), "%s", text);
         const int newton = strcmp(cor_simulators[i / 3].name, "newton") == 0;
         if (!newton && strcmp(cor_simulators[i / 3].name, "yade") != 0)
@@ -255,7 +254,7 @@ TEST(corrected_for_a_step)
         check(fabs(factor - 1) > 2e-4, "pair %d: nothing to correct, %g", i, factor);
         is_near(eta, 1.5e-4 * kn / m * factor, 1e-9);
     }
-    /* an impulse needs no correction; an implicit integrator has no correction */
+    /* Simbody's integrator is implicit, so its damping has no correction; Bullet's impulse needs none */
     scene = bodies(COR_LAW_HUNT_CROSSLEY, 0);
     scene_give(scene, {COR_SCENE_RESTITUTION, 0.7}, {COR_SCENE_AT, speed});
     scene.end = COR_END_ZERO_FORCE;
@@ -375,7 +374,7 @@ TEST(unlike_bodies_of_a_constant_law)
         const struct cor_sphere_contact c = pair_of(n[0], n[1], 0);
         scene.law = cor_law_exponents[COR_LAW_VISCOELASTIC];
         scene_give(scene, {COR_SCENE_ZETA, NAN}, {COR_SCENE_G_STAR, 1});
-        /* equal bodies without an A of their own have the A of the pair, from C/K */
+        /* if bodies have no A, contacts of equal bodies have the A of the pair, from C/K */
         at = text_for("lammps", NULL, &scene, 1);
         const double mass_kg[] = {pair_of(n[0], n[0], 0).effective_mass_kg, pair_of(n[1], n[1], 0).effective_mass_kg,
                                   c.effective_mass_kg};
@@ -502,7 +501,7 @@ TEST(several_materials)
         snprintf(words, sizeof words, "\nauto %.*s = ", (int)strcspn(at + 1, "-"), at + 1);
         found(text, words);
     }
-    /* MFiX has e at one speed, by the formula of a linear spring with Hertz's force, and one material of walls. */
+    /* MFiX has e at one speed, from the formula for a linear spring, and one material for all walls. */
     request.simulator = "mfix";
     request.speeds = 1;
     assert_true(cor_simulator_lines(text, sizeof text, &request) < 0);
@@ -552,7 +551,7 @@ TEST(speeds_in_any_order)
     }
 }
 
-/* Under gravity the numbers are as without gravity, and eps is under the force. */
+/* Under gravity the lines have the same numbers as without gravity, and the stated eps includes gravity. */
 TEST(a_ball_that_falls)
 {
     static const char *const number[] = {"granular hertz ", "coefficientRestitution peratomtypepair 2 ", "betan="};

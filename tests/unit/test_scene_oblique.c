@@ -3,12 +3,13 @@
 #include "../reference/ode.h"
 #include "scene.h"
 
-/* ---- another method: y = {u, x', w, z}, x = u^d; z is the displacement, the force or the rescaled memory ---- */
+/* ---- another method: y = {u, x', w, z}, x = u^d; w: tangential speed; z: displacement, force or rescaled memory ----
+ * */
 
 struct reference {
     struct cor_exponents law; /* d = law.denominator, which is even */
     long double beta, press, kappa, gamma, cap, side, sign;
-    int memory, in_cap, returns, p, least; /* p: d times the stiffness exponent. least: the least power in excess() */
+    int memory, in_cap, returns, p, least; /* p: d times the stiffness exponent. least: least power of u in excess() */
     enum { STICKS, SLIPS, CREEPS } mode;
 };
 
@@ -27,7 +28,7 @@ static int remembers_force(const struct reference *r)
     return r->memory == COR_REMEMBERS_FORCE || r->memory == COR_REMEMBERS_FORCE_RESCALED;
 }
 
-/* Returns d/2 during unloading with a rescaled memory, which shrinks; otherwise 0. */
+/* A rescaled memory shrinks like x^(1/2) during unloading. Returns the power of u, d/2; otherwise 0. */
 static int shrinks(const struct reference *r)
 {
     const int rescaled = r->memory == COR_REMEMBERS_DISPLACEMENT_RESCALED || r->memory == COR_REMEMBERS_FORCE_RESCALED;
@@ -49,13 +50,13 @@ static long double capped(const long double *y, const struct reference *r)
     return spring_per_z(y, r) * y[3] + (r->in_cap ? damper(y, r) : 0);
 }
 
-/* Returns the spring force during slip, in the direction of the slip. */
+/* Returns the spring force at the friction limit during slip, in the direction of the slip. */
 static long double held(const long double *y, const struct reference *r)
 {
     return r->cap * r->sign * normal_force(y, r) - (r->in_cap ? r->side * damper(y, r) : 0);
 }
 
-/* Returns the growth of the spring force minus the growth of `held`, over x^(least - 1). */
+/* Returns the growth of the spring force minus the growth of `held`, divided by u^(least - d). */
 static long double excess(const long double *y, const struct reference *r)
 {
     const int d = r->law.denominator, a = r->law.elastic, b = r->law.damping, m = r->least;
@@ -67,7 +68,7 @@ static long double excess(const long double *y, const struct reference *r)
         r->in_cap && r->gamma > 0
             ? r->gamma * (power(y[0], b - m) * v * y[2] * b / d - power(y[0], b + d - m) * r->side * cap * f)
             : 0;
-    const long double share = (remembers_force(r) ? 0 : r->p) + shrinks(r); /* x'/x of the force, times d */
+    const long double share = (remembers_force(r) ? 0 : r->p) + shrinks(r); /* d times d ln(spring_per_z)/d ln(x) */
     if (r->memory == COR_REMEMBERS_NOTHING)
         return -held(y, r);
     return r->side * r->kappa * power(y[0], r->p + d - m) * y[2] - rise + r->side * of_damper +
@@ -76,7 +77,7 @@ static long double excess(const long double *y, const struct reference *r)
                 (r->in_cap && r->gamma > 0 ? r->side * r->gamma * power(y[0], b - m) * y[2] : 0));
 }
 
-/* Returns w at which `excess` is 0, without a damper in the cap. */
+/* Returns the slip speed w at which `excess` is 0, without a damper in the cap. */
 static long double threshold(const long double *y, const struct reference *r)
 {
     const long double still[] = {y[0], y[1], 0, 0};
@@ -125,7 +126,7 @@ static long double speed_left(const long double *y, const void *of)
 }
 
 /* Returns the acceleration of the slip minus the acceleration of the threshold, in the direction of the slip. damped:
- * the damper acts on the slip */
+ * adds the force of the damper */
 static long double over_threshold(const long double *y, const struct reference *r, int damped)
 {
     const long double f = normal_force(y, r), step = 1e-6L;
@@ -178,7 +179,7 @@ static long double reference_restitution(struct reference *r, long double tangen
                                              force_left,     speed_left, creep_below, creep_above};
     struct ode o = {.slopes = reference_slopes, .of = r, .n = 4, .h = 1e-4L};
     const int d = r->law.denominator, a = r->law.elastic, b = r->law.damping;
-    const long double u = 1e-8L, early[] = {u, 1, tangent, 0}; /* just after the touch: for the first mode */
+    const long double u = 1e-8L, early[] = {u, 1, tangent, 0}; /* just after the touch; they determine the first mode */
     const long double first = r->kappa * power(u, r->p + d) * tangent / (remembers_force(r) ? 1 + r->p / (double)d : 1);
     long double y[4] = {0, 1, tangent, 0};
     r->side = r->sign = 1;
@@ -186,7 +187,7 @@ static long double reference_restitution(struct reference *r, long double tangen
     r->least = r->p + d < a ? r->p + d : a;
     r->least = (r->beta > 0 || r->gamma > 0) && b < r->least ? b : r->least;
     r->mode = first + (r->in_cap ? damper(early, r) : 0) > r->cap * normal_force(early, r) ? SLIPS : STICKS;
-    if (r->mode == SLIPS && excess(early, r) <= 0) { /* the damper reached the friction limit */
+    if (r->mode == SLIPS && excess(early, r) <= 0) { /* the damper reaches the friction limit without the spring */
         if (!remembers_force(r) && b < r->p) {
             r->side = -1;
         } else {
@@ -195,7 +196,7 @@ static long double reference_restitution(struct reference *r, long double tangen
         }
     }
     for (int k = 0; k < STEPS; k++) {
-        o.longest = y[1] < 0 ? fminl(longest, 0.1L * y[0] + 1e-4L) : longest; /* the last slip may be short */
+        o.longest = y[1] < 0 ? fminl(longest, 0.1L * y[0] + 1e-4L) : longest; /* because the last slip may be short */
         int found = ode_until(&o, y, value, VALUES);
         const long double rounding = 1e-15L * r->cap * fabsl(normal_force(y, r));
         for (int i = ABOVE; i <= SLIP && found < 0; i++) /* also finds an event whose value was 0 at the start of the
@@ -264,7 +265,8 @@ static void compare(const struct impact *i)
     const int status = cor_scene_oblique(&oblique, &c, &t, i->mu, 1, i->tangent, i->end);
     if (status == COR_OK && !(oblique.eps >= 1e-3)) /* COR_OBLIQUE_ERROR does not hold for such eps */
         return;
-    /* A slip shorter than a step can be missed, and roundings may begin a wrong mode, but not with all these steps. */
+    /* Fails only if all these steps disagree: a slip shorter than a step can be missed, and roundings may begin a wrong
+     * mode. */
     static const long double steps[][2] = {{0.02L, 1e-9L}, {0.02L, 1e-7L}, {2e-4L, 1e-8L}};
     double other = NAN;
     for (size_t k = 0; k < COUNT_OF(steps) && !(fabs(oblique.restitution - other) < COR_OBLIQUE_ERROR); k++)
@@ -280,11 +282,12 @@ static void compare(const struct impact *i)
 TEST(against_another_method)
 {
     static const struct impact rare[] = {
-        /* a damper outside the cap holds w between slip and stick; in one case the cap pulls before the end */
+        /* a damper outside the friction limit holds w between slip and stick; in one case the limit is negative before
+         * the end */
         {COR_LAW_HERTZ_DASHPOT, 1, COR_REMEMBERS_FORCE, 0, 0, 0.05, 0, 4, 0.7, 0.32, 1.8},
         {2, 0, 3, 0, 0, 0.031626973606115716, 0, 1.3718264680914363, 0.083633820266818537, 0.11072672221065727,
          1.2509808058731937},
-        /* a damper fills the cap at the first touch */
+        /* a damper reaches the friction limit at the first touch */
         {COR_LAW_TSUJI, 0, COR_REMEMBERS_DISPLACEMENT, 0, 1, 0.1, 0, 4, 0.9, 0.1, 0.5},
         {COR_LAW_TSUJI, 0, COR_REMEMBERS_DISPLACEMENT, 0, 1, 0, 0, 4, 0.1, 0.3, 0.5},
         {COR_LAW_VISCOELASTIC, 1, COR_REMEMBERS_DISPLACEMENT, 0, 1, 0.1, 0, 4, 0.9, 0.1, 0.5},
@@ -292,7 +295,7 @@ TEST(against_another_method)
         {0, 0, 2, 0, 1, 0, 0, 3.8548582385997756, 0.002635731388418452, 0.13398053370494065, 0.12164633450952819},
         /* the end of the slip at the first touch is found from a small difference */
         {4, 0, 2, 0, 0, 0, 0, 4.4999838595495572, 0.17872088338921652, 9.6589975343512187, 7.5125806633527672},
-        /* large terms cancel in the cap, and in the force */
+        /* large terms cancel in the friction limit, and in the force */
         {4, 1, 1, 0, 1, 0.0062034858863136708, 0.028739970361874426, 0.10733338472459437, 1.261359801085598,
          3.1748697912593107, 155.29246324779749},
         {2, 0, 3, 0, 0, 0.38798922528341845, 0.0012013704328785741, 4.500012073555145, 0, 0.80058213341295226,
@@ -368,7 +371,7 @@ TEST(limits)
             const double damped = restitution(&l, &t, 0.01, 1e4, 1), eps = scene_eps(&l, 1, 1);
             check(fabs(1e4 * (1 - damped) - 0.035 * (1 + eps)) < 1e-6, "%.12g", damped);
         }
-    /* in a stuck contact the spring holds, and the damper absorbs all energy */
+    /* without slip, a weak spring and a strong damper stop the tangential motion */
     const struct cor_scene_contact d = scaled_contact(&cor_law_exponents[COR_LAW_LINEAR], 0.5, 0);
     const struct cor_tangential stiff = {.kappa = 1e-3, .damping = 60, .damper_in_cap = 1};
     assert_true(fabs(restitution(&d, &stiff, 1e6, 1, 0)) < 1e-3);

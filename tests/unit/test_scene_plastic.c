@@ -36,8 +36,8 @@ TEST(eps_of_the_speed)
     }
 }
 
-/* eps has a continuous slope at v_y: to lowest order 1 - eps = 0.24 (x - 1)^2, from (72/108) (1 - t)^2/4 with 1 - t =
- * (6/5) (1 - r), where r = 1/x, and t is defined in runtime/scene/plastic.c. */
+/* eps has a continuous slope at v_y: 1 - eps = 0.24 (x - 1)^2 to lowest order. This follows from (72/108) (1 - t)^2/4
+ * with 1 - t = (6/5) (1 - 1/x); runtime/scene/plastic.c defines t. */
 TEST(onset_and_limits)
 {
     for (double gap = 1e-3; gap > 1e-14; gap /= 10) {
@@ -67,7 +67,7 @@ TEST(onset_and_limits)
 struct spheres {
     long double modulus, radius, mass, yield_pressure; /* E*, R, m, p_y */
     long double yield_overlap, yield_force;
-    long double larger, rest; /* state of the unloading: its radius and the remaining overlap; 0: loading */
+    long double larger, rest; /* unloading: its radius and the remaining overlap; 0: loading */
 };
 
 static long double hertz(long double modulus, long double radius, long double overlap)
@@ -127,7 +127,7 @@ TEST(piecewise_contact)
     s.mass = 4 * pi_long / 3 * 1.25e-7L * 7850 / 2;
     s.yield_overlap = s.radius * powl(pi_long * s.yield_pressure / (2 * s.modulus), 2);
     s.yield_force = hertz(s.modulus, s.radius, s.yield_overlap);
-    const long double onset = sqrtl(4.0L / 5 * s.yield_force * s.yield_overlap / s.mass); /* from its energy */
+    const long double onset = sqrtl(4.0L / 5 * s.yield_force * s.yield_overlap / s.mass); /* from the energy at yield */
     check_near(contact.yield_speed_m_s, onset, 1e-14);
     check_near(COR_YIELD_FACTOR, sqrtl(powl(pi_long, 5) / 30), 1e-15);
     check_near(cor_scene_yield_stress(&contact, (double)onset), 1e9L, 1e-14);

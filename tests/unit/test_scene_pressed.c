@@ -57,7 +57,7 @@ TEST(sticking)
 {
     const struct cor_scene_contact strong = scaled_contact(&cor_law_exponents[COR_LAW_LINEAR], 1.975, 1);
     check(cor_scene_sticking_speed(&strong, 0) > 1e8 && cor_scene_sticking_speed(&strong, 0) < 1e9, "%g",
-          cor_scene_sticking_speed(&strong, 0)); /* sticking speeds below the upper end of the search, scene.h */
+          cor_scene_sticking_speed(&strong, 0)); /* a large sticking speed, still found by the search */
     for (size_t l = 0; l < SCENE_LAWS; l++)
         for (double beta = 0.01; beta < 1; beta *= 3)
             for (int end = 0; end < COR_SCENE_ENDS; end++) {
@@ -75,7 +75,7 @@ TEST(sticking)
 
 TEST(limits)
 {
-    /* a sphere that creeps up to its place of rest has stopped before the constant force matters */
+    /* a strongly damped sphere stops before the constant force matters, and then creeps to its place of rest */
     const struct cor_scene_contact creeping = scaled_contact(&cor_law_exponents[COR_LAW_VISCOELASTIC], 1e3, 0.1);
     check_near(cor_scene_force_max_n(&creeping, 1), cor_law_force_max(&cor_law_exponents[COR_LAW_VISCOELASTIC], 1e3),
                1e-2);

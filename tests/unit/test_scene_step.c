@@ -23,7 +23,7 @@ static struct cor_step_error error_of(const struct cor_scene_contact *contact, d
 
 struct mean {
     double eps, scatter;
-    double jump, missed; /* largest difference of adjacent phases; largest product of a difference and its weight */
+    double jump, missed; /* largest difference of eps of adjacent phases, and its product with the weight */
 };
 
 static double push(const struct cor_scene_contact *c, double damping, int end, double x, double v)
@@ -96,7 +96,7 @@ TEST(another_route)
     struct random_state r = random_start();
     for (int k = 0; k < (int)points(TRIES); k++) {
         const enum cor_law law = (enum cor_law)(k % SCENE_LAWS);
-        /* again: damping so strong that, with a predicted velocity, the force pushes again after it has been zero */
+        /* again: strong damping and a predicted velocity, so that the force pushes again after it was zero */
         const int again = k % 8 == 7, end = again || k / 5 % 2, weak = !again && k / 10 % 2,
                   integrator = again                   ? COR_VERLET_FULL_STEP
                                : law == COR_LAW_LINEAR ? COR_IMPLICIT_EULER - (int)random_below(&r, 2)
@@ -220,7 +220,7 @@ TEST(pressed)
     check(fabs(lammps.bias + scene_eps(&ball, 0.1, COR_END_ZERO_FORCE) - 0.662257) < 5e-6 &&
               fabs(lammps.scatter - 0.010791) < 1e-5,
           "bias %g, scatter %g", lammps.bias, lammps.scatter);
-    /* bodies that creep to rest: the force limits the number of steps from below */
+    /* for bodies that creep to rest, the force determines the least number of steps */
     double steps_for;
     ball.force_n *= 100;
     assert_int_equal(cor_scene_step_for(&steps_for, &ball, 0.1, COR_END_ZERO_FORCE, 0.1, COR_LEAPFROG), COR_OK);
@@ -240,7 +240,7 @@ TEST(pressed)
         check(fabs(e.bias) < (integrator == COR_VERLET_FULL_STEP ? 1e3 / steps : 2) / steps,
               "law %d end %d integrator %d, %g steps: bias %g", k % 5, end, integrator, steps, e.bias);
         const double slow = stays * random_uniform(&r, 0.3, 0.8);
-        /* enough steps: each changes the speed by at most half of the allowed change */
+        /* with enough steps, each changes the speed by at most half of the allowed change */
         const double many =
             fmax(steps, contact.force_n * cor_scene_elastic_duration_s(&contact, slow) / (contact.mass_kg * slow));
         e = error_of(&contact, slow, end, many, integrator);
@@ -289,8 +289,8 @@ TEST(special)
     contact.damping = 30;
     assert_int_equal(cor_scene_step_for(&steps, &contact, 1, COR_END_ZERO_FORCE, 1e-9, COR_LEAPFROG), COR_FAULT_STEP);
     contact.law = cor_law_exponents[COR_LAW_VISCOELASTIC];
-    /* without damping the integrator is symmetric, so only the ends of the contact cause errors; nothing is
-     * corrected */
+    /* without damping the integrator is symmetric: errors come only from the ends of the contact, and the correction is
+     * 0 */
     contact.damping = 0;
     check(fabs(bias_at(&contact, 50, COR_LEAPFROG)) < 1e-5, "elastic: %g", bias_at(&contact, 50, COR_LEAPFROG));
     assert_int_equal(cor_scene_step_corrected(&corrected, &contact, 1, COR_END_ZERO_OVERLAP, 50, COR_LEAPFROG), COR_OK);
@@ -340,7 +340,7 @@ TEST(models)
         const struct mean mean = simulated(&given, speed, (int)model->end,
                                            cor_scene_elastic_duration_s(&contact, speed) / steps, integrator, 401, 0.3);
         check(fabs(mean.eps - eps) < COR_SCENE_STEP_ERROR * mean.scatter, "%s: %g", model->model, mean.eps);
-        /* computed from only eps, the damping is the same; NaN if the law has no closed form */
+        /* the damping from only eps is the same, or NaN if the law has no closed form */
         const double by_eps = cor_simulator_damping(model, &target, 0);
         check(isnan(by_eps) || fabs(by_eps / damping - 1) < 1e-9, "%s: %g, %g", model->model, by_eps, damping);
         judged++;

@@ -232,8 +232,9 @@ static double integrated_eps(const struct pair *s, enum cor_end end, double damp
     return (double)motion_course(&(struct motion){4, 0, scaled_force, &p, free, 0}).eps[free];
 }
 
-/* A constant impedance d is a linear dashpot, which is compared with the closed form. Small d under gravity is compared
- * with cor_scene_eps under a constant force, and d from 0.9 to 0.95 with eps of MuJoCo's own step. */
+/* With a constant impedance d the contact is a linear dashpot, which is compared with the closed form. Small d under
+ * gravity is compared with cor_scene_eps under a constant force, and d from 0.9 to 0.95 with eps of MuJoCo's own step.
+ * */
 TEST(mujoco)
 {
     const double solimp[5] = {0.9, 0.9, 0.001, 0.5, 2}, grown[5] = {0.9, 0.95, 0.001, 0.5, 2};
@@ -268,7 +269,7 @@ TEST(units)
         const struct cor_simulator_model *const m = cor_simulator_model(d->id);
         const struct cor_exponents *const law = &cor_law_exponents[m->law];
         const double a = (double)law->elastic / law->denominator, b = (double)law->damping / law->denominator;
-        const int ratio = m->law == COR_LAW_LINEAR || m->law == COR_LAW_TSUJI; /* the damping is zeta */
+        const int ratio = m->law == COR_LAW_LINEAR || m->law == COR_LAW_TSUJI; /* the number `damping` is zeta */
         const double damping = 0.35, beta = damping * (ratio ? sqrt(2 * (a + 1)) : 1);
         const double eps = integrated_eps(&(struct pair){1, 1, 1, 1, a}, m->end, beta, b);
         const double closed = cor_law_eps(m->law, m->end, damping);

@@ -299,7 +299,7 @@ TEST(simple_theory)
         const double beta = i % 2 ? random_uniform(&draw, 0, 20) : random_log(&draw, 1e-20, 1e195);
         const long double c = c1 * beta;
         const long double exact = simple_exact(c);
-        /* bisection in the logarithm loses |ln eps| 1e-19, below a tenth of a unit */
+        /* bisection in ln(eps) has an error of 1e-19 |ln(eps)|, below a tenth of a unit */
         check_ulp(cor_sphere_eps_simple(beta), exact, COR_SPHERE_EPS_SIMPLE_MAX_ULP);
         const int depth = (int)(i % 7);
         long double t = 1;

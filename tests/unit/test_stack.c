@@ -12,7 +12,7 @@
 enum { SIZE = 1 << 20, PAINT = 0xa5, SETS = 12, MOST_RESULTS = 100000 };
 
 static unsigned char stack[SIZE] __attribute__((aligned(4096)));
-static struct results results; /* memory from before the calls is not on the painted stack and not counted */
+static struct results results; /* allocated before the calls, outside the painted stack */
 
 static int setup(void **state)
 {
@@ -55,7 +55,8 @@ static void *call_with_all(void *unused)
     return NULL;
 }
 
-/* Returns the bytes of the painted stack in use after a thread has called the function, or none. */
+/* Returns the number of changed bytes on the painted stack after a thread has called the function; NULL: no function.
+ * */
 static size_t stack_taken(const struct public_function *function)
 {
     pthread_attr_t attributes;

@@ -92,7 +92,7 @@ TEST(test_contacts_of_the_list)
     assert_true(file && fgets(row, sizeof row, file));
     for (; fgets(row, sizeof row, file); rows++) {
         char *at = row, *const arguments = cell_of(&at);
-        double y[4 * COLUMNS], z[4 * COLUMNS]; /* the options of two contacts at two speeds */
+        double y[4 * COLUMNS], z[4 * COLUMNS]; /* the numbers of two contacts at two speeds */
         options_of(options, arguments);
         if (strcmp(cell_of(&at), "no") == 0)
             continue;

@@ -53,7 +53,7 @@ int main(int argc, char **argv)
         if (!web_law_function(law, end, quantity, y))
             continue;
         snprintf(name, sizeof name, "%s,%s,%s", web_name(0, law), web_name(1, end), web_name(2, quantity));
-        const size_t some = law == COR_LAW_HUNT_CROSSLEY ? n / 20 : n; /* computing its times takes ten microseconds */
+        const size_t some = law == COR_LAW_HUNT_CROSSLEY ? n / 20 : n; /* its times take 10 us each */
         web_law(law, end, quantity, x, y, some);
         written(argv[2], name, y, some);
     }
