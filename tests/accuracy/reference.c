@@ -392,14 +392,10 @@ static long double cell_value(enum quantity quantity, long double beta)
 }
 
 /* The value of a quantity at beta = 8^k b, where b is in the last binades, is 2^(power k) (value at b + log k ln(2) x).
- * x is b for the duration at zero overlap, otherwise the largest overlap at b. The leading terms for large beta, X =
- * (3/2)^(2/3), are:
- *     eps at zero force                  const beta^(-5/3)
- *     duration at zero overlap           beta (const + (10/3) ln(beta))
- *     largest overlap                    X beta^(-2/3)
- *     time of the largest overlap        beta^(-2/3) (const + (5/3) ln(beta)/sqrt(X))
- *     duration at zero force             beta^(-2/3) (const + (10/3) ln(beta)/sqrt(X))
- * Later terms are negligible. */
+ * x is b for the duration at zero overlap, otherwise the largest overlap at b. With X = (3/2)^(2/3), the leading terms
+ * are const beta^(-5/3) for eps at zero force, beta (const + (10/3) ln(beta)) for the duration at zero overlap, and X
+ * beta^(-2/3) for the largest overlap. The times of the largest overlap (c = 5/3) and of zero force (c = 10/3) are
+ * beta^(-2/3) (const + c ln(beta)/sqrt(X)). Later terms are negligible. */
 static const struct {
     int power, thirds; /* log = thirds/3 */
     long double limit; /* at infinity */

@@ -14,7 +14,6 @@
 
 static const slong PREC = 600;
 
-/* Sets x from a decimal or a fraction. */
 static void set_number(arb_t x, const char *text)
 {
     LOCAL(fmpq, q);
@@ -306,8 +305,7 @@ TEST(test_slow_manifold)
     }
 }
 
-/* c of eps = v_f beta^(-1/q) (1 - c beta^P exp(-k/mu)) is nearly the same at three beta. v_f is the final speed on the
- * slow manifold (docs/theory.md, 9). */
+/* The c of eps = v_f beta^(-1/q) (1 - c beta^P exp(-k/mu)) is nearly the same at three beta (docs/theory.md, 9). */
 TEST(test_forgetting)
 {
     leave_to_turn(4, 3);
@@ -445,8 +443,7 @@ TEST(test_turns_beyond_rest)
 
 /* ---- the surface under a constant force ---- */
 
-/* x'' + beta x^b x' + x^a = force with x = w^d. y = {w, x', t, loss}: the loss is the energy that the damping
- * dissipates; the initial energy is 1/2. */
+/* x'' + beta x^b x' + x^a = force, x = w^d, y = {w, x', t, loss}; loss: energy that the damping dissipated */
 struct pressed_law {
     struct cor_exponents law;
     long double beta, force;
@@ -594,8 +591,7 @@ TEST(test_critical)
     assert_digits(x, "1.570796326795"); /* pi zeta = pi beta/2 */
 }
 
-/* A solution for one end agrees with the solution for both ends, even if zero force is in the step of the turning
- * point. */
+/* A solution for one end agrees with the solution for both, even if one step contains turning and zero force. */
 TEST(test_one_end)
 {
     static const char *const cases[][3] = {

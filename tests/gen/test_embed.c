@@ -403,7 +403,6 @@ TEST(test_choice)
     assert_int_equal(embed_choose(form, PURPOSE_ARRAY), FAMILY_PIECES_SPEED);
 }
 
-/* Fits a rational function to a scene. */
 static struct embed_form fit_of(const struct embed_scene *s, enum embed_family family, enum embed_variable variable,
                                 slong numerator, slong denominator)
 {

@@ -136,8 +136,7 @@ TEST(test_intervals)
     clear_scene(&s);
 }
 
-/* Adds an error that grows to BUMP at the start or the end of one row, and requires that the proof finds it. The rows
- * are in the speed or in beta. */
+/* Adds an error that grows to BUMP at the start or end of a row in the speed or in beta. The proof must find it. */
 TEST(test_rows)
 {
     enum { DEGREE = 5, ROWS = 12 };
@@ -230,8 +229,7 @@ TEST(test_counts)
     }
 }
 
-/* The fifth root from the bits of the speed, refined 0 times or more. Without refinement the bound is close to the
- * largest error found. */
+/* The fifth root from the bits of the speed. Without refinements the bound is close to the largest error found. */
 TEST(test_root)
 {
     double number[] = {0, 1};
@@ -300,8 +298,7 @@ TEST(test_limits)
     }
 }
 
-/* A row 1 - 3/4 x from x = 0 to 1. At x = 1 the product adds an error of 3/4 units and the sum 1/4, relative to the
- * value 1/4. */
+/* A row 1 - 3/4 x, 0 <= x <= 1. At x = 1 the product adds 3/4 units and the sum 1/4, relative to the value 1/4. */
 TEST(test_row_end)
 {
     struct embed_form f = {

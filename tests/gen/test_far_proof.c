@@ -80,7 +80,6 @@ static const struct formula formulas[] = {
 };
 enum { FORMULAS = sizeof formulas / sizeof *formulas };
 
-/* Returns the factor of c_k at u. */
 static double factor_of(int k, double u)
 {
     const double mu = exp(-5 * u / 3);
@@ -88,7 +87,6 @@ static double factor_of(int k, double u)
     return pow(mu, k < 4 ? 0 : k < 7 ? 1 : 2) * pow(u, power);
 }
 
-/* Returns the relative error of a formula at u. */
 static double formula_error(const struct formula *f, double at)
 {
     LOCAL(arb, u, y, sum);
@@ -129,8 +127,7 @@ TEST(test_formulas)
     }
 }
 
-/* Proves the inverse, and refuses it with a wrong coefficient. Its error is the sum of the omitted terms, largest at
- * eps = 2^-23. */
+/* Proves the inverse, and refuses a wrong coefficient. Its error is the sum of the omitted terms at eps = 2^-23. */
 TEST(test_inverse)
 {
     double c[INTERPOLANT_FAR_INVERSE + 1];

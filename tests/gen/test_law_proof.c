@@ -17,7 +17,6 @@
 
 enum way { WAY_OVERLAP, WAY_CREEP, WAY_FORCE, WAY_STRONG_FORCE };
 
-/* Returns ln(eps) from an enclosed collision. */
 static double exact_log_eps(const struct cor_exponents *law, double beta, enum way way)
 {
     LOCAL(collision, c);
@@ -110,8 +109,7 @@ TEST(test_complex_plane)
     }
 }
 
-/* Above the dashpot's threshold beta_c = 1.128 the bodies never part, so the enclosures and ellipses must be refused.
- * */
+/* Above the dashpot's threshold beta_c = 1.128 the bodies never part: enclosures and ellipses are refused. */
 TEST(test_singular)
 {
     const struct cor_exponents law = law_of("3/2", "0");
@@ -198,8 +196,7 @@ TEST(tail)
     law_layout_clear(&layout);
 }
 
-/* Under a constant force, the path for damping, force f and speed v equals a collision with beta v^q and f
- * v^(-2a/(a+1)). */
+/* Under a constant force, the path for speed v equals a collision with beta v^q and f v^(-2a/(a+1)). */
 TEST(pressed)
 {
     static const char *const laws[][2] = {{"3/2", "1/2"}, {"3/2", "0"}, {"3/2", "3/2"},

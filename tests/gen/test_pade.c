@@ -459,8 +459,7 @@ TEST(test_refusals)
     }
 }
 
-/* Tests rounded coefficients of a Padé approximant in beta^(1/root), and the largest error of their quotient in
- * doubles. */
+/* Tests rounded coefficients of a Padé approximant in beta^(1/root), and the error of their quotient in doubles. */
 TEST(test_rounded)
 {
     static const struct {

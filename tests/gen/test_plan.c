@@ -20,7 +20,6 @@ static double beta_of(double speed)
     return pow(speed / G_STAR, 0.2) / -COR_SPHERE_C1;
 }
 
-/* Computes eps at both ends of contact. */
 static void eps_solve(double *overlap, double *force, double beta_wanted)
 {
     LOCAL(collision, c);
@@ -397,8 +396,7 @@ TEST(test_contact_time)
         const double hard = collided(1800, 60 / speed, speed, PLAN_CONTACT_TIME);
         const double harder = collided(1800, 100 / speed, speed, PLAN_CONTACT_TIME);
         const double limit = harder + (harder - hard) * 60 / (100 - 60);
-        /* `limit` counts the contact until the load is a thousandth of its maximum, a rigid wall until the last touch
-         * */
+        /* `limit` counts the contact until 1/1000 of the largest load, a rigid wall until the last touch */
         check(fabs(limit / plan.truth[i] - 1) <= 0.015, "tau(%g) = %g, from two walls %g", speed, plan.truth[i], limit);
         check(fabs(at_rigid_wall(3e-6, speed).contact_time / plan.truth[i] - 1) <= plan.uncertainty[i],
               "tau(%g) = %g, uncertain by %.2g", speed, plan.truth[i], plan.uncertainty[i]);

@@ -176,8 +176,8 @@ static const struct pieces inverse_tables[] = {
           .plain = 8),
 };
 
-/* The proof of a row must fail after each of these changes. A coefficient other than c_0 is wrong by 2^-49 of the value
- * of the row. Or c_0' is omitted. Or a node is shifted. */
+/* A proof must fail if a coefficient other than c_0 is wrong by 2^-49 of the row's value, if c_0' is omitted, or if a
+ * node is shifted. */
 static void assert_row_guarded(struct pieces *p, slong row, double *c)
 {
     const double bits = p->bits[row];

@@ -413,8 +413,7 @@ TEST(test_journal_shared)
 
 /* ---- rigid walls ---- */
 
-/* A collision that uses all levels of the first table, one that needs one more level, and one whose budget ends earlier
- * */
+/* Collisions that use all levels of the first table, or one level more, or whose budget ends earlier */
 TEST(test_hard_wall)
 {
     enum { FIRST_LEVELS = 8 };

@@ -160,9 +160,8 @@ TEST(test_online_products)
     }
 }
 
-/* Proves a zero by opposite signs of the sum of all terms on its two sides. If w = (1 - s)^3 is known to 2^-12, its
- * zero is known to 2^-4. Without its last term, 1 - s + s^60/2^20 has another zero, so a search with few bits must keep
- * this term. */
+/* Proves a zero by opposite signs of the sum of all terms on its two sides. The zero of w = (1 - s)^3 is known to 2^-4
+ * if w is known to 2^-12. A search with few bits must keep the last term of 1 - s + s^60/2^20, which moves the zero. */
 TEST(test_zero)
 {
     static const int cubic[] = {1, -3, 3, -1};

@@ -135,9 +135,8 @@ static mpq_class rational(number x)
     return mpq_class(x);
 }
 
-/* Writes the goals of cor_lambert_t_pair for q.hi < 0.1. t is p = sqrt(2 q.hi), plus a correction of this root, plus
- * the rest of the series. The rest has a relative error below COR_PROOF_SERIES. The correction has an error below 2^-70
- * for p from [1, 2]. */
+/* Goals of cor_lambert_t_pair for q.hi < 0.1: t is p = sqrt(2 q.hi), its correction, and the rest of the series. The
+ * rest has a relative error below COR_PROOF_SERIES, the correction an error below 2^-70 for p from [1, 2]. */
 static void write_series(void)
 {
     start();
@@ -344,9 +343,8 @@ struct law_formula {
     const struct cor_logarithm *constant; /* NULL, or a of a leading logarithm ln(a/x) */
 };
 
-/* Checks that a function of the law, without rounding, equals its formula in x, t and a root r. x = 0.75 2^exponent is
- * far from the limit, so q = slope nu + ln(limit at nu = 0) - ln(x). The results of log and sqrt are arbitrary numbers.
- * */
+/* Checks that a function of the law, without rounding, is its formula in x, t and a root r. x = 0.75 2^exponent is far
+ * from the limit, so q = slope nu + ln(limit at nu = 0) - ln(x). Results of log and sqrt are arbitrary. */
 static void check_law_at(const law_formula &f, enum cor_disk_datum datum, int exponent)
 {
     start();

@@ -89,7 +89,6 @@ static ball lambert_t(const ball &q)
     return ball(-1) - w;
 }
 
-/* Returns the interval from -a to a. */
 static ball around_0(double a)
 {
     return from_to(ball(-a), ball(a));

@@ -6,8 +6,7 @@
 #ifndef COR_TESTS_PROOF_ERRORS_H
 #define COR_TESTS_PROOF_ERRORS_H
 
-/* 64 ulp are a relative error of 2^-46. One cube root is cut to 26 bits, and the other is used only in a term below
- * 6e-8. */
+/* 64 ulp are a relative error of 2^-46. One cube root is cut to 26 bits, the other is in a term below 6e-8. */
 #define COR_PROOF_CBRT_ULP 64
 #define COR_PROOF_LOG_ULP 1
 #define COR_PROOF_LOG1P_ULP 1

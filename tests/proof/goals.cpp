@@ -22,8 +22,7 @@
 #include "cor/contact.h"
 #include "errors.h"
 
-/* The evaluator's source, compiled with numbers that record their operations. cor/contact.h is included above, so its
- * doubles are real. */
+/* The evaluator's source, with numbers that record operations. cor/contact.h is included above, with real doubles. */
 namespace trace
 {
 #define double Real

@@ -291,8 +291,7 @@ O.engines=[InteractionLoop([],[Ip2_FrictMat_FrictMat_{}()],[]),NewtonIntegrator(
 
 @pytest.mark.parametrize("functor,speed,measured", [("FrictPhys", 0.1, 0.4454), ("MindlinPhys", 1, 0.63391)])
 def test_damped_fall(tmp_path, functor, speed, measured):
-    """The damping of YADE's NewtonIntegrator acts on the weight and on the contact force. The values are from YADE
-    2023.02a with a step of 2e-6 s."""
+    """NewtonIntegrator's damping acts on weight and contact force. The values are from YADE 2023.02a, step 2e-6 s."""
     deck = write(tmp_path, "deck.py", FALL.format(functor))
     (row,) = json.loads(run("audit", deck, "--speed", speed, "--format", "json")[1])
     assert abs(row["realised_surface"] - measured) < 3e-4 < row["realised"] - measured

@@ -391,8 +391,7 @@ def test_stored_data(file, title, parameter, value, low, high, aic, p):
 
 
 def test_points_behind_the_drag_of_the_stored_times():
-    """p values of the bounces of a table tennis ball, taken as independent points: with drag, C_d = 0.40, without
-    buoyancy."""
+    """p values of the bounces of a table tennis ball as independent points, with drag and without buoyancy."""
     record = cor.fit(DATA / "ping_pong_ball_parquet.csv", law="constant").data
     sample = likelihood.Sample(record)
     flights = sample.flights(G, 0.4 * 1.204 * math.pi / 4 * 0.04**2 / (2 * 0.0027 * G))
@@ -613,8 +612,7 @@ def test_a_function_without_numbers_has_no_outliers_and_is_not_determined():
 
 
 def mean_of(eps, sigma, bend):
-    """Returns Huber's mean and the sum of all weights. bend: where weights decrease, in sigma; infinity: the weighted
-    mean."""
+    """Returns Huber's mean and the sum of the weights. bend: in sigma; infinity gives the weighted mean."""
     mean, weight = np.median(eps), 1 / sigma**2
     for _ in range(200):
         part = weight * np.minimum(1, bend * sigma / np.maximum(np.abs(eps - mean), 1e-300))

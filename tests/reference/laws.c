@@ -172,9 +172,9 @@ long double reference_tsuji_time(enum cor_end end, long double zeta)
     return first + expl(-zeta * phase / 5) * second;
 }
 
-/* Returns the integrand for the loading (b = beta) or the rebound (b = -h) of Hunt and Crossley's law. tau = ln((1 +
- * b)/(1 + beta v)) runs from 0 to ln(1 + b), where the speed v is 0. The overlap X has X^(a+1)/(a+1) =
- * energy_left/beta^2. p: a, b, 1 + b, ln(1 + b), beta */
+/* Returns the integrand for the loading (b = beta) or rebound (b = -h) of Hunt and Crossley's law. tau = ln((1 + b)/(1
+ * + beta v)) is from 0 to ln(1 + b), where the speed v is 0. The overlap X has X^(a+1)/(a+1) = energy_left/beta^2. p:
+ * a, b, 1 + b, ln(1 + b), beta */
 static long double crossley_integrand(long double x, long double below, const long double *p)
 {
     const long double tau = p[3] * x, gone = -expm1l(-tau);

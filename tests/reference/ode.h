@@ -77,7 +77,6 @@ static inline long double ode_step(struct ode *o, const long double *y, long dou
     }
 }
 
-/* Advances y by `length`. */
 static inline void ode_advance(struct ode *o, long double *y, long double length)
 {
     long double next[ODE_MOST];

@@ -210,8 +210,8 @@ OBLIQUE = {
 
 
 def oblique_impacts(host, work, every):
-    """Extrapolates u'/u from two runs, whose errors are proportional to the time step. Overlaps change lever arms by
-    1e-5."""
+    """Extrapolates u'/u from two runs, whose errors are of the order of the step. Overlaps change lever arms by 1e-5.
+"""
     for name, (contact, more) in OBLIQUE.items():
         simulator, model = name.split()
         if simulator != host:

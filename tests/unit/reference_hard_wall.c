@@ -111,8 +111,8 @@ static int balance(void)
     return 0;
 }
 
-/* Changes the touching angles one by one (Lawson and Hanson): removes the angle with the most attractive force. If all
- * forces push, adds the angle that is deepest in the wall. */
+/* Removes the touching angle with the most attractive force, or adds the angle deepest in the wall (Lawson and Hanson).
+ * */
 static int press(void)
 {
     for (int round = 0; round < 100 * angles; round++) {

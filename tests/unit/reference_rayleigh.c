@@ -13,7 +13,7 @@
 typedef long double real;
 enum { POINTS = 28, HALVINGS = 40 }; /* points of a panel; halvings towards each end, until only rounding remains */
 #define PHASE 30                     /* a panel spans at most this phase omega s of the highest frequency */
-#define NEAR 1e-11L                  /* Newton's method ends after a relative step below this; its square is negligible */
+#define NEAR 1e-11L                  /* Newton's method ends after a relative step below this; its square is rounding */
 
 static const real pi = 3.14159265358979323846264338327950288L;
 

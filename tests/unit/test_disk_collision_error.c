@@ -103,8 +103,7 @@ static void scene_judge(const struct scene *s, struct tally *tally)
         judge_numbers(s, status, &out, &reference, tally);
 }
 
-/* Judges a call that returned COR_OK, and a call with another tolerance. The reference is a call with a hundredth of
- * the tolerance. */
+/* Judges a call that returned COR_OK, and one with another tolerance, by a third with a hundredth of the tolerance. */
 static void scene_judge_by_tighter(const struct scene *s, struct tally *tally)
 {
     struct scene other = *s, tighter = *s;

@@ -69,9 +69,8 @@ TEST(drift)
 
 enum { MODES = 34 }; /* the largest number of modes; their n, at most 13, fill one or two blocks of lanes */
 
-/* The modified potential (15.1), U = V - (h^2/24) |grad V|^2/m, with V = (1/alpha) int exp(alpha x(phi)) dphi by the
- * rule of phi angles. Central differences give its gradient in x_0 and Q. *fastest: the largest acceleration of the rim
- * */
+/* The modified potential (15.1), U = V - (h^2/24) |grad V|^2/m, where V = (1/alpha) int exp(alpha x(phi)) dphi by phi
+ * angles. Central differences give its gradient. *fastest: the largest acceleration of the rim */
 struct potential {
     size_t modes, phi;
     double alpha, h;

@@ -28,8 +28,7 @@ static int cells;
 static const struct cell *cell_at[ROWS * COLUMNS];
 static const struct cor_disk_limit_piece *piece_at[ROWS * COLUMNS];
 
-/* Sets the values of a cell at the places that are in a piece. The values are whole numbers and agree with the
- * neighbouring pieces. */
+/* Sets the values of a cell at the places that are in a piece. They are whole numbers and agree with other pieces. */
 static void values_of_piece(struct cell *of, const struct cor_disk_limit_piece *piece)
 {
     for (int k = 0; k < COR_DISK_LIMIT_POINTS; k++) {
@@ -129,9 +128,8 @@ static const struct cell *cell_beyond(const struct cell *at, int across, int las
     return ends ? NULL : cell_of(x, y);
 }
 
-/* Computes the joined polynomials by Neville's interpolation. On a side with smaller cells beyond it, the polynomial of
- * these cells counts. It replaces the own values on a side in nu. On a side in x the difference is interpolated, with
- * zeros at the other places. */
+/* Joins the polynomials by Neville's interpolation. On a side next to smaller cells, the polynomial of these cells
+ * counts. On a side in nu it replaces the own values; on a side in x the difference is interpolated, with zeros. */
 static long double joined(const struct cell *at, long double x, long double y, long double *uncertainty)
 {
     const long double x_in = (x - at->x) / at->side, y_in = (y - at->nu) / at->side;

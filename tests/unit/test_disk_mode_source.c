@@ -20,7 +20,6 @@ static struct cor_disk_modes compute(double nu, size_t count)
     return modes;
 }
 
-/* Every mode has n, l, omega, c and s of the proved table. */
 TEST(as_proved)
 {
     const struct cor_disk_modes *const tables[] = {&cor_disk_modes_nu033, &cor_disk_modes_nu090};

@@ -471,7 +471,6 @@ static void oblique_slopes(long double *dy, const long double *y, const void *of
     dy[OBLIQUE] = -1;
 }
 
-/* Computes u'/u of both systems. */
 static void oblique_ratios(long double ratio[2], long double a, long double kappa)
 {
     const long double a_kappa[2] = {a, kappa}, first = powl(reference_crossley_elastic_half(a), 0.25L);

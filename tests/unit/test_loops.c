@@ -128,7 +128,6 @@ static void run(const struct loop *l, const void *in, const void *of_eps, void *
         l->of_eps(l->contact, in, of_eps, out, n);
 }
 
-/* Compares the results of n arguments, starting with number `first`. */
 static void compare(const struct loop *l, const char *how, size_t first, size_t n)
 {
     for (size_t i = first; i < first + n; i++)

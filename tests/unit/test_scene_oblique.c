@@ -3,8 +3,7 @@
 #include "../reference/ode.h"
 #include "scene.h"
 
-/* ---- another method: y = {u, x', w, z}, x = u^d; w: tangential speed; z: displacement, force or rescaled memory ----
- * */
+/* ---- another method: y = {u, x', w, z}, x = u^d; w: tangential speed; z: displacement, force or memory ---- */
 
 struct reference {
     struct cor_exponents law; /* d = law.denominator, which is even */
@@ -265,8 +264,7 @@ static void compare(const struct impact *i)
     const int status = cor_scene_oblique(&oblique, &c, &t, i->mu, 1, i->tangent, i->end);
     if (status == COR_OK && !(oblique.eps >= 1e-3)) /* COR_OBLIQUE_ERROR does not hold for such eps */
         return;
-    /* Fails only if all these steps disagree: a slip shorter than a step can be missed, and roundings may begin a wrong
-     * mode. */
+    /* Only one of these steps must agree: a short slip can be missed, and roundings may begin a wrong mode. */
     static const long double steps[][2] = {{0.02L, 1e-9L}, {0.02L, 1e-7L}, {2e-4L, 1e-8L}};
     double other = NAN;
     for (size_t k = 0; k < COUNT_OF(steps) && !(fabs(oblique.restitution - other) < COR_OBLIQUE_ERROR); k++)
@@ -282,8 +280,7 @@ static void compare(const struct impact *i)
 TEST(against_another_method)
 {
     static const struct impact rare[] = {
-        /* a damper outside the friction limit holds w between slip and stick; in one case the limit is negative before
-         * the end */
+        /* a damper outside the limit holds w between slip and stick; in one case the friction limit becomes negative */
         {COR_LAW_HERTZ_DASHPOT, 1, COR_REMEMBERS_FORCE, 0, 0, 0.05, 0, 4, 0.7, 0.32, 1.8},
         {2, 0, 3, 0, 0, 0.031626973606115716, 0, 1.3718264680914363, 0.083633820266818537, 0.11072672221065727,
          1.2509808058731937},

@@ -84,7 +84,6 @@ static long double contact_force(const struct spheres *s, long double overlap)
     return s->yield_force + pi_long * s->radius * s->yield_pressure * (overlap - s->yield_overlap);
 }
 
-/* Computes the slopes of overlap, its speed, and the time. */
 static void spheres_slopes(long double *slope, const long double *y, const void *of)
 {
     const struct spheres *const s = of;

@@ -55,8 +55,7 @@ static void *call_with_all(void *unused)
     return NULL;
 }
 
-/* Returns the number of changed bytes on the painted stack after a thread has called the function; NULL: no function.
- * */
+/* Returns the number of changed bytes of the stack after a thread called the function, or nothing for NULL. */
 static size_t stack_taken(const struct public_function *function)
 {
     pthread_attr_t attributes;
