@@ -301,7 +301,7 @@ static void write_pair_sqrt(void)
     write_root_correction("disk_pair_sqrt", shape);
 }
 
-/* Writes the goal of times_pair before its last rounding. Checks that square_times only multiplies pairs, whose goals
+/* Writes the goal for times_pair, before the last rounding. Checks that square_times only multiplies pairs, whose goals
  * give an error of 2^-70. */
 static void write_times(void)
 {

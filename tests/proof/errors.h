@@ -19,7 +19,7 @@
 #define COR_PROOF_NEAR 0x1p-74
 /* the error of a correction of a square root, relative to the root */
 #define COR_PROOF_ROOT 0x1p-70
-/* rounding error of the series without its first term, relative to the rest; p is below COR_PROOF_SERIES_MAX_P */
+/* rounding error of the series without its first term, relative to this part; p is below COR_PROOF_SERIES_MAX_P */
 #define COR_PROOF_SERIES (5.1 * 0x1p-53)
 #define COR_PROOF_SERIES_MAX_P 0.4473
 /* |t - ln(1 + t) - p^2/2| of the series in real arithmetic, relative to p^3 */

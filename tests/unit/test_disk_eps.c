@@ -129,7 +129,7 @@ static const struct cell *cell_beyond(const struct cell *at, int across, int las
 }
 
 /* Joins the polynomials by Neville's interpolation. On a side next to smaller cells, the polynomial of these cells
- * counts. On a side in nu it replaces the own values; on a side in x the difference is interpolated, with zeros. */
+ * counts. On a side in nu it replaces the cell's values; on a side in x the difference is interpolated, with zeros. */
 static long double joined(const struct cell *at, long double x, long double y, long double *uncertainty)
 {
     const long double x_in = (x - at->x) / at->side, y_in = (y - at->nu) / at->side;

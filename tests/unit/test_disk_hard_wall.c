@@ -285,7 +285,7 @@ TEST(joins)
 enum { OBSERVED = 500 };
 struct watched {
     struct cor_disk_hard_wall_moment last;
-    double highest, widest, impulse, kicks, moved, swung; /* integrals: kicks of load, moved of velocity, swung of q */
+    double highest, widest, impulse, kicks, moved, swung; /* kicks, moved, swung: integrals of load, velocity, q */
     size_t moments, n;
     const struct cor_disk_mode *mode;
     const double *q, *q_dot;

@@ -280,7 +280,7 @@ static void compare(const struct impact *i)
 TEST(against_another_method)
 {
     static const struct impact rare[] = {
-        /* a damper outside the limit holds w between slip and stick; in one case the friction limit becomes negative */
+        /* a damper without friction limit holds w between slip and stick; in one case the limit becomes negative */
         {COR_LAW_HERTZ_DASHPOT, 1, COR_REMEMBERS_FORCE, 0, 0, 0.05, 0, 4, 0.7, 0.32, 1.8},
         {2, 0, 3, 0, 0, 0.031626973606115716, 0, 1.3718264680914363, 0.083633820266818537, 0.11072672221065727,
          1.2509808058731937},

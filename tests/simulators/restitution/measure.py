@@ -77,7 +77,7 @@ class Case:
         self.law, self.e, self.duration, self.expected, self.own, self.wall = law, e, duration, expected, own, wall
         self.eps = self.eps_most = None  # least and largest eps over the places within a time step
         self.change = 0.0
-        self.numbers = ()  # that a compiled driver needs
+        self.numbers = ()  # needed by a compiled driver
 
 
 HEADING = r"(Instead, [^:]*: |For eps = [^:]*: )?[^:,]*, (.*) \(([^()]*)\): contacts end at (.*)"
