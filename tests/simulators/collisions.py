@@ -494,7 +494,9 @@ def unlike(host, work, seed):
     seen = [row for command in commands for row in lines_of(command, "eps")]
     for kind, row in zip(e, seen):
         wanted = e[PAIR if kind in WALLS and host == "yade" else kind]
-        verdict(abs(float(row[-2]) - wanted) < 1e-3 and abs(float(row[-1])) < 1e-9 and steps[kind] > (0.8 if kind[3] else 0.9997) * UNLIKE_STEPS,
+        # 0.16 steps is the largest error seen; without the half step of gravity in yade.py it would be at least 0.43
+        verdict(abs(float(row[-2]) - wanted) < 0.3 / steps[kind] and abs(float(row[-1])) < 1e-9 and
+                steps[kind] > (0.8 if kind[3] else 0.9997) * UNLIKE_STEPS,
                 "%s, seed %d, body %d %s %s %d: eps %.5f, wanted %.5f, %.1f steps, change %s" %
                 (host.upper(), seed, kind[0] + 1, ("on", "falls on")[kind[3]], ("body", "wall")[kind[2]], kind[1] + 1,
                  float(row[-2]), wanted, steps[kind], row[-1]))
