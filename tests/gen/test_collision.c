@@ -526,7 +526,7 @@ TEST(test_surface)
 }
 
 /* Tests the enclosure of the least force at which the bodies stay together: they part at its lower end, but not at its
- * upper end. For beta = 6, B is next to the damping above which motions escape. */
+ * upper end. The first case, beta = 6, is next to the damping above which no motion turns. */
 TEST(test_sticking_force)
 {
     static const char *const laws[][2] = {{"3/2", "1/2"}, {"1", "0"},   {"3/2", "0"}, {"2", "1"},

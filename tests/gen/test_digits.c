@@ -91,7 +91,7 @@ TEST(test_doubles)
                  {1 + ulp, -54, -1},
                  {0x1p-1074, -1080, 1},
                  {0x1.8p-1073, -1100, 1},
-                 {0x1p-1022, -1076, -1}, /* a quarter of the subnormal ulp below */
+                 {0x1p-1022, -1076, -1}, /* 2^-1076 is a quarter of the smallest positive double */
                  {DBL_MAX, 960, 1}};
     LOCAL(arb, x);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {

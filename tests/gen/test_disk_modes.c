@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Tests free modes of the disk, and every mode of generated/disk_modes_*.h. A Rayleigh-Ritz discretisation checks the
- * count. The modes must satisfy the printed equation (25) and the integrals of (26) with Bessel functions of Arb, also
- * at extreme nu. */
+ * count of modes. The modes must satisfy the printed equation (25) and the integrals of (26) with Bessel functions of
+ * Arb, also at extreme nu. */
 #include "ball.h"
 
 #include "cor/disk.h"
@@ -375,7 +375,7 @@ static void assert_nearest(double x, const arb_t exact, const char *what, const 
     }
 }
 
-/* Checks a mode of a table: (25) must change its sign at the root that the generator found. */
+/* Checks a mode of a table. The left side of (25) must change its sign at the root that the generator found. */
 static void check_mode(const fmpq_t nu, const struct cor_disk_mode *mode, const struct disk_mode *found)
 {
     LOCAL(arb, omega, c, s);
@@ -513,7 +513,7 @@ TEST(test_corners_of_nu)
     for (slong n = 0; n <= 3; n++) {
         assert_int_equal(disk_mode_solve(mode, nu, n, 4, 0, 140), 0);
         assert_true(middle(mode->omega) > 1e15 && middle(mode->omega) < 1e17);
-        assert_root(mode, nu, 120, 600); /* a torsional mode is 100 bits away */
+        assert_root(mode, nu, 120, 600); /* relative distance of a torsional mode: 2^-100 */
     }
 }
 

@@ -28,7 +28,7 @@ static struct embed_scene scene_of(enum cor_end end, double beta_min, double bet
     FOR_ALL(arb, init, s.beta_per_root, s.beta_enclosed, s.h_star_5);
     arb_one(s.beta_per_root);
     arb_one(s.beta_enclosed);
-    arb_set_d(s.h_star_5, 5.158); /* approximate, because only test_far_parts uses it */
+    arb_set_d(s.h_star_5, 5.158); /* test_far_parts, which needs the exact value, sets it */
     return s;
 }
 

@@ -134,7 +134,7 @@ TEST(test_doubles)
     _arb_vec_clear(x, COUNT);
 }
 
-/* Rows inside a function, hexadecimal and decimal, give the same doubles. The csv digits of hexadecimal rows and of
+/* Hexadecimal and decimal rows inside a function give the same doubles. The csv digits of hexadecimal rows and of
  * structs read back to the same doubles. */
 TEST(test_rows)
 {
@@ -216,7 +216,7 @@ TEST(test_rows)
     _arb_vec_clear(x, ROWS * COLUMNS);
 }
 
-/* A text of emit_lines in each type */
+/* emit_lines with float, and with double */
 TEST(test_types)
 {
     static const char *const expected[] = {"double sqrt(1.0) 64 0.3333333333333333 4599676419421066581",

@@ -44,7 +44,7 @@ static bool enclose(struct complex_ball *y, const struct cor_exponents *law, str
     return complex_law_zero_force(y, law, log_beta, &pressing, &path);
 }
 
-/* Every path, with weak and strong damping, a > b, a = b and a < b, and n of both signs */
+/* Every way to an end of contact, with weak and strong damping, for a > b, a = b and a < b */
 static const struct {
     const char *elastic, *damping;
     enum way way;

@@ -19,7 +19,7 @@ static void assert_in(struct complex_ball ball, double complex exact, double sla
     const double off = cabs(ball.re + I * ball.im - exact);
     check(off <= ball.radius + slack * cabs(exact), "%s: %g %+g i +- %g does not contain %g %+g i", what, ball.re,
           ball.im, ball.radius, creal(exact), cimag(exact));
-    if (!(off <= 0.02 * cabs(exact))) /* the centre is close */
+    if (!(off <= 0.02 * cabs(exact))) /* the centre is off by at most 2 % */
         fail_msg("%s: the centre %g %+g i is far from %g %+g i", what, ball.re, ball.im, creal(exact), cimag(exact));
 }
 
@@ -53,7 +53,7 @@ TEST(test_real_axis)
     }
 }
 
-/* One Runge-Kutta step for dw/ds = v/2, dv/ds = -w^2 (beta v + w^2), dt/ds = w (derivation, 6) */
+/* One Runge-Kutta step for dw/ds = v/2, dv/ds = -w^2 (beta v + w^2), dt/ds = w */
 static void motion_step(double complex y[3], double complex beta, double complex h)
 {
     double complex k[4][3];
@@ -302,8 +302,8 @@ static void creep_rest(arb_t rest, arb_t Y, arb_t bound, const struct creep_seri
     creep_series_remainder(bound, s, r);
 }
 
-/* a_1 = 2, a_2 = 3/2, a_3 = 3, a_4 = 9 by hand. Enclosed collisions give the same C within the remainder, even where Y
- * is small and the remainder large. Without the last term they disagree. */
+/* a_1 = 2, a_2 = 3/2, a_3 = 3, a_4 = 9 by hand. Enclosed collisions give the same constant C = rest within the
+ * remainder, even where Y is small and the remainder large. Without the last term they disagree. */
 TEST(test_creep_series)
 {
     static const double first[] = {2, 1.5, 3, 9};

@@ -129,7 +129,7 @@ static void write_root_correction(const std::string &name, gappa g)
     g.write(name, {}, "|$c - R / (2 * $p)| in [0, 1b-70]");
 }
 
-/* Returns the number of a constant's double. */
+/* Returns a double as a rational number. */
 static mpq_class rational(number x)
 {
     return mpq_class(x);

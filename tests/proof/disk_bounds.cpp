@@ -328,7 +328,7 @@ static double limit_error(void)
 
 /* ---- sums over the domain ---- */
 
-/* The largest bound in ulp, for each of two assumptions about libm, and its place */
+/* Two assumptions about libm. struct bound has the largest bound in ulp for each of them, and its place. */
 static const library libraries[2] = {{COR_PROOF_LOG_ULP, COR_PROOF_LOG1P_ULP},
                                      {COR_PROOF_LOG_NEAR_ULP, COR_PROOF_LOG1P_ULP}};
 

@@ -294,7 +294,7 @@ static unsigned long part, parts = 1, files, written;
 /* Patterns of the selected names; empty: all */
 static std::vector<std::string> patterns;
 
-/* Returns the number of a constant, or NaN. */
+/* Returns the value of a constant, or NaN for another operation. */
 static number constant_of(int id)
 {
     return of(id).what == CONSTANT ? of(id).value : NAN;

@@ -236,7 +236,7 @@ struct Bits {
     }
 };
 
-/* Returns the result of an operation without a meaning here, or of two constants. */
+/* Returns the result of an operation on two constants, or of one that gives bits without a named meaning. */
 inline Bits mixed(word value, Bits x, Bits y)
 {
     const Bits &one = x.what == Bits::NOTHING ? y : x;
@@ -267,7 +267,7 @@ inline Bits operator&(Bits x, Bits y)
         return x;
     if (x.what == Bits::ALL && masks.count(y.value))
         return Bits(value, masks.at(y.value), x.of);
-    decide(value); /* the cell of an octave */
+    decide(value); /* bits that select the cell of an octave */
     return Bits(value);
 }
 

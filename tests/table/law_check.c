@@ -83,7 +83,7 @@ static int case_solve(struct collision *s, const struct law_case *c, const arb_t
         return status;
     }
     const double b = arf_get_d(arb_midref(beta), ARF_RND_NEAR);
-    return collision_solve(s, beta, &c->law, BITS + (b < 1 ? (slong)-log2(b) : 0)); /* here 1 - eps has BITS bits */
+    return collision_solve(s, beta, &c->law, BITS + (b < 1 ? (slong)-log2(b) : 0)); /* so that 1 - eps has BITS bits */
 }
 
 /* Computes eps and the duration at an end. With damping during approach only, the rebound is elastic, so both follow

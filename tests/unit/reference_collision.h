@@ -18,8 +18,8 @@ struct reference_collision {
  *     x_0'' = -load/m,     Q'' = -omega^2 Q - (1/m) int (C cos(n phi) cos(phi) - S sin(n phi) sin(phi)) exp(alpha x)
  *     dphi,
  * by Taylor series of order 20 to 34 in time. The integrals use Gauss's rule of 16 points on equal panels of the
- * quadrant. Each run has steps, order and panels for an error 100 times smaller than in the run before. The first runs
- * are in long double, the later ones in quad precision. The runs end when two of them agree to `needed` in eps.
+ * quadrant. From run to run, steps, order and panels reduce the error 100 times. The first runs are in long double,
+ * the later ones in quad precision. The runs end when two of them agree to `needed` in eps.
  * energy_after and energy_average are NULL or receive n numbers. Returns 0, or 1 if even the last runs do not agree
  * (*out has their numbers), or 2 after 10^6 steps. */
 int reference_disk_collision(const struct cor_disk_mode *mode, size_t n, double alpha, double speed, double needed,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Computes the collision of a disk with a rigid wall directly by the formulas of derivation 17: every sum is written
- * out, and every contact is found anew. The forces act as plain kicks, with an error of order h^2. The method is slow;
- * it is the reference for runtime/disk/hard_wall_*.c. */
+/* Computes the collision of a disk with a rigid wall by the formulas of docs/theory-disks.md, 17, directly: every sum
+ * is written out, and every contact is found anew. The forces act as plain kicks, with an error of order h^2. The
+ * method is slow; it is the reference for runtime/disk/hard_wall_*.c. */
 #ifndef COR_TESTS_REFERENCE_HARD_WALL_H
 #define COR_TESTS_REFERENCE_HARD_WALL_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Computes the cosine integral of cor/disk.h along the real axis for one mode after the other,
+/* Computes the cosine integral I of cor/disk.h for each mode, along the real axis,
  *
  *     I(omega) = int_0^(pi/2) sin(theta) cos(omega s(theta)) dtheta,     s(theta) = int_theta^(pi/2) sqrt(y/2) dtheta',
  *     y = 1 + t,     t - ln(1 + t) = 2 ln(v_limit/(v sin(theta))),

@@ -38,8 +38,7 @@ static inline int law_is_complete(int law)
 #ifndef COR_FUZZ_H /* fuzz targets do not use cmocka */
 #include "check.h"
 
-/* Returns the contact of a scene; if there are two, the contact whose restitution was measured at the end.
- * COR_BOTH_ENDS: the scene has only one contact. */
+/* Returns the only contact of a scene for COR_BOTH_ENDS, otherwise the one whose restitution was measured at `end`. */
 static inline struct cor_scene_contact scene_contact(const struct cor_scene *scene, int end)
 {
     struct cor_scene_contact contacts[COR_SCENE_ENDS];

@@ -75,7 +75,7 @@ TEST(test_cells)
         assert_non_null(cell_at[k]);
 }
 
-/* Squares and places give the piece that contains a point, even close to the corners of pieces. */
+/* The lookup finds the piece that contains a point, even close to the corners of pieces. */
 TEST(test_places)
 {
     const struct cor_disk_limit_table table = {COR_DISK_LIMIT_X_ROOTS, COR_DISK_LIMIT_NU_ROOTS, COR_DISK_LIMIT_X_FIRST,

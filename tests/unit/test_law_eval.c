@@ -68,7 +68,7 @@ TEST(linear_beta)
               "beta of loss 2^%d", k);
 }
 
-/* Beyond the other rows, the duration of a law with fading ends is a row times eps^(-num/den). */
+/* Beyond the other rows, a row contains the duration times eps^fading. */
 static const double *rows_of_3_4(int row)
 {
     static const double three_quarters[16] = {0.75};

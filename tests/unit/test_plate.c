@@ -236,7 +236,7 @@ TEST(conditions)
         for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++)
             check_nan(cor_plate_least_half_width_m(&c, &wrong[k], 1), cor_plate_contact_radius_ratio(&c, &wrong[k], 1),
                       cor_plate_shear_crossings(&c, &wrong[k], 1));
-        for (int k = 0; k < 6; k++) { /* a sphere cannot have 0 or less of these */
+        for (int k = 0; k < 6; k++) { /* these numbers of a sphere must be above 0 */
             struct cor_body body = s.sphere;
             *(k / 2 == 0 ? &body.young_modulus_pa : k / 2 == 1 ? &body.radius_m : &body.mass_kg) = -k % 2;
             check_nan(cor_plate_sphere_crossings(&c, &body, 1));

@@ -160,7 +160,7 @@ TEST(neither_the_way_nor_the_number_of_points_matters)
     const double there = load_at(disk, 0.05);
     load_at(disk, 0.3);
     load_at(disk, -0.01);
-    const double others[] = {load_at(disk, 0.05), load_at(disk, 0.05), load_at(finer, 0.05)}; /* back, again, finer */
+    const double others[] = {load_at(disk, 0.05), load_at(disk, 0.05), load_at(finer, 0.05)}; /* 2: again; 3: finer */
     for (size_t i = 0; i < COUNT_OF(others); i++)
         check(fabs(others[i] / there - 1) <= 1e-12, "%.17g, %.17g", others[i], there);
     free(disk);

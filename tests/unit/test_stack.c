@@ -118,7 +118,7 @@ TEST(stack_of_functions)
 
 static size_t allocations;
 
-#ifdef COR_TEST_WRAPS_MALLOC /* by the linker */
+#ifdef COR_TEST_WRAPS_MALLOC /* the linker replaces malloc */
 #define WRAP(name, parameters, given)                                                                                  \
     void *__real_##name parameters;                                                                                    \
     void *__wrap_##name parameters;                                                                                    \
