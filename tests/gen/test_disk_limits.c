@@ -6,7 +6,7 @@
 
 enum { PIECES = sizeof cor_disk_limit_piece / sizeof *cor_disk_limit_piece, MOST_BYTES = 1 << 22 };
 
-/* Writing the table in memory again gives the bytes of the file. corgen contains only the collisions, not the pieces. */
+/* Writing the table in memory again gives the bytes of the file. corgen contains only collisions, not the pieces. */
 TEST(test_file)
 {
     static char text[MOST_BYTES];
