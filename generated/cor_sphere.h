@@ -457,7 +457,6 @@ COR_INLINE double cor_inline_grid_t(struct cor_inline_grid grid, double y, int i
     return (y - grid.first) - i * grid.step;
 }
 
-/* Returns the place of y. */
 COR_INLINE struct cor_inline_place cor_inline_grid_place(struct cor_inline_grid grid, double y,
                                                          const double *(*rows)(int))
 {
@@ -511,7 +510,6 @@ COR_INLINE double cor_inline_octaves_t(struct cor_inline_octaves grid, double x)
     return cor_inline_from_bits(fraction | one) - cor_inline_from_bits(node | one);
 }
 
-/* Returns the place of x. */
 COR_INLINE struct cor_inline_place cor_inline_octaves_place(struct cor_inline_octaves grid, double x,
                                                             const double *(*rows)(int))
 {
@@ -558,8 +556,8 @@ COR_INLINE struct cor_inline_pair cor_inline_two_thirds(double beta)
     return cor_inline_sum(square, square * (d * (2.0 / 3 + d * (5.0 / 9))));
 }
 
-/* Returns the logarithmic factor of a tail. Up to u = end, rows in u = ln(beta) give this factor; the error of u causes
- * its error. For larger u, a series to second order in mu = beta^(-5/3) gives it. */
+/* Returns the logarithmic factor of a tail. Up to u = end, rows in u = ln(beta) give this factor; its error is the
+ * error of u times the slope. For larger u, a series to second order in mu = beta^(-5/3) gives it. */
 COR_INLINE struct cor_inline_pair cor_inline_log_factor(double beta, struct cor_inline_grid grid, double end,
                                                         const double *(*rows)(int), const double *(*far)(int))
 {

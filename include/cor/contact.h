@@ -78,8 +78,8 @@ struct cor_sphere_contact {
  * rho is the constant of Hertz's law with his combined modulus E*; for equal materials it equals (2). The formula for A
  * follows from three facts. Both bodies carry the same force F = f_i(xi_i + A_i xi_i'), which is (13) to first order in
  * A_i. The inverse of f_i is proportional to c_i. The overlaps xi_i add up to xi. The compliances c_i are therefore the
- * weights of the mean. For equal materials the mean is exact. For unequal materials it is a model that holds while A_1
- * and A_2 are short compared with the duration of the contact.
+ * weights of the mean. For equal materials the mean is exact. For unequal materials the mean is a model that holds
+ * while A_1 and A_2 are short compared with the duration of the contact.
  * Accuracy of beta_per_root and scale: COR_CONTACT_MAX_ULP, sampled in tests/unit/test_contact.c.
  *
  * Returns COR_OK, the status of the first wrong input, or COR_ERROR_RANGE. COR_ERROR_RANGE means that an input or a
@@ -134,8 +134,8 @@ COR_API double cor_contact_duration_s_zero_overlap(const struct cor_sphere_conta
 COR_API double cor_contact_duration_s_zero_force(const struct cor_sphere_contact *contact, double speed_m_s);
 
 /* Returns the largest overlap at impact speed g >= 0, m: scale g^(4/5) cor_sphere_max_overlap(beta).
- * Accuracy: COR_CONTACT_MAX_ULP. Special values: speed 0 -> 0, +inf -> +inf; negative or NaN speed, or a contact whose
- * scale is not known (init failed, or filled from only g*) -> NaN. */
+ * Accuracy: COR_CONTACT_MAX_ULP. Special values: speed 0 -> 0, +inf -> +inf; negative or NaN speed, or a contact of
+ * unknown scale (init failed, or filled from only g*) -> NaN. */
 COR_API double cor_contact_max_overlap_m(const struct cor_sphere_contact *contact, double speed_m_s);
 
 /* ---- A from one measured eps ---- */
@@ -143,8 +143,8 @@ COR_API double cor_contact_max_overlap_m(const struct cor_sphere_contact *contac
 /* Return the dissipation time A of the pair, s, from eps measured at impact speed g > 0, m/s: A = (2/3) beta(eps) scale
  * g^(-1/5), where beta(eps) is cor_sphere_beta_.... The contact may have been filled with any A.
  * Accuracy: COR_CONTACT_MAX_ULP, with the given eps treated as exact (sphere.h, the inverse).
- * Special values: eps 1 -> 0, 0 -> +inf; eps outside [0, 1], speed not positive, infinite or NaN, or a contact whose
- * scale is not known (init failed, or filled from only g*) -> NaN. */
+ * Special values: eps 1 -> 0, 0 -> +inf. eps outside [0, 1] or NaN, a speed that is infinite, NaN or not positive, or a
+ * contact of unknown scale (init failed, or filled from only g*) -> NaN. */
 COR_API double cor_contact_dissipation_time_s_zero_overlap(const struct cor_sphere_contact *contact, double speed_m_s,
                                                            double eps);
 COR_API double cor_contact_dissipation_time_s_zero_force(const struct cor_sphere_contact *contact, double speed_m_s,

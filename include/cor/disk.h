@@ -324,7 +324,6 @@ COR_API int cor_disk_collision_array(const struct cor_disk_modes *modes, size_t 
                                      const struct cor_disk_collision_options *options, const double *speed, size_t n,
                                      struct cor_disk_collision *out, int *status);
 
-/* A moment of a collision */
 struct cor_disk_moment {
     double time;
     double position;    /* x_0; the compression is x_0 + 1 */
@@ -414,7 +413,6 @@ COR_API int cor_disk_hard_wall(const struct cor_disk_modes *modes, size_t n_mode
 COR_API int cor_disk_hard_wall_nu(double nu, const struct cor_disk_hard_wall_options *options, double speed,
                                   struct cor_disk_hard_wall *out);
 
-/* A moment of a collision with a rigid wall */
 struct cor_disk_hard_wall_moment {
     double time;          /* since the first touch */
     double position;      /* x_0; the compression is x_0 + 1 */

@@ -614,7 +614,6 @@ struct cor_simulator_model {
     long since, until; /* versions with the model, by cor_simulator_version; 0: no known limit */
 };
 
-/* A simulator, and how its input is written */
 struct cor_simulator {
     const char *name, *title; /* "lammps", "LAMMPS" */
     int integrator;           /* enum cor_integrator */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Evaluates the table of generated/disk_limits.h: 1 - eps^2 as a function of x = v^(1/8) and nu. corgen uses this file,
- * too. In x, 0.002 and 0.2 are about as far apart as 2e-7 and 0.002, so the grid is denser for faster disks.
+ * too. The speeds 0.002 and 0.2 are about as far apart in x as 2e-7 and 0.002, so the grid is denser for faster disks.
  *
  * The plane is divided into cells. A cell in which a polynomial of degree 3 in x and in nu is not accurate enough is
  * divided into four, repeatedly. Near smaller cells the function of a cell blends into their functions
@@ -66,7 +66,6 @@ COR_INLINE const struct cor_disk_limit_piece *cor_disk_limit_find(const struct c
     return &table->piece[table->place[(square >> 4) + (row << x_bits) + column]];
 }
 
-/* Returns the value of a piece's polynomial. */
 COR_INLINE double cor_disk_limit_value(const struct cor_disk_limit_piece *piece, double x, double nu)
 {
     const double s = (x - piece->x) * (double)piece->per_x, t = (nu - piece->nu) * (double)piece->per_nu;

@@ -34,7 +34,6 @@ struct cor_closed_form {
             cor_##law##_eps_beyond##end, cor_##law##_loss_beyond##end, cor_##law##_##x##_beyond##end                   \
     }
 
-/* Forms by the damping ratio, and of Hunt and Crossley's law */
 static const struct cor_closed_form ratio_zero_overlap = FORM(ratio, zeta, _zero_overlap, RATIO, ZETA, _ZERO_OVERLAP),
                                     ratio_zero_force = FORM(ratio, zeta, _zero_force, RATIO, ZETA, _ZERO_FORCE),
                                     ratio_limited = FORM(ratio, zeta, _limited, RATIO, ZETA, _LIMITED),

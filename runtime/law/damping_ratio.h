@@ -22,7 +22,6 @@
 #define COR_RATIO_TINY COR_INLINE_2_M900
 /* The kernels of A(zeta) are valid up to this zeta. */
 #define COR_RATIO_FORCE_NEAR 3.0
-/* The largest double below 1 */
 #define COR_RATIO_BELOW_ONE 0.99999999999999988898
 
 /* ---- polynomials: see runtime/number/elementary.h ---- */

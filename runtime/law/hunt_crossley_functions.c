@@ -10,7 +10,6 @@
 
 /* ---- a = 1 and a = 3/2 by tables ---- */
 
-/* Tables and constants of one exponent */
 struct crossley_tables {
     const double *(*max_rows)(int), *(*duration_rows)(int), *(*far_max)(int), *(*far_rebound)(int);
     struct cor_inline_pair exponent; /* k = a/(a + 1) */

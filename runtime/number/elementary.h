@@ -149,8 +149,8 @@ COR_KERNEL double cor_kernel_one_minus_exp_minus(struct cor_inline_pair x)
     return (1 - power) - power * (d.r + d.q);
 }
 
-/* Returns exp(x) for |x| <= 700; the result is undefined beyond. Loops of disks use it because it needs fewer
- * operations than exp of pairs. It is Taylor's series on |r| <= ln(2)/2 with terms down to 2^-55. */
+/* Returns exp(x) for |x| <= 700; the result is undefined beyond. The loops of runtime/disk use this function because it
+ * needs fewer operations than exp of pairs. It is Taylor's series on |r| <= ln(2)/2 with terms down to 2^-55. */
 COR_KERNEL double cor_kernel_exp(double x)
 {
     const double shifted = x * 1.4426950408889634 + COR_KERNEL_INTEGER, k = shifted - COR_KERNEL_INTEGER;

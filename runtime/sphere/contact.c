@@ -213,7 +213,6 @@ double cor_contact_max_overlap_m(const struct cor_sphere_contact *contact, doubl
     return overflows ? INFINITY : cor_contact_overlap_of(contact->scale, root, overlap);
 }
 
-/* Returns A from the beta of a measured eps. */
 static double dissipation_time(const struct cor_sphere_contact *contact, double speed, double beta)
 {
     if (!cor_contact_is_ordinary(contact, 1) || !cor_si_in_range(speed) || cor_inline_is_refused(beta))

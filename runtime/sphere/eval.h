@@ -33,8 +33,8 @@ COR_INLINE struct cor_inline_pair cor_inline_two_thirds(double beta)
     return cor_inline_sum(square, square * (d * (2.0 / 3 + d * (5.0 / 9))));
 }
 
-/* Returns the logarithmic factor of a tail. Up to u = end, rows in u = ln(beta) give this factor; the error of u causes
- * its error. For larger u, a series to second order in mu = beta^(-5/3) gives it. */
+/* Returns the logarithmic factor of a tail. Up to u = end, rows in u = ln(beta) give this factor; its error is the
+ * error of u times the slope. For larger u, a series to second order in mu = beta^(-5/3) gives it. */
 COR_INLINE struct cor_inline_pair cor_inline_log_factor(double beta, struct cor_inline_grid grid, double end,
                                                         const double *(*rows)(int), const double *(*far)(int))
 {

@@ -213,7 +213,7 @@ COR_KERNEL struct cor_inline_place cor_inline_law_near(struct cor_inline_law_tab
     return cor_inline_place_of(table.rows(i), cor_inline_grid_t(table.grid, y, i));
 }
 
-/* Returns c_0 and the remainder of the row of x = hi + lo, by octaves. */
+/* Returns c_0 and the remainder of the row of x = hi + lo, in a table by octaves. */
 COR_KERNEL struct cor_inline_pair cor_inline_law_octave_row(struct cor_inline_law_table table, struct cor_inline_pair x)
 {
     struct cor_inline_place place = cor_inline_law_octave(table, x.hi);
@@ -241,8 +241,7 @@ COR_KERNEL struct cor_inline_pair cor_inline_law_far(struct cor_inline_law_quant
     return cor_inline_sum(sum.hi, sum.lo + (((slope.lo + c[2] * u.lo) + c[3] * v) + (c[1] + orders)));
 }
 
-/* Returns the sum of two pairs times powers of two. *exponent is the exponent of x, and is set to the exponent of the
- * sum. */
+/* Returns x 2^*exponent + y 2^y_exponent as a pair times 2^*exponent, with the new *exponent. */
 COR_INLINE struct cor_inline_pair cor_inline_pair_plus(struct cor_inline_pair x, int *exponent,
                                                        struct cor_inline_pair y, int y_exponent)
 {
@@ -338,7 +337,6 @@ COR_KERNEL double cor_inline_law_value(struct cor_inline_law_quantity q, double 
 
 /* ---- eps and 1 - eps ---- */
 
-/* Returns 1 - eps near beta = 0. */
 COR_KERNEL double cor_inline_law_near_loss(struct cor_inline_law_quantity q, double beta)
 {
     return cor_inline_law_product(cor_inline_law_near(q.near, beta), beta);

@@ -102,7 +102,6 @@ COR_INLINE double cor_inline_grid_t(struct cor_inline_grid grid, double y, int i
     return (y - grid.first) - i * grid.step;
 }
 
-/* Returns the place of y. */
 COR_INLINE struct cor_inline_place cor_inline_grid_place(struct cor_inline_grid grid, double y,
                                                          const double *(*rows)(int))
 {
@@ -156,7 +155,6 @@ COR_INLINE double cor_inline_octaves_t(struct cor_inline_octaves grid, double x)
     return cor_inline_from_bits(fraction | one) - cor_inline_from_bits(node | one);
 }
 
-/* Returns the place of x. */
 COR_INLINE struct cor_inline_place cor_inline_octaves_place(struct cor_inline_octaves grid, double x,
                                                             const double *(*rows)(int))
 {
