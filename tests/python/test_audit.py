@@ -25,6 +25,7 @@ import pytest
 
 import cor
 from cor._audit import physics
+from cor._audit.clump import clump, superquadric
 from cor._audit.deck import DeckError, Options
 from cor._command import main
 
@@ -149,7 +150,9 @@ def test_closed_forms(audited):
                 math.isnan(e)
                 or not row["realised"]
                 or re.search("wall|facet|fixed|box", row["pair"])
-                or re.search("damping of all|up to the threshold|includes the cohesion", row["advice"])
+                or re.search(
+                    "damping of all|up to the threshold|includes the cohesion|ignores the damping", row["advice"]
+                )
             ):
                 continue
             fit = np.polyval([4.8218, -18.022, 27.467, -22.348, 11.087, -4.2783, 1.2728], e)
@@ -256,6 +259,39 @@ def test_defaults(tmp_path, name, default):
         run("audit", write(tmp_path, "deck.py", MINDLIN.format(t)), "--format", "json", "--speed", "1") for t in texts
     ]
     assert rows[0] == rows[1] != rows[2] and rows[0][0] == 0, rows
+
+
+def test_shapes():
+    """Volumes and levers of two spheres, also overlapping or with masses, of an ellipsoid, and of a body too large."""
+    gap, lever = 0.012, 0.006**2 / (0.4 * 0.005**2 + 0.006**2)
+    for masses in (None, [1, 1]):
+        volume, found = clump([(0, 0, 0, 0.005), (0, 0, gap, 0.005)], masses)
+        assert abs(volume / (8 / 3 * math.pi * 0.005**3) - 1) < 1e-3
+        assert found == pytest.approx((lever, lever), abs=1e-3)
+    lens = math.pi * (4 * 0.005 + 0.004) * (2 * 0.005 - 0.004) ** 2 / 12
+    assert clump([(0, 0, 0, 0.005), (0.004, 0, 0, 0.005)])[0] == pytest.approx(
+        8 / 3 * math.pi * 0.005**3 - lens, 1e-3
+    )
+    volume, radius, found = superquadric(1, 2, 3, 2, 2)
+    assert (volume, radius, found[0]) == pytest.approx((8 * math.pi, 3, 2), 1e-3)
+    assert superquadric(1, 1, 1, 100, 100)[0] == pytest.approx(8, 3e-2)
+    assert math.isnan(clump([(k, 0, 0, 1) for k in range(500)])[0])
+
+
+def test_off_centre(tmp_path):
+    """Impacts off the centre return less than e, except without damping."""
+    text = (DECKS[0].parent / "liggghts-multisphere.lig").read_text()
+    for e, status in (("0.7", 3), ("1", 0)):
+        found, out, _ = run("audit", write(tmp_path, "a.lig", text.replace("pair 1 0.7", f"pair 1 {e}")))
+        assert found == status and ("down to about 0.671" in out) == (status == 3), out
+
+
+def test_template_words(tmp_path):
+    """A template word without a value is a remark that changes the status."""
+    for word, status in (("1e-5", 0), ("{{STEP}}", 4)):
+        text = VISCOUS.format(f"O.dt={word}\n").replace("en=0.5", "en=1")
+        found, out, _ = run("audit", write(tmp_path, "a.py", text))
+        assert found == status and ("template word {{STEP}}" in out) == (status == 4), out
 
 
 def test_walls_and_lines(tmp_path):

@@ -150,6 +150,18 @@ def test_kept_and_late(tmp_path, monkeypatch):
     assert not rows and "--run has no contact to measure" in messages and "sets no contact itself" in messages
 
 
+def test_late_material(tmp_path):
+    """YADE: a material that the script makes after a run is measured at a later run, or at the end of the script."""
+    deck, run_ = tmp_path / "deck.py", "O.dt=1e-5\nO.run(1,True)\n"
+    loop = "InteractionLoop([Ig2_Sphere_Sphere_ScGeom()],[Ip2_ViscElMat_ViscElMat_ViscElPhys()],"
+    engines = f"O.engines=[{loop}[Law2_ScGeom_ViscElPhys_Basic()]),NewtonIntegrator(damping=0)]\n"
+    kinds = [f"O.materials.append(ViscElMat(tc=1e-3,en={e},et=1,density=2500))\n" for e in (0.5, 0.3)]
+    for end in (run_, ""):
+        deck.write_text(engines + kinds[0] + run_ + kinds[1] + end)
+        rows, _ = measured(deck, ["--radius", "0.01", "--speed", "1"], program_of(deck))
+        assert len(rows) == 3 and all(row["measured_small_step"] for row in rows), rows
+
+
 def test_difference(tmp_path):
     """The advice states the difference between the program's eps and cor's if cor assumes another version."""
     deck = tmp_path / "deck.lmp"

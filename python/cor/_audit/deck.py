@@ -47,7 +47,8 @@ class Body:
 
     name: the type, label or geometry, as in column `pair`. radius: least and largest. mass: least and largest, if
     density and radius do not give it (set mass, rigid bodies). wall: infinite radius and mass. held: a sphere of
-    infinite mass (frozen, fixed). type: the simulator's number of the type; 0: no type."""
+    infinite mass (frozen, fixed). type: the simulator's number of the type; 0: no type. lever: 0 for a sphere;
+    otherwise the result of clump(), NaN if unknown."""
 
     name: str
     radius: Tuple[float, float] = (NAN, NAN)
@@ -58,6 +59,7 @@ class Body:
     wall: bool = False
     held: bool = False
     type: int = 0
+    lever: Tuple[float, float] = (0.0, 0.0)
 
 
 @dataclass(eq=False)
@@ -96,7 +98,8 @@ class Contact:
     [start, end) of repair.text that contain e. gravity: acceleration that presses a sphere against a wall.
     global_damping: the fraction by which YADE increases forces against the motion and decreases forces along it.
     losses: sentences about losses outside contacts. cohesion: LIGGGHTS's sjkr or sjkr2, and its energy density. notes:
-    sentences for the advice. unknown: reason why eps is not computed."""
+    sentences for the advice. unknown: reason why eps is not computed. refused: the simulator's
+    error, with which it stops."""
 
     file: str
     line: int
@@ -114,7 +117,9 @@ class Contact:
     solimp: Optional[Tuple[float, ...]] = None  # MuJoCo: dmin, dmax, width, midpoint, power
     softness: float = 1.0  # of cor_mujoco_eps
     cohesion: Tuple[str, float] = "", 0.0
+    luding: Optional[Tuple[float, ...]] = None  # k1, kp, kc, G0 and PhiF of a pair
     unknown: str = ""
+    refused: str = ""
     notes: List[str] = field(default_factory=list)
     losses: List[str] = field(default_factory=list)
     repair: Optional[Repair] = None

@@ -13,6 +13,8 @@ from typing import Any, Dict, FrozenSet, Iterator, List, Optional, Sequence, Tup
 
 from .._cor import lib
 
+from .clump import clump, superquadric
+
 from .deck import (
     MAX_CONTACTS, NAN, NO_FRICTION, ROLLS, Body, Contact, Deck, Options, Remark, Repair, Spring, Tangential, Units,
     share,
@@ -50,13 +52,13 @@ _TANGENTIAL = ("mindlin", "mindlin/force", "mindlin_rescale", "mindlin_rescale/f
 _OLD = {"hooke": "linear_nohistory", "hooke/history": "linear_history", "hertz/history": "mindlin"}
 _MIXED = "LAMMPS mixes the tangential forces of two types"
 _STILL = "a fix without /sphere moves the particles, or they are discs"
-_RIGID = "\0rigid"  # the group of atoms inserted as parts of bodies
 
 
 @dataclass
 class Cohort:
     """Atoms of one type. radius and mass: least and largest. kind: created by a command, read from a file, or assumed.
-    count and id: 0 if unknown. at: the position of a single atom."""
+    count and id: 0 if unknown. at: the position of a single atom. body: "", or the kind of body to which each atom
+    belongs; mass and lever belong to this body, too. shape: half sides and powers of a superquadric."""
 
     type: int
     radius: Tuple[float, float] = (NAN, NAN)
@@ -67,6 +69,9 @@ class Cohort:
     id: int = 0
     at: Tuple[float, ...] = ()
     groups: FrozenSet[str] = frozenset(("all",))
+    body: str = ""
+    lever: Tuple[float, float] = (0.0, 0.0)
+    shape: Tuple[float, ...] = ()
 
     @classmethod
     def of(cls, type: float, radius: Sequence[float], density: Sequence[float], **more: Any) -> "Cohort":
@@ -104,11 +109,6 @@ class Moving:
     held: str
     rigid: str
 
-    def reason(self) -> str:
-        whole = self.body.mass[0] if self.rigid and self.body.mass else 0.0
-        text = f"The particles belong to rigid bodies ({self.rigid}), whose mass counts and is not known here."
-        return text if math.isnan(whole) else ""
-
 
 def _span(word: str) -> Tuple[int, int]:
     """Returns the range of types of "3", "*", "2*", "*4", "2*4" or "2:4"."""
@@ -122,6 +122,16 @@ def _span(word: str) -> Tuple[int, int]:
 
 def _sphere(radius: float, density: float) -> float:
     return 4 * math.pi / 3 * radius**3 * density
+
+
+def _rows(text: str, width: int) -> List[List[float]]:
+    """Returns the numbers of a text in rows; no row if the text has another form."""
+    try:
+        numbers = [float(word) for word in text.split()]
+    except ValueError:
+        return []
+    whole = len(numbers) % width == 0
+    return [numbers[i : i + width] for i in range(0, len(numbers), width)] if whole else []
 
 
 def _same(x: Any, y: Any) -> bool:
@@ -149,6 +159,7 @@ class Granular(System):
         self.cohorts: List[Cohort] = []
         self.group_names: Dict[str, bool] = {"all": True}
         self.regions: Dict[str, Words] = {}
+        self.molecules: Dict[str, List[Cohort]] = {}
         self.box: Optional[Words] = None
         self.fixes: Dict[str, Words] = {}
         self.style: List[Coefficient] = []
@@ -266,6 +277,8 @@ class Granular(System):
             return
         made = Cohort.of(words.number(1), [0.5], [1.0], count=int(is_single), id=max(self.created, 0))
         made.at = tuple(words.value(i) for i in (3, 4, 5)) if is_single and not self.is_scaled else ()
+        if self.atom_style.startswith("superquadric"):
+            made.body, made.shape = "superquadric", (NAN, NAN, NAN, 2.0, 2.0)
         self.set_density(made, 1.0)
         last = self.cohorts[-1] if self.cohorts else made
         if len(self.cohorts) < MAX_COHORTS:
@@ -336,7 +349,8 @@ class Granular(System):
             cohort.groups |= {name}
 
     def on_set(self, words: Words) -> bool:
-        wanted = ("diameter", "density", "density/disc", "mass", "type", "type/fraction", "type/ratio", "type/subset")
+        wanted = "diameter density density/disc mass type type/fraction type/ratio type/subset".split()
+        wanted += ["shape", "blockiness", "roundness"]
         keys = [i for i in range(3, len(words) - 1) if words[i] in wanted]
         chosen = self.divide(self.selected(words[1], [words[2]])) if keys else []
         for i in keys if chosen else []:
@@ -347,6 +361,12 @@ class Granular(System):
             for cohort in chosen:
                 if key.startswith("type"):
                     cohort.type = int(value) if value >= 1 else cohort.type
+                elif key in wanted[-3:]:
+                    if cohort.shape and key == "shape":
+                        cohort.shape = (*(words.value(i + k) for k in (1, 2, 3)), *cohort.shape[3:])
+                    elif cohort.shape:
+                        cohort.shape = (*cohort.shape[:3], value, words.value(i + 2))
+                    self.set_density(cohort, cohort.density)
                 elif key == "mass":
                     cohort.mass, cohort.density = (value, value), NAN
                 elif key == "diameter":
@@ -360,6 +380,10 @@ class Granular(System):
         return bool(keys)
 
     def set_density(self, cohort: Cohort, density: float, is_disc: bool = False) -> None:
+        if cohort.shape:
+            volume, radius, cohort.lever = superquadric(*cohort.shape)
+            cohort.radius, cohort.mass, cohort.density = (radius, radius), (volume * density, volume * density), density
+            return
         is_disc = is_disc or (self.is_liggghts and self.dimension == 2)
         least, largest = (math.pi * r**2 * density if is_disc else _sphere(r, density) for r in cohort.radius)
         cohort.mass, cohort.density = (least, largest), NAN if is_disc else density
@@ -409,7 +433,10 @@ class Granular(System):
     def pour(self, words: Words, is_pour: bool, groups: FrozenSet[str]) -> None:
         type = int(words.number(5))
         if "mol" in words[6:] or "rigid" in words[6:]:
-            self.cohorts.append(Cohort(type or 1, groups=groups | {_RIGID}))
+            name = words.after("mol", 6)
+            self.cohorts += [replace(c, type=c.type + type, groups=groups) for c in self.molecules.get(name, ())] or [
+                Cohort(type or 1, groups=groups, body=f"molecule {name}", lever=(NAN, NAN))
+            ]
             return
         at, sizes = words.find("diam", 6), [1.0]
         if is_pour and at > 0:
@@ -438,9 +465,57 @@ class Granular(System):
         for i in (words.find("radius", 4), words.find("density", 4)):
             count = {"constant": 1, "uniform": 2}.get(words[i + 1], 0) if i > 0 else 0
             limits.append([words.value(i + 2 + k) for k in range(count)] or [NAN])
-        if words[3] != "particletemplate/sphere":
-            groups, limits = groups | {_RIGID}, [[NAN], [NAN]]
-        return [Cohort.of(type, *limits, groups=groups)] if type >= 1 else []
+        made = Cohort.of(type, *limits, groups=groups) if type >= 1 else None
+        if made and words[3] != "particletemplate/sphere":
+            made.body, made.radius, made.mass, made.lever = f"body {words[1]}", (NAN, NAN), (NAN, NAN), (NAN, NAN)
+            self.shape_template(made, words, limits[1])
+        return [made] if made else []
+
+    def shape_template(self, made: Cohort, words: Words, density: List[float]) -> None:
+        """Reads the size of the body of a template: spheres X Y Z R ..., or shape constant A B C."""
+        volume, at = NAN, words.find("spheres", 4) + 1
+        if words[3] == "particletemplate/multisphere" and at > 0:
+            count, scale = words.value(words.find("nspheres", 4) + 1), 1.0
+            text = " ".join(words[at : at + (4 * int(count) if 0 < count < MAX_TYPES else 0)])
+            if words[at] == "file":
+                found = self.options.include(words[at + 1], words.line.file)
+                text, scale = re.sub("#.*", "", found[0] if found else ""), words.value(at + 3)
+                scale = scale if words[at + 2] == "scale" else 1.0
+            spheres = _rows(text, 4)
+            volume, made.lever = clump([[scale * x for x in row] for row in spheres])
+            radii = [scale * row[3] for row in spheres] or [NAN]
+            made.radius = min(radii), max(radii)
+            if words.find("mass", at) > 0:
+                made.mass, made.lever = (words.value(words.find("mass", at) + 1),) * 2, (NAN, NAN)
+                return
+        elif words[3] == "particletemplate/superquadric":
+            sides, powers, half = (words.find(key, 4) for key in ("shape", "blockiness", "size"))
+            shape = [words.value(sides + k) for k in (2, 3, 4)] if sides > 0 else [words.value(half + 2) / 2] * 3
+            shape += [words.value(powers + k) for k in (2, 3)] if powers > 0 else [2.0, 2.0]
+            is_constant = all(words[k + 1] == "constant" for k in (sides, powers, half) if k > 0) and sides + half > 0
+            volume, radius, made.lever = superquadric(*(shape if is_constant else [NAN] * 5))
+            made.radius = radius, radius
+        made.mass = volume * density[0], volume * density[-1]
+
+    def on_molecule(self, words: Words) -> None:
+        """Reads a molecule of LAMMPS: a rigid body of spheres, which fix pour inserts."""
+        found = self.options.include(words[2], words.line.file) if is_known(words[2]) else None
+        text = re.sub("#.*", "", found[0] if found else "")
+        columns: Dict[str, List[List[float]]] = {}
+        for part in re.finditer(r"^[ \t]*(Coords|Types|Diameters|Masses)\s*\n((?:\s*\d.*\n?)+)", text, re.M):
+            columns[part[1]] = [row[1:] for row in sorted(_rows(part[2], 4 if part[1] == "Coords" else 2))]
+        spheres = [[*at, size / 2] for at, (size,) in zip(columns.get("Coords", ()), columns.get("Diameters", ()))]
+        masses = [mass for mass, in columns.get("Masses", ())] or [_sphere(s[3], 1.0) for s in spheres]
+        types = [int(type) for type, in columns.get("Types", ())] or [0] * len(spheres)
+        self.molecules[words[1]] = []
+        if len(spheres) == len(masses) == len(types) > 0:
+            lever = clump(spheres, masses)[1] if not re.search(r"\d\s+inertia\b", text) else (NAN, NAN)
+            given = re.search(r"([\d.eE+-]+)\s+mass\b", text)
+            mass = number(given[1]) if given else sum(masses)
+            for type in sorted(set(types)):
+                radii = [s[3] for s, of in zip(spheres, types) if of == type]
+                made = Cohort(type, (min(radii), max(radii)), (mass, mass), body=f"molecule {words[1]}", lever=lever)
+                self.molecules[words[1]].append(made)
 
     def on_neigh_modify(self, words: Words) -> None:
         for i in (i for i, word in enumerate(words) if word == "exclude"):
@@ -526,16 +601,18 @@ class Granular(System):
         is_moved = not moved or is_from_restart or any(f[2] in c.groups or f[2] not in self.group_names for f in moved)
         return "" if is_moved and not any(f[2] in c.groups for f in self.has("nve/noforce|move")) else "fixed"
 
-    def rigid(self, c: Cohort) -> Tuple[str, float]:
-        """Returns the fix that makes a cohort part of a rigid body, and the mass of the body if it is known."""
-        if _RIGID in c.groups:
-            return "by template", NAN
+    def rigid(self, c: Cohort) -> Tuple[str, float, Tuple[float, float]]:
+        """Returns the fix or template that makes a cohort part of a body, and the body's mass and lever."""
+        if c.body:
+            return c.body, c.mass[0] if c.mass[0] == c.mass[1] else NAN, c.lever
         for f in self.has("rigid.*|multisphere.*"):
             if f[2] in c.groups:
                 members = [x for x in self.cohorts if f[2] in x.groups and x.kind != "assumed"]
                 is_single = f[4] == "single" and members and all(x.count > 0 for x in members)
-                return f"fix {f[1]}", sum(x.mass[0] * x.count for x in members) if is_single else NAN
-        return "", NAN
+                whole = sum(x.mass[0] * x.count for x in members) if is_single else NAN
+                turns = not re.search(r"\storque\s+\S+\s+off\s+off\s+off\b", f.expanded)
+                return f"fix {f[1]}", whole, (NAN, NAN) if turns else (0.0, 0.0)
+        return "", NAN, (0.0, 0.0)
 
     def count_types(self) -> int:
         """Returns the number of types. If no command states it, counts the types of the contacts."""
@@ -551,14 +628,14 @@ class Granular(System):
         made = [c for c in self.cohorts if c.kind != "assumed"]
         if self.is_liggghts and not any(c.kind == "made" for c in made):
             made += [c for t in self.templates() for c in self.of_template(t, frozenset(("all",)))]
-        classes: Dict[int, Dict[Tuple[str, str, float], List[Cohort]]] = {}
+        classes: Dict[int, Dict[Tuple[Any, ...], List[Cohort]]] = {}
         if self.has_unread_atoms or not (made or self.cohorts):
             made += [Cohort(i + 1, kind="file") for i in range(self.count_types())]
         for c in made or self.cohorts:
             classes.setdefault(c.type, {}).setdefault((self.hold(c), *self.rigid(c)), []).append(c)
         found: Dict[int, List[Moving]] = {}
         for type in sorted(classes):
-            for (held, rigid, whole), members in classes[type].items():
+            for (held, rigid, whole, lever), members in classes[type].items():
                 unknown = any(math.isnan(c.radius[0]) for c in members)
                 radius = (NAN,) if unknown else [c.radius[0] for c in members] + [c.radius[1] for c in members]
                 masses = [c.mass[0] for c in members] + [c.mass[1] for c in members]
@@ -568,7 +645,7 @@ class Granular(System):
                     mass = None
                 is_named = len(classes[type]) > 1 or held == "fixed"
                 name = f"{type} {held or rigid if is_named else ''}".strip()
-                body = Body(name, (min(radius), max(radius)), density, mass, held=bool(held), type=type)
+                body = Body(name, (min(radius), max(radius)), density, mass, held=bool(held), type=type, lever=lever)
                 found.setdefault(type, []).append(Moving(self.with_material(body), members, held, rigid))
         return found
 
@@ -654,10 +731,11 @@ class Granular(System):
         for i, j, own, other in pairs:
             for m, one in enumerate(moving[i] if own else ()):
                 for two in moving[j][m if i == j else 0 :]:
-                    is_same_body = one.rigid and one.rigid == two.rigid and not one.reason()
+                    is_one_body = one.rigid.startswith("fix") and one.body.mass == one.body.mass
+                    is_same_body = is_one_body and one.rigid == two.rigid
                     if own and not (one.held and two.held) and not is_same_body and not self.is_excluded(one, two):
                         contact = self.between(own, other, one.body, two.body)
-                        contact.unknown = contact.unknown or one.reason() or two.reason() or self.added(i, j)
+                        contact.unknown = contact.unknown or self.added(i, j)
                         if "fixed" in (one.held, two.held) and contact.model and not contact.unknown:
                             self.fix_one(contact)
                         yield contact
@@ -800,6 +878,8 @@ class Granular(System):
         contact = self.new(words, one, two, f"gran model {model}")
         old = _OLD_MODEL.fullmatch(model.replace("wall/", ""))
         model = old[1] + (old[4] or "") if old else model
+        if model == "hertz/break":
+            model, contact.notes = "hertz", ["Fragments that overlap after a break have smaller forces."]
         if model not in _MODELS:
             contact.unknown = f"cor does not support the contact model {model}; it knows {', '.join(_MODELS)}."
             return contact
@@ -842,15 +922,14 @@ class Granular(System):
         if words.after("rolling_friction", at) not in ("", "off"):
             contact.tangential = Tangential(ROLLS)
         reasons = {
-            "superquadric": "The particles are superquadrics, which cor does not support.",
             "cohesion": "The cohesion changes eps.",
             "viscous": "With 'viscous on', the Stokes number of each impact sets the damping.",
             "absolute_damping": "With 'absolute_damping on', LIGGGHTS uses gamman_abs, which cor does not read.",
         }
         if math.isnan(contact.number):
             contact.unknown = f"A value is not known here: {name}."
-        elif not is_stiff and contact.number <= 0.05:
-            contact.unknown = "LIGGGHTS refuses e of 0.05 and less."
+        elif not is_stiff and not 0.05 < contact.number <= 1:
+            contact.refused = "LIGGGHTS stops with an error: e must be above 0.05 and at most 1."
         cohesion = words.after("cohesion", at)
         if old and words[at + 2][-1:] in tuple("13579"):
             is_on, cohesion = is_on | {"cohesion"}, "sjkr"
@@ -879,7 +958,6 @@ class Granular(System):
                 made = (
                     self.new(words, m.body, wall, style, unknown) if unknown else self.between(of, None, m.body, wall)
                 )
-                made.unknown = made.unknown or m.reason()
                 made.gravity = self.pressing(words)
                 found.append((m, made))
             if found and self.are_alike([m for m, _ in found]):

@@ -92,6 +92,7 @@ class Script:
         self.log = open(os.path.join(folder, "cor-sent"), "w", encoding="utf-8", errors="surrogateescape")
         self.sent: List[str] = ["newton off"]  # commands that restore the state
         self.left_out: Dict[str, List[int]] = {}
+        self.bodies: List[str] = []  # fixes of rigid bodies, which are not executed
         self.fixes: Dict[str, List[str]] = {}  # the words of each existing fix, in the order of definition
         self.places: Dict[str, str] = {}  # the line of each fix
         for file, text in ("cor-jump", "jump cor-jumped"), ("cor-jumped", 'print "cor jumped"'):
@@ -195,6 +196,10 @@ class Script:
             and writes(words)
         ):
             self.left_out.setdefault(" ".join(words[:1] + words[3:4] * (name == "fix")), []).append(self.number)
+        elif name == "fix" and (words[3] == "multisphere" or words[3].startswith("insert/") and self.has_bodies()):
+            self.bodies.append(words[1])  # LIGGGHTS cannot remove this fix; cor adds particles with the mass of a body
+        elif name == "unfix" and words[1] in self.bodies:
+            pass
         elif name == "clear":
             self.fixes, kept = {}, [line for line in self.sent if re.match("variable|next|include cor-jump", line)]
             self.keep("clear", "newton off")
@@ -209,6 +214,9 @@ class Script:
             elif name == "unfix":
                 self.fixes.pop(words[1], None)
         return None
+
+    def has_bodies(self) -> bool:
+        return any(words[3] == "particletemplate/multisphere" for words in self.fixes.values())
 
     def keep(self, *lines: str) -> None:
         self.sent += lines

@@ -37,6 +37,7 @@ _MATERIALS = "FrictMat FrictMatCDM FrictViscoMat ViscElMat ViscElCapMat LudingMa
 _FRICTIONAL = {  # functors of linear springs without dashpots, and the numbers of a material that bonds two spheres
     "Ip2_FrictMat_FrictMat_FrictPhys": ("FrictPhys, CundallStrack", ()),
     "Ip2_CohFrictMat_CohFrictMat_CohFrictPhys": ("CohFrictPhys, CohesionMoment", ("normalCohesion", "shearCohesion")),
+    "Ip2_FrictMat_CpmMat_FrictPhys": ("FrictPhys, CundallStrack", ()),
     "Ip2_JCFpmMat_JCFpmMat_JCFpmPhys": ("JCFpmPhys", ("tensileStrength", "cohesion")),
 }
 
@@ -574,6 +575,9 @@ class _Reader:
         return self.deck
 
     def look_into_functions(self, tree: ast.Module) -> None:
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Set) and isinstance(node.elts[0], ast.Set):  # {{WORD}}
+                self.script.note(node.lineno, f"the template word {ast.unparse(node)} has no value here", True)
         functions = [f for f in ast.walk(tree) if isinstance(f, ast.FunctionDef)]
         for function in functions:
             for node in ast.walk(function) if function.name not in self.script.called else []:
@@ -698,12 +702,32 @@ class _Reader:
             if not strengths:
                 c.tangential = Tangential("cundall-strack", shear, 0.0, self.friction(functor, a, b))
             self.set_bonds(c, functor, strengths, a, b)
+        elif functor is not None and functor.name == "Ip2_LudingMat_LudingMat_LudingPhys" and a and b:
+            numbers = [_pair([m.number(key) for m in (a, b)]) * 2 for key in ("k1", "kp", "kc", "G0", "PhiF")]
+            c.model, c.number, c.spring, c.style = "YADE_KN_CN", 0.0, Spring.HOOKE, "LudingPhys"
+            c.stiffness, c.luding = numbers[0], tuple(numbers)
+            c.notes.append("eps includes plastic overlap, adhesion and all damping, but no error of the time step.")
+            if numbers[0] >= numbers[1]:
+                c.refused = "YADE stops with an error: k1 must be below kp."
+            elif any(map(math.isnan, numbers)):
+                c.unknown = "Of its material k1, kp, kc, G0 or PhiF is not a constant."
+        elif functor is not None and functor.name == "Ip2_CpmMat_CpmMat_CpmPhys":
+            self.set_concrete(c, functor, a, b)
         elif functor is None:
             c.style = "-".join(names)
             c.unknown = f"The script has no Ip2 functor for {' and '.join(dict.fromkeys(names))}."
         else:
             c.style = functor.name
             c.unknown = f"cor does not support the contact of {' and '.join(dict.fromkeys(names))} by {functor.name}."
+        laws = [t.name for t in self.script.things if t.name.startswith("Law2_")]
+        physics = functor.name.rpartition("_")[2] if functor is not None and laws and c.model else ""
+        laws = [law for law in laws if f"_{physics}_" in law]
+        if physics and not laws:
+            c.unknown = c.unknown or f"The script has no Law2 functor for {physics}."
+        elif physics == "MindlinPhys" and not laws[-1].endswith("_Mindlin"):
+            c.notes.append(f"{laws[-1]} ignores the damping.")
+            c.zeta_factor, c.number = 0.0, 0.0 if c.model == "YADE_BETAN" else c.number
+            c.tangential = Tangential(f"cor has no model of {laws[-1]}")
 
     def set_bonds(self, c: Contact, functor: Thing, strengths: Sequence[str], *materials: Optional[Thing]) -> None:
         """Refuses contacts with a bond that can pull. Bonds that form only in the first steps are noted."""
@@ -715,6 +739,20 @@ class _Reader:
                 c.unknown = "The cohesion changes eps."
             elif now is not False or "cohesion" in strengths:
                 c.notes.append("eps holds for contacts whose bond is broken or absent.")
+
+    def set_concrete(self, c: Contact, functor: Thing, a: Optional[Thing], b: Optional[Thing]) -> None:
+        """Sets the spring of CpmPhys without a bond. Bonds of only the first steps do not act later."""
+        c.model, c.number, c.spring, c.style, c.line = "YADE_KN_CN", 0.0, Spring.HOOKE, "CpmPhys", functor.line
+        radii = [body.radius[0] for body in c.bodies]
+        length = radii[0] if c.bodies[1].wall else sum(radii)
+        c.stiffness = math.pi * min(self.radii(c)) ** 2 * sum(body.young for body in c.bodies) / 2 / length
+        law = next((t for t in reversed(self.script.things) if t.name == "Law2_ScGeom_CpmPhys_Cpm"), None)
+        soft = law is not None and not law.number("epsSoft", 1.0) >= 0
+        c.notes.append("eps holds for contacts whose bond is broken or absent.")
+        if not 0 <= functor.number("cohesiveThresholdIter", 10) <= 10:
+            c.unknown = "The cohesion changes eps."
+        elif soft or "E" in functor.values or any(m is None or m.number("isoPrestress", 0.0) != 0 for m in (a, b)):
+            c.unknown = "cor does not support epsSoft, isoPrestress, or E of the functor."
 
     def set_mindlin(self, c: Contact, functor: Thing, a: Optional[Thing], b: Optional[Thing]) -> None:
         c.line, c.spring, c.number = functor.line, Spring.MATERIAL, 0.0
