@@ -19,8 +19,8 @@ enum { MOST_BALLS = 6000, DEEPEST = 24 /* largest number of times that a square 
 #define STRONG_OVERLAP 1.4
 #define STRONG_FORCE (-1.5)
 #define STRONG_ABOUT 0.7
-/* Resolution of the paths, divided by e, if the impact speed nearest to the sticking speed v_s is (1 + e) v_s. It was
- * chosen by experiment: with 2, proofs took twice as long. */
+/* If the impact speed nearest to the sticking speed v_s is (1 + e) v_s, the resolution of the paths is at most
+ * NEAR_STICKING e. The value was chosen by experiment. With 2 instead, proofs took twice as long. */
 #define NEAR_STICKING 5
 /* Width of a strip in ln(speed) */
 #define STRIP 0.25

@@ -17,9 +17,9 @@ struct ellipse_bound {
 enum { ELLIPSES = 9 };
 extern const struct ellipse_bound ellipse_stated[ELLIPSES];
 
-/* Proves that the quantities of ellipse_bound_set, in the form that the interval stores, are analytic in the ellipse.
- * Bounds their moduli by collisions enclosed in balls that cover the ellipse. Returns 0, or 1 after reporting on stderr
- * that the ellipse is too large to be covered. */
+/* Proves that the quantities of ellipse_bound_set, in the form that the interval stores, are analytic in the ellipse,
+ * and bounds their moduli. Encloses collisions in balls that cover the ellipse. Returns 0, or 1 after reporting on
+ * stderr that the ellipse is too large to be covered. */
 int ellipse_bound_make(struct ellipse_bound *bound, const struct interval *interval, double rho);
 
 /* Bounds eps at one end of contact for another law in the same way. The other moduli are 0. Returns false without a
@@ -27,7 +27,7 @@ int ellipse_bound_make(struct ellipse_bound *bound, const struct interval *inter
 bool ellipse_bound_of_law(struct ellipse_bound *bound, const struct interpolant *f, const struct interval *interval,
                           enum quantity eps, double rho);
 
-/* Returns the interval's quantities, in intervals of ln(beta) without the duration at zero overlap. */
+/* Returns the interval's quantities. For an interval of ln(beta), omits the duration at zero overlap. */
 unsigned ellipse_bound_set(const struct interval *interval);
 
 #endif

@@ -79,7 +79,7 @@ static void far_cell_clear(struct far_cell *cell)
  * 8). */
 static void limit_on(arb_poly_t y, enum quantity quantity, const struct far_cell *cell)
 {
-    const slong events = quantity == DURATION_ZERO_FORCE ? 2 : 1; /* slow phases; a phase lasts of order ln(1/mu) */
+    const slong events = quantity == DURATION_ZERO_FORCE ? 2 : 1; /* slow phases, whose durations grow like ln(1/mu) */
     const double lo = cell->lo;
     LOCAL(arb, x, c);
     arb_poly_zero(y);

@@ -65,8 +65,8 @@ enum interval_variable {
 /* The form in which a quantity is sampled */
 enum interval_form {
     FORM_VALUE,
-    FORM_QUOTIENT, /* (1 - eps)/beta for eps */
-    FORM_LOG,      /* ln(eps) for eps, which may fall by many powers of ten */
+    FORM_QUOTIENT, /* (1 - eps)/beta instead of eps */
+    FORM_LOG,      /* ln(eps) instead of eps, which may fall by many powers of ten */
     FORM_POWER     /* the quantity divided by its power of beta, interpolant_tail_power */
 };
 

@@ -22,8 +22,8 @@ enum {
 };
 
 /* Points of an interval, and bits of its samples. Intervals of ln(beta) have the length ln(2) up to beta = 8. For
- * ln(beta) >= 2 they are 2 to 3, 3 to 4, 4 to 6, 6 to 8, .... Intervals of ln(beta_c - beta) span 2 octaves, or where
- * eps is almost linear 5, below 2^BELOW_WIDE_TO, and 10, below 2^BELOW_WIDEST_TO. */
+ * ln(beta) >= 2 they are 2 to 3, 3 to 4, 4 to 6, 6 to 8, .... Intervals of ln(beta_c - beta) span 2 octaves.
+ * Where eps is almost linear they span more: 5 octaves below 2^BELOW_WIDE_TO, 10 octaves below 2^BELOW_WIDEST_TO. */
 enum {
     NEAR_POINTS = 18,
     MIDDLE_POINTS = 36,
@@ -196,9 +196,8 @@ static double octave_of(double x)
     return floor(log2(x));
 }
 
-/* The parts of the layout, in the order of enum law_part. holds: the quantity, at zero overlap, that tables for eps
- * contain instead of eps; -1: they contain eps. The next fields are the stem and the title of a table for eps, with
- * `%s` for the end of contact, the stem of other tables, and the variable. */
+/* The parts of the layout, in the order of enum law_part. In the texts, %s is the end of contact or the quantity.
+ * holds: the quantity at zero overlap in tables for eps; -1: eps itself. stem: of tables for other quantities */
 static const struct part {
     int holds;
     const char *stem_of_eps, *title_of_eps, *stem;

@@ -26,15 +26,15 @@ struct law_table {
     enum law_part part;       /* the part that the rows cover */
     enum quantity serves;     /* quantity of the functions that use the rows; derived layouts only */
     char stem[40], title[64]; /* end of the table's name; first line of its comment */
-    struct pieces rows;       /* input of pieces_make, or with rows = 0 of pieces_fit. If first is NAN, the rows of
+    struct pieces rows;       /* input of pieces_make; if rows = 0, input of pieces_fit. If first is NAN, the rows of
                                * an inverse begin at law_layout_inverse_octave(). */
 };
 
 struct law_layout {
     struct interpolant_layout interpolant; /* owns its intervals */
     slong root;                            /* root of beta and of 1 - eps in the near rows of eps at zero force */
-    slong root_of_time;                    /* root of beta in the near rows of the duration, which also has powers
-                                            * beta^(1/(a-b)) */
+    slong root_of_time;                    /* root of beta in the near rows of the duration at zero force; the
+                                            * duration also has powers beta^(1/(a-b)) */
     double near_end, last_log;
     double overlap_end; /* beta where middle rows of zero overlap end and rows in beta_c - beta, if any, begin */
     double overlap_log; /* q > 0: ln(beta) at which the tail rows of eps at zero overlap end. 0: no such rows,
@@ -87,9 +87,9 @@ int law_tables_emit(struct emit *e, const struct law_tables *t, bool floats);
 /* Writes the rows of eps, loss, duration and inverse for damping during the approach only. Errors are sampled. */
 int law_tables_emit_approach(struct emit *e, const struct law_tables *t, const char *prefix);
 
-/* The first returns true if the quantity has coefficients beyond the rows, the second if also `fall`
- * (interpolant.h). */
+/* True if the quantity has coefficients beyond the rows */
 bool law_tables_have_far(const struct law_tables *t, enum quantity quantity);
+/* True if the quantity also has the coefficient `fall` (interpolant.h) */
 bool law_tables_have_fall(const struct law_tables *t, enum quantity quantity);
 
 /* Computes one row and returns its length. FAR_COLUMNS: the coefficients a_0, a_0', a_1, a_1', a_2, ... of a quantity,
@@ -97,8 +97,9 @@ bool law_tables_have_fall(const struct law_tables *t, enum quantity quantity);
  * BETA_ZERO_FORCE beyond the rows: a, a', b_0, ... (interpolant_far_inverse). */
 slong law_tables_far_row(arb_ptr row, const struct law_tables *t, enum quantity quantity);
 
-/* Write a row of law_tables_far_row, or the coefficient `fall` as two doubles. */
+/* Writes the row of law_tables_far_row. */
 int law_tables_emit_far(struct emit *e, const struct law_tables *t, enum quantity quantity, const char *name);
+/* Writes the coefficient `fall` as two doubles. */
 int law_tables_emit_fall(struct emit *e, const struct law_tables *t, const char *name);
 
 #endif

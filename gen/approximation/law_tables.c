@@ -9,7 +9,7 @@
 
 enum { ATTEMPTS = 3, SPLIT_BITS = 192 };
 
-/* Largest relative error of an interpolant from which the error of rows is measured */
+/* Largest relative error of an interpolant that is the reference for the errors of rows */
 #define INTERPOLANT_LIMIT 4e-18
 
 /* Makes the interpolant of the layout. Adds samples while it is not accurate enough. */

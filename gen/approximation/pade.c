@@ -404,7 +404,7 @@ static int try_precision(struct pade *f, arb_poly_t c, bool *regular, const stru
     return status;
 }
 
-/* True if every coefficient has `bits` relative bits. Sets *power to the first that has fewer. */
+/* True if every coefficient has `bits` relative bits. Otherwise sets *power to the index of one that has fewer. */
 static bool is_accurate(const arb_poly_t p, slong bits, slong *power)
 {
     for (slong i = 0; i < arb_poly_length(p); i++) {

@@ -176,7 +176,7 @@ static void gamma_bound(arb_t g, slong k)
     LET(g, BITS, "k/(2^53 - k)", k);
 }
 
-/* Bounds the relative error of P(z) by Horner's rule for every z of the interval. Each coefficient carries at most
+/* Bounds the relative error of Horner's rule for P(z), for every z of the interval. Each coefficient carries at most
  * OPERATIONS_PER_DEGREE deg P + 1 factors (1 + delta), |delta| <= u (Higham 2002, 5.1). The condition sum |p_i|
  * z^i / |P(z)| multiplies their effect. */
 static void horner_error(arb_t error, const arb_poly_t p, const arb_poly_t magnitude, const arb_poly_t slope,

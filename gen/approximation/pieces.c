@@ -433,8 +433,8 @@ void pieces_clear(struct pieces *p)
     p->value = p->bits = NULL;
 }
 
-/* The variable y, and the range in a table's title as a format. Tables by octaves print 2^first and the end of the
- * table, the latter as a power of 2 if `log`. Other tables print one limit. */
+/* y: the variable. range: the range in a table's title, as a format. Tables by octaves print 2^first and the end, which
+ * is also printed as a power of 2 if `log` is true. Other tables print one limit. */
 static const struct {
     const char *y, *range;
     bool log;

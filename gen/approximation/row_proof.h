@@ -48,8 +48,8 @@ void interpolant_proof_eps(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const 
 bool interpolant_proof_creep(arb_poly_t duration, const struct interpolant_proof *proof, const arb_poly_t eps,
                              const arb_poly_t time, const arb_poly_t u, const arb_poly_t mu);
 
-/* Returns -log2 of a proved bound of the relative error of a row of doubles c, p->degree + 2 columns, in its cell, or
- * NaN without a proof. */
+/* Returns -log2 of a proved bound of a row's relative error in its cell, or NaN without a proof. c: the p->degree + 2
+ * columns of the row */
 double row_proof_bits(const struct interpolant_proof *proof, const struct pieces *p, slong row, const double *c);
 
 /* Proves all rows of p and replaces the sampled p->bits. Returns 0, or 1 after reporting a row that misses its

@@ -70,7 +70,7 @@ struct embed_arguments {
 
 struct plan_arguments {
     struct option_common common;
-    struct embed_request scene; /* disks use only both speeds, tolerance and Poisson's ratio */
+    struct embed_request scene; /* for disks: the range of speeds, the tolerance and Poisson's ratio only */
     slong points;               /* 0 if not given */
     bool disks;
     enum plan_quantity quantity;

@@ -51,7 +51,7 @@ struct option_rule {
     } range;
     const struct cor_scene_option *scene; /* row of cor_scene_options with the option's unit and range; NULL: none */
     const char *unit;                     /* unit of a number, such as "Pa"; NULL: no unit */
-    const char *why;      /* for messages: reason of an upper limit; or the kind of the words, as "a type" */
+    const char *why;      /* for messages: the reason for an upper limit, or the kind of the words, such as "a type" */
     const char *excludes; /* options that contradict this one, space separated, or NULL */
     const char *needs;    /* the option that this one requires, or NULL */
 };
@@ -103,9 +103,9 @@ struct option_law {
     struct cor_exponents exponents;
 };
 
-/* Fills *arguments and *help from argv[1], ... Returns STATUS_OK. After a message on stderr that names the command,
- * argv[0], it returns STATUS_USAGE, or STATUS_FAILED if a file cannot be written. In all cases options_clear() frees
- * the memory that the fields own. */
+/* Fills *arguments and *help from argv[1], ... Returns STATUS_OK, STATUS_USAGE after a message that names the command
+ * argv[0], or STATUS_FAILED after a message about a file that cannot be written. In all cases options_clear() frees the
+ * memory that the fields own. */
 int options_parse(void *arguments, const struct option_rule *rules, int argc, char **argv, bool *help);
 void options_clear(void *arguments, const struct option_rule *rules);
 

@@ -48,9 +48,9 @@ enum { CONTACT_DIGITS = 12, CONTACT_DIGITS_TEXT = 6 };
 
 /* Fills a table with the columns quantity,value,unit. For two contacts, one for each end at which eps may have been
  * measured, the columns are value_zero_overlap and value_zero_force. Unknown quantities have no row. Spheres have
- * Rayleigh's time step and, if they adhere, Tabor's number. friction, if not NaN: adds kappa, u'/u without slip, and
- * the largest angle in degrees at which spheres, or a sphere and a wall, stick when they touch. tangential, if not NaN:
- * adds the spring and the dashpot of a linear contact with this tangential restitution */
+ * Rayleigh's time step and, if they adhere, Tabor's number. friction: if not NaN, adds kappa, the ratio u'/u without
+ * slip, and the largest angle in degrees at which spheres, or a sphere and a wall, stick when they touch. tangential:
+ * if not NaN, adds the spring and the dashpot of a linear contact with this tangential restitution */
 void contact_summary(struct table *table, const struct contacts *contacts, double friction, double tangential,
                      int digits);
 
@@ -78,8 +78,8 @@ int contact_end(const struct contacts *contacts, int contact);
 
 extern const char *const contact_simulator_names[]; /* names of cor_simulators, the word for the list, NULL */
 
-/* Returns the malloc'ed text of corgen contact --for SIMULATOR, or of a list if one is requested. NULL after a message:
- * the simulator is unknown or cannot reproduce this contact. A list needs no contacts. */
+/* Returns the malloc'ed text of corgen contact --for SIMULATOR, or of a list if one is requested. NULL after a message
+ * if the simulator is unknown or cannot reproduce this contact. A list needs no contacts. */
 char *contact_simulator_text(const struct cor_simulator_request *request);
 
 /* Returns the malloc'ed lines for all contacts of the materials in a csv file. pairs: a csv file with measured pairs,

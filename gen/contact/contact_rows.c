@@ -57,7 +57,7 @@ void contact_print_ranges(FILE *file, const struct contacts *contacts, bool rows
                 tabor, COR_TABOR_DISTANCE_M, COR_TABOR_JKR, COR_TABOR_DMT);
 }
 
-/* Adds a row for a quantity that is not among the quantities of cor/scene.h, unless it is NaN. value: one for each
+/* Adds a row for a quantity that cor/scene.h does not have. If the value is NaN, adds no row. value: one for each
  * contact */
 static void add_number(struct table *table, const struct contacts *contacts, const char *name,
                        const double value[COR_SCENE_ENDS], const char *unit, int digits)

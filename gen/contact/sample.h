@@ -40,7 +40,7 @@ struct sample_points {
 struct sample {
     struct sample_points best;
     struct sample_points even; /* a table of the same size, evenly spaced in speed or, with `log`, in its logarithm */
-    double error_of_fewer;     /* smallest error with one point less; infinite for one segment, or over 1000 */
+    double error_of_fewer;     /* smallest error with one point fewer; infinite: 1 segment, or more than 1000 */
 };
 
 /* Returns STATUS_OK, STATUS_USAGE after a message if the tolerance needs too many points or eps vanishes in the range,

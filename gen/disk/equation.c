@@ -136,10 +136,10 @@ static void combine_products(arb_t f, arb_t rest, arb_srcptr t0, const struct di
 
 enum { UNDECIDED_SIGN = 3 };
 
-/* Returns the number of negative eigenvalues of the rim's 2 x 2 stiffness matrix for the free disk, minus their number
- * for the clamped disk; n >= 1. Up to positive factors, the clamped matrix has the determinant D = x y - n^2 and a
- * diagonal element -y/D, the free one F/D and -P/D. F is the left side of the equation, and P = y + D/g. Returns
- * UNDECIDED_SIGN if a sign is undecided. */
+/* Counts the negative eigenvalues of the rim's 2 x 2 stiffness matrix, for n >= 1. Returns the count for the free disk
+ * minus the count for the clamped disk, or UNDECIDED_SIGN. Up to positive factors, the clamped matrix has the
+ * determinant D = x y - n^2 and a diagonal element -y/D. The free matrix has the determinant F/D and a diagonal element
+ * -P/D. F is the left side of the equation, and P = y + D/g. */
 static int count_eigenvalues(arb_srcptr t0, const struct disk *disk, const struct waves *v, slong n)
 {
     const slong prec = disk->prec;

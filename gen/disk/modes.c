@@ -253,7 +253,8 @@ static void count_order(void *pointer, slong i)
     } while (work->below[n] == DISK_UNDECIDED && precision_raise(&p));
 }
 
-/* Returns the number of modes of all n below an omega between mode[count - 1] and mode[count], or DISK_UNDECIDED. */
+/* Returns the number of modes, of any n, below the midpoint between the omegas of mode[count - 1] and mode[count].
+ * Returns DISK_UNDECIDED if a count is undecided. */
 static slong count_all(const struct disk_modes *modes, slong count, const struct disk *wide, slong digits)
 {
     LOCAL(arf, low, high);

@@ -95,8 +95,8 @@ static bool try_quotient(struct embed_form *best, const struct embed_scene *s, c
     return try_form(best, form_blank(s, best->family, variable, m, n), s, f);
 }
 
-/* The radius of convergence of eps in powers of beta (docs/theory.md, 3), and the fraction of it above which beta is
- * the stated reason of a failed search */
+/* The radius of convergence of eps in powers of beta (docs/theory.md, 3). If beta exceeds NEAR_CONVERGENCE of the
+ * radius, the message about a failed search states this as the reason. */
 #define CONVERGENCE 1.388
 #define NEAR_CONVERGENCE 0.97
 

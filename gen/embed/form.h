@@ -107,7 +107,7 @@ enum embed_code {
     STEP_CLAMP,         /* the speed, limited to the range of the form */
     STEP_START,         /* the start value of x^(-1/5) */
     STEP_ROW_OF_BITS,   /* x minus the start of its row, whose number comes from the upper bits of x */
-    STEP_ROW_OF_SEARCH, /* x minus the start of its row, which is searched in a table */
+    STEP_ROW_OF_SEARCH, /* x minus the start of its row; the row is found by a search in a table */
     STEP_ROW_OF_PLACE,  /* the fractional part of x slope + shift; the integer part is the row */
     STEP_SQRT,
     STEP_HORNER,  /* c[0] + c[stride] x + ... + c[degree] x^(degree/stride); c NULL: the numbers of a row */
@@ -127,7 +127,7 @@ struct embed_program {
         slong degree, stride;
     } step[EMBED_STEPS];
     int count;
-    int x, argument; /* step of the root of the speed; step of the polynomials' argument, x or its place in a row */
+    int x, argument; /* x: step of the root of the speed; argument: step x, or the step of its place in a row */
     int p, q;        /* steps of the polynomials; q = 0: no denominator */
 };
 /* Returns the program of a form, which points to the numbers of the form. */

@@ -185,9 +185,9 @@ static void emit_copy(struct emit *e, const char *type, const char *name, const 
     emit_lines(e, " $s;\n    memcpy(&$s, &$s, sizeof $s);\n", name, name, from, name);
 }
 
-/* Writes lines that limit x to the range and turn a NaN into a number in the range. For a single x, a comparison of
- * real numbers is fastest. For loops the lines compare the bits as integers, which compilers vectorise; a comparison of
- * real numbers may trap and would become a branch. */
+/* Writes lines that limit x to the range and turn a NaN into a number in the range. For a single x they compare real
+ * numbers, which is fastest. If `vector` is true, they compare the bits as integers, which compilers vectorise. In a
+ * loop, a comparison of real numbers may trap and would become a branch. */
 static void emit_clamped(struct emit *e, const struct embed_form *f, const char *x, bool vector)
 {
     if (!vector) {
@@ -233,7 +233,7 @@ static void emit_step(struct emit *e, const struct embed_form *f, const struct e
                                         [STEP_OFF] = "    const $T $s = 1.0$F - $s * $s;\n"};
     const char *const x = p->step[s->x].name, *const y = p->step[s->y].name;
     int half = 1;                                      /* the first step of a search */
-    if (strchr(s->name, ' ') || s->code == STEP_CLAMP) /* an expression needs no line; emit_clamped wrote the clamp */
+    if (strchr(s->name, ' ') || s->code == STEP_CLAMP) /* has no line, or emit_clamped has written it */
         return;
     switch (s->code) {
     case STEP_START:

@@ -25,8 +25,8 @@ enum {
 enum { EMBED_LAW_POWER = COR_LAW_ELASTIC_PLASTIC + 1, EMBED_LAW_EXPONENTIAL, EMBED_LAW_TABLE };
 extern const char *const embed_law_names[]; /* ends with NULL */
 
-/* The use for which a form must be cheapest: single calls, vectorised loops, or a mixture. For REBOUND these are the
- * single calls of its callback. */
+/* The use for which a form must be cheapest: single calls, vectorised loops, or a mixture. PURPOSE_REBOUND
+ * means the single calls of REBOUND's callback. */
 enum embed_purpose { PURPOSE_BALANCED, PURPOSE_SCALAR, PURPOSE_ARRAY, PURPOSE_REBOUND };
 extern const char *const embed_purpose_names[]; /* ends with NULL, like the next arrays */
 

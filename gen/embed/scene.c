@@ -327,7 +327,8 @@ static int set_onset(struct embed_scene *s, double below)
     return s->speed_min < s->speed_max ? STATUS_OK : refuse_speed("speed-max", "eps is 1", below);
 }
 
-/* Prepares elastic-plastic spheres, or a constant eps in a liquid: dry eps is a closed form of the speed. */
+/* Prepares elastic-plastic spheres, or a constant eps in a liquid. Without a liquid, eps is a closed form of the
+ * speed. */
 static int scene_by_speed(struct embed_scene *s, const struct embed_request *request)
 {
     set_by_speed(s);

@@ -30,7 +30,7 @@ struct embed_scene {
     arb_t press, sticking_speed;
     double sticking_log; /* ln(beta) at that speed */
     double origin;       /* a double below sticking_speed; subtracted from every speed of the scene except the onset */
-    double onset;        /* eps is 1, or 0 if pressed, up to this speed; the forms begin above it; 0: no such speed */
+    double onset;        /* 0: none; up to this speed eps is 1 (0 if pressed), and the forms begin above it */
     bool constant;       /* eps is the same at every speed: no damping, or q = 0 */
     arb_t eps;           /* the value of the constant eps */
     arb_t beta_per_root; /* beta = beta_per_root speed^q, q = 1/5 for spheres */
@@ -49,8 +49,7 @@ struct embed_scene {
 
 enum { EMBED_SAMPLES = 4096, EMBED_BITS = 320, EMBED_SERIES = 40 /* order */ };
 
-/* Prepares a scene. contact: by cor_scene_contacts. Returns STATUS_OK, or STATUS_USAGE or STATUS_FAILED after a
- * message. */
+/* Prepares a scene. contact: a result of cor_scene_contacts. Returns STATUS_OK, or another status after a message. */
 int embed_scene_init(struct embed_scene *s, const struct embed_request *request,
                      const struct cor_scene_contact *contact);
 void embed_scene_clear(struct embed_scene *s);

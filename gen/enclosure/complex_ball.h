@@ -95,7 +95,7 @@ static inline struct complex_ball ball_times(struct complex_ball x, double facto
                                  raise_bound(a * x.radius + COMPLEX_BALL_ROUNDING * ball_size(x) * a)};
 }
 
-/* Returns 1/x by |1/(c + d) - 1/c| = |d|/|c (c + d)|. The result is not finite if the ball may contain 0. */
+/* Returns 1/x; not finite if the ball may contain 0. The radius follows from |1/(c + d) - 1/c| = |d|/|c (c + d)|. */
 static inline struct complex_ball ball_inv(struct complex_ball x)
 {
     const double size = ball_size(x), least = ball_below(x), square = x.re * x.re + x.im * x.im;

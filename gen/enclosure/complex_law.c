@@ -158,7 +158,7 @@ static bool turning_point(struct path *p, struct path_state *y, const struct cor
     *y = (struct path_state){ball_widened(ball_of(logarithm, 0), 0x1p-46 * (1 + fabs(logarithm))), zero};
     p->logarithm = true;
     /* Start the path about the turning point at an exact kappa, so that only y is uncertain. The effect of an uncertain
-     * kappa changes sign along the path, but bounds would add it up. */
+     * kappa changes sign along the path and cancels, but the radii would grow as if it had one sign. */
     if (p->pressed) {
         if (!path_follow(p, turning_slopes, kappa, ball_centre(kappa), y))
             return false;

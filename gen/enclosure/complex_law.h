@@ -7,7 +7,7 @@
  *     about the turning point:   dL/dkappa = -kappa/(x^(a-1) - beta kappa x^b + kappa^2), kappa = -v/x to 0, then 1
  *     departure, x = X s^4, -x' = W exp(l), s from 1 to 0:
  *                                dl/ds = 4 (beta X^(b+1)/W s^(4b+3) exp(-l) - X^(a+1)/W^2 s^(4a+3) exp(-2 l))
- *     to zero force, k = beta kappa x^(b+1-a) to 1, from 0 or, in ln(k), from kappa = 1:
+ *     to zero force, k = beta kappa x^(b+1-a), from k = 0 to 1 (or ln(k), from its value at kappa = 1 to 0):
  *                                dL/dk = -k/N,   N = F (1 - k) + (a-b) k^2,   F = beta^2 x^n,   n = 2b+1-a
  *     creep, for n > 0:          n dk/dln(F) = -N/k, from k = 1/2 to F = 2
  *

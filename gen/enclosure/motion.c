@@ -29,7 +29,7 @@ struct pressing {
     bool has_release; /* 2 (a - b) > 1: only bodies released at w >= release reach the surface */
     bool cut;         /* the last step ended at the overlap of release */
     arb_t release;    /* w at the overlap of release */
-    arb_t least;      /* energy of a release there; with less energy the bodies never reach the surface */
+    arb_t least;      /* energy of bodies released at `release`; with less they never reach the surface */
 };
 
 struct motion {
@@ -162,7 +162,7 @@ static bool find_zero_force(struct motion *m, arb_t end)
     LOCAL(arb, root);
     const bool passed = m->pressing.cut;
     if (m->pressing.any && !cut_at_release(m, end) && passed)
-        return false; /* the step starts at the overlap of release, where the energy left `held` undecided */
+        return false; /* the step starts at the overlap of release, where the energy did not decide `held` */
     const enum taylor_crossing crossing = taylor_crosses(root, &m->y, TAYLOR_FORCE, m->begin, end);
     m->released = crossing == TAYLOR_CROSSED;
     if (m->released && !record_release(m, root))

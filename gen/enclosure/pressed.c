@@ -22,7 +22,7 @@ enum {
     MOST_SEARCH_BITS = 512,
     SEARCH_STEPS = 200,
     ATTEMPTS = 6,
-    MOST_FACTOR = 16, /* limit of the precision, as a multiple of the first */
+    MOST_FACTOR = 16, /* limit of the precision, as a multiple of the initial precision */
     FAR_BITS = 30,
     WIDE_BITS = 8
 };

@@ -9,9 +9,9 @@
 #include "support/console.h"
 #include "support/local.h"
 
-/* Constants in the formula for the degree of the formal sum. At y = 1/(2 degree n), where its smallest term has the
- * index 2 degree, the truncated sum has a defect of exp(-(1 + ln 2) degree). GUARD_BITS more bits cover constant
- * factors. A law with a small n needs a higher degree, so that (a-b) y is small. */
+/* Constants in the formula for the degree d of the formal sum. At y = 1/(2 d n) its smallest term has the index 2 d,
+ * and the truncated sum has a defect of exp(-(1 + ln 2) d). GUARD_BITS more bits cover constant factors. A law with a
+ * small n needs a higher degree, so that (a-b) y is small. */
 enum { GUARD_BITS = 24, CLOSING = 4 };
 
 static slong formal_degree(const struct cor_exponents *law, slong bits)

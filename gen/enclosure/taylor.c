@@ -108,7 +108,7 @@ static void convolve_product(const struct taylor_product *product, slong n, slon
     const slong terms = n - first + 1, prec = coefficient_bits(y->prec, n);
     LOCAL(arb, sum, own);
     if (f == g) {
-        /* in a square, each pair of different factors is added once and doubled */
+        /* each product of two different coefficients occurs twice: it is added once and doubled */
         arb_dot(sum, NULL, 0, f + first, 1, f + n - first, -1, first > 0 ? terms : (n + 1) / 2, prec);
         if (first == 0 && n % 2 == 0)
             arb_sqr(own, f + n / 2, prec);
@@ -314,7 +314,7 @@ bool taylor_choose_step(struct taylor *y)
 {
     LOCAL(mag, goal, scale);
     bool proved = false;
-    /* The goal of the remainders is the size of rounding errors, relative to the larger of |w| and |v|. */
+    /* the remainders must be at most 2^-prec times the larger of |w| and |v|, the size of rounding errors */
     arb_get_mag(goal, y->v);
     arb_get_mag(scale, y->w);
     mag_max(goal, goal, scale);

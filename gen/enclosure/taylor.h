@@ -27,7 +27,7 @@ struct taylor {
 void taylor_init(struct taylor *y, const struct cor_exponents *law, slong degree, slong prec);
 void taylor_clear(struct taylor *y);
 
-/* Computes all Taylor coefficients of w, v, t from their coefficients 0, the values at sigma = 0. */
+/* Computes all Taylor coefficients of w, v and t from w[0], v[0] and t[0], the values at sigma = 0. */
 void taylor_expand(struct taylor *y);
 
 /* Chooses a step and proves the remainders on it. Returns false if it finds no step, because the state is too wide. */

@@ -35,7 +35,8 @@ enum {
     MOST_MODES = 3600,
     QUANTITIES = 3 /* enum plan_quantity */
 };
-/* The tolerance of the reference, a rigid wall, is this fraction of the requested tolerance, between two bounds. */
+/* The reference is a rigid wall. Its tolerance is TRUTH_SHARE of the requested tolerance, but at least FINEST_TRUTH and
+ * at most COARSEST_TRUTH. */
 #define TRUTH_SHARE 0.02
 #define FINEST_TRUTH 1e-6
 #define COARSEST_TRUTH 1e-4

@@ -26,7 +26,7 @@ enum {
 
 enum plan_verdict {
     PLAN_CHOSEN,
-    PLAN_MEETS,   /* meets the tolerance at a higher cost */
+    PLAN_MEETS,   /* meets the tolerance; another model is chosen */
     PLAN_MISSES,  /* misses the tolerance */
     PLAN_OUTSIDE, /* no reliable value somewhere in the range */
     PLAN_SHOWN    /* shown only as a warning, never chosen */

@@ -183,7 +183,7 @@ void row_sums_clear(struct row_sums *s)
     flint_free(s->error);
 }
 
-/* Returns new y with y[j] 2^(exponent + COLUMN_BITS j) >= m[j], the largest near 1. All are 0, or DBL_MIN or more. */
+/* Returns new y with y[j] 2^(exponent + COLUMN_BITS j) >= m[j]. The largest is near 1, each is 0 or >= DBL_MIN. */
 static double *bounds_of(slong *exponent, mag_ptr m, slong length)
 {
     double *const y = flint_calloc((size_t)length, sizeof *y);

@@ -84,7 +84,8 @@ void trajectory_tail_clear(struct trajectory_tail *tail)
     arb_clear(tail->delta);
 }
 
-/* Returns log2 of the largest error that the tail causes in x_k^(m)(t0) t0^m/m!, k + m = order. */
+/* Returns log2 of the largest error that the tail causes in x_k^(m)(t0) t0^m/m!, for m = 0, order/2 and order, and
+ * k = order - m. */
 static double tail_quality(const struct trajectory_tail *tail, const struct trajectory *t, const arb_t t0)
 {
     double worst = -HUGE_VAL;
@@ -102,9 +103,7 @@ static double tail_quality(const struct trajectory_tail *tail, const struct traj
 static const double trial_part[] = {0.9, 0.8, 0.7, 0.5, 0.25};
 enum { TRIAL_PARTS = sizeof trial_part / sizeof *trial_part, TRIAL_U_MAX = 3, TRIAL_U_MIN = -7 };
 
-/* Finds the pair of weights with the smallest errors in three coefficients of x at t0. The first is in the last row.
- * The third is the last derivative of the first row, whose error grows like t0^-m. Returns false if no pair proves a
- * bound. */
+/* Finds the pair of weights with the least tail_quality. Returns false if no pair proves a bound. */
 static bool best_trial(struct trajectory_tail *tail, const struct power_evidence *e, const struct trajectory *t,
                        const arb_t t0)
 {

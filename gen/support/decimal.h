@@ -14,7 +14,7 @@ enum decimal_forms {
     DECIMAL_RATIO = 2 /* a quotient of integers: "2/3" */
 };
 
-/* Largest number of digits of an exponent, of a single number and of a number in a list */
+/* Largest number of digits of an exponent, in a single number and in a number of a list */
 enum { DECIMAL_EXPONENT_DIGITS = 6, DECIMAL_EXPONENT_DIGITS_IN_LIST = 3 };
 
 /* A number as the user wrote it, with its exact value. text is NULL if no number was given; the text is not copied. */

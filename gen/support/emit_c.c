@@ -104,7 +104,7 @@ static const char *real_type(const struct emit *e)
     return e->single ? "float" : "double";
 }
 
-/* Writes the shortest text of a number of the type in C and C++ that reads back to the same bits. */
+/* Writes a double or float as the shortest constant of C and C++ that reads back to the same bits. */
 static const char *print_real(char text[NUMBER_MAX], const struct emit *e, double x)
 {
     const int most = e->single ? 9 : 17;

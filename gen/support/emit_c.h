@@ -23,8 +23,8 @@ struct emit {
 };
 
 /* From now on, also writes each double of emit_row and emit_struct to a csv file, table,row,column,value,digits. The
- * digits are 25 significant ones, or a fraction of small integers if the number is one. Omits the numbers of headers
- * with `decimal` but not `shared`. NULL ends the csv file. */
+ * column digits has 25 significant digits, or an exact fraction of small integers. Omits the numbers of headers with
+ * `decimal` but not `shared`. NULL ends the csv file. */
 void emit_digits(FILE *file);
 
 /* Writes the licence line, the banner and the include guard. The guard is written in capitals. The banner is plain text

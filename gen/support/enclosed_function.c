@@ -116,7 +116,7 @@ bool enclosed_exp(arb_poly_t y, const arb_poly_t p)
     return true;
 }
 
-/* Encloses the root by the root s of the polynomial's middle, with a radius of at most |p - s^2|/s. */
+/* Computes the root s of the polynomial p with its radii set to 0, and adds the radius |p - s^2|/s. */
 bool enclosed_square_root(arb_poly_t y, const arb_poly_t p)
 {
     LOCAL(arb_poly, s, rest);

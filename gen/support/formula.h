@@ -7,11 +7,11 @@
  *     RATIO("a/(b + 1)", a, b)                                   a rational number as a struct ratio
  *
  * At most 9 operands follow the text, with their C names: arb_t, fmpq_t, struct ratio, slong, int or double. The result
- * may be one of them. An operand law or &s->law, of the type struct cor_exponents, provides its exponents law->a and
- * law->b, s->law.a and s->law.b. + - * / ^ group as usual, -x^2 = -(x^2) and x^y^z = x^(y^z). Whole numbers, rational
- * operands and results of only these are exact. They are rounded only when combined with a ball or a double. Functions:
- * abs, acos, acosh, asin, digamma, exp, expm1, gamma, log, log1p, sinc, sinh, sqrt, and max and min of two numbers. The
- * number pi is available. A text that is not a formula ends the program.
+ * may be one of them. An operand of the type struct cor_exponents provides its exponents: law gives law->a and law->b,
+ * &s->law gives s->law.a and s->law.b. + - * / ^ group as usual, -x^2 = -(x^2) and x^y^z = x^(y^z). Whole numbers,
+ * rational operands and results of only these are exact. They are rounded only when combined with a ball or a double.
+ * Functions: abs, acos, acosh, asin, digamma, exp, expm1, gamma, log, log1p, sinc, sinh, sqrt, and max and min of two
+ * numbers. The number pi is available. A text that is not a formula ends the program.
  *
  * LET_COMPLEX also computes with acb_t, with + - * / ^, exp, sinc, sinh and sqrt. With `analytic`, a root or a
  * power that is not whole is not finite if its ball touches the cut. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Draws pictures by the program gnuplot, in the style of the project's figures (docs/style.gp). */
+/* Draws pictures with gnuplot, in the style of the project's figures (docs/style.gp). */
 #ifndef COR_GEN_SUPPORT_GNUPLOT_H
 #define COR_GEN_SUPPORT_GNUPLOT_H
 

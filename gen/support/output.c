@@ -63,8 +63,8 @@ static char *path_next_to(const char *path, const char *last)
     return xprintf("%.*s%s", (int)(file_name(path) - path), path, last);
 }
 
-/* Returns the file that a path names behind all symbolic links, malloc'ed. It need not exist. Two paths of one file
- * have the same target, if its folder exists. */
+/* Returns the file that a path names behind all symbolic links, malloc'ed. It need not exist. If its folder exists,
+ * two paths of one file have the same target. */
 static char *target_of(const char *path)
 {
     char *target = xstrdup(path), link[PATH_MAX];

@@ -57,12 +57,12 @@ int output_finish(struct output *out, int status);   /* commits if the status is
 /* Returns the last part of a path. */
 const char *file_name(const char *path);
 
-/* Returns the contents of a file, or of standard input, "-", malloc'ed and followed by a zero. Returns NULL with errno
- * if it cannot be read or has `most` bytes or more. */
+/* Returns the malloc'ed contents of a file ("-": standard input), followed by a zero byte. Returns NULL with errno if
+ * the file cannot be read or has `most` bytes or more. */
 char *read_file(const char *path, size_t most, size_t *size);
 
-/* A table of strings. In JSON the table is an array of objects; missing and infinite numbers are null. In csv a missing
- * number, an empty cell, is nan. */
+/* A table of strings. An empty cell is a missing number or text. In JSON the table is an array of objects, and missing
+ * or infinite numbers are null. In csv missing numbers are nan. */
 enum {
     TABLE_NUMBER = 'n',
     TABLE_DIGITS = 'd', /* numbers that may have more digits than a double; JSON strings if json_strings */

@@ -24,10 +24,10 @@ void arb_around(arb_t low, arb_t high, const arb_t x, slong exponent, slong prec
 /* Computes a falling function at x to prec bits. Returns false if it fails. */
 typedef bool falling_function(arb_t f, const arb_t x, const void *context, slong prec);
 
-/* Encloses the root near x > 0 in x (1 -+ 2^-bits), by a proof of both signs at the ends. Until the proof succeeds, the
- * line through f at these ends gives the next x. Near a simple root this is Newton's method: each x squares the
- * relative error, as long as f has more than `bits` correct bits. Returns false if f fails, or without a proof after 60
- * steps. */
+/* Encloses the root in the interval x (1 -+ 2^-bits). The given x > 0 is the start value. The signs of f at both ends
+ * prove the root. Until they do, the line through f at these ends gives the next x. Near a simple root a step squares
+ * the relative error of x, as in Newton's method, if f has more than `bits` correct bits. Returns false if f fails, or
+ * if 60 steps give no proof. */
 bool root_near(arb_t x, falling_function *f, const void *context, slong bits, slong prec);
 
 #endif

@@ -52,7 +52,7 @@ int hard_wall_collide(struct cor_disk_hard_wall *out, struct hard_wall_tables *t
             break;
         status = cor_disk_hard_wall(&table, table.count, &options, speed, out);
         if (status == COR_TOLERANCE_NOT_REACHED && out->omega_levels < (size_t)levels[i])
-            break; /* max_steps was too small, not the table */
+            break; /* the table suffices, and max_steps was too small */
     }
     return status;
 }

@@ -89,7 +89,8 @@ static bool read_line(struct journal *journal, char **line)
     return end && end == *line + n - 1;
 }
 
-/* Reads a row, cuts off its check and continues *check. False at the end, or if the row is incomplete or *damaged. */
+/* Reads a row, cuts off its check and continues *check. Returns false at the end of the file or if the row is wrong.
+ * Sets *damaged to true if a complete line has the wrong check. */
 static bool read_row(struct journal *journal, char **line, uint32_t *check, bool *damaged)
 {
     char expected[16];

@@ -40,7 +40,7 @@ enum column_kind {
     COLUMN_WHOLE = 'w',  /* a result with all digits */
     COLUMN_SMALL = 's',  /* a result of which SMALL_DIGITS suffice */
     COLUMN_STEPS = 'n',
-    COLUMN_ERROR = 'e', /* the error of eps or 1 - eps^2: SMALL_DIGITS, rounded up; the last column but one */
+    COLUMN_ERROR = 'e', /* error estimate, rounded up to SMALL_DIGITS; the last column but one */
     COLUMN_STATUS = 't' /* the last column */
 };
 enum { SMALL_DIGITS = 2, LEAST_DIGITS = 4 };

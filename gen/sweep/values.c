@@ -51,7 +51,7 @@ static int value_read(fmpq_t x, const struct values_rule *rule, const char *text
     return STATUS_OK;
 }
 
-/* Computes x = A + i (B - A)/n, or A (B/A)^(i/n); rounded to a whole number if the list consists of whole numbers. */
+/* Computes x = A + i (B - A)/n; if `geometric` is true, x = A (B/A)^(i/n). Rounds x in a list of whole numbers. */
 static void value_between(fmpq_t x, const struct values_rule *rule, bool geometric, const fmpq_t a, const fmpq_t b,
                           slong i, slong n)
 {
@@ -177,8 +177,8 @@ static void values_drop_repeated(struct values *values)
     free(repeated);
 }
 
-/* Reads the list of a file, where a comma, white space or a comment ends a member. Returns a text with commas between
- * the members, malloc'ed, or NULL after a message. */
+/* Reads a list from a file. A comma, white space or a comment ends a member. Returns the malloc'ed list, with commas
+ * between the members, or NULL after a message. */
 static char *read_list(uint32_t *check, const struct values_rule *rule, const char *path)
 {
     enum { MOST_BYTES = 1 << 26 };

@@ -22,7 +22,7 @@
 struct generated {
     const char *name;
     int (*write)(FILE *file);
-    const char *poisson; /* Poisson's ratio of a table of modes, which has no `write`; otherwise NULL */
+    const char *poisson; /* table of modes: Poisson's ratio, and `write` is NULL; otherwise NULL */
 };
 
 static const struct generated files[] = {

@@ -62,17 +62,17 @@ struct disk_table {
 /* Returns the table's name in C and in file names, as in disk_modes_nu033.h. */
 const char *disk_table_name(char name[DISK_TABLE_NAME], const struct disk_table *table, const char *extension);
 
-/* Finds the modes, which begin as {0}, and writes them. Each function returns STATUS_OK, or STATUS_FAILED after
- * reporting the reason. Call disk_modes_clear(&table->modes) in either case. */
+/* Compute and write the modes. table->modes must be {0} at first. Each function returns STATUS_OK, or STATUS_FAILED
+ * after reporting the reason. Call disk_modes_clear(&table->modes) in either case. */
 int disk_table_solve(struct disk_table *table);
 int disk_header_write(FILE *file, const struct disk_table *table);
 int disk_file_write(FILE *file, const struct disk_table *table);
 
 /* ---- disk_limits.h, the table behind cor_disk_eps ----
  *
- * Collisions of disks of all modes with a rigid wall, over cells of speed and Poisson's ratio that are refined until
- * their polynomials are accurate enough. The collisions take a quarter of an hour of CPU time, so corgen is built with
- * a copy of them. */
+ * Collisions of disks with a rigid wall, with all modes, over cells of speed and Poisson's ratio. Cells are divided
+ * until their polynomials are accurate enough. The collisions take a quarter of an hour of CPU time, so corgen is built
+ * with a copy of them. */
 
 #define DISK_LIMITS_FILE "disk_limits.h"
 
@@ -81,14 +81,14 @@ struct cor_disk_limit_piece;
 /* These functions return STATUS_OK, or STATUS_FAILED after reporting the reason. */
 int disk_limits_collide(void); /* computes all collisions */
 /* True if a table is in memory: the table of disk_limits_collide, otherwise the table with which corgen was built. If
- * `piece` is not NULL, the table in memory becomes the built-in table with these pieces. A corgen of COR_BOOTSTRAP is
- * built without a table. */
+ * `piece` is not NULL, the table in memory becomes the built-in table with these pieces. With COR_BOOTSTRAP, corgen has
+ * no built-in table. */
 bool disk_limits_known(const struct cor_disk_limit_piece *piece);
 
 int disk_limits_write(FILE *file);
 
-/* Recomputes collisions at points of a cell that the seed chooses, or at all points of all cells, and prints the
- * difference of 1 - eps^2 on standard output. Returns STATUS_FAILED also if the difference exceeds DISK_LIMITS_AGREE,
+/* Recompute collisions at some points of one cell, which the seed chooses, or at all points of all cells. Print the
+ * difference of 1 - eps^2 on standard output. Return STATUS_FAILED also if the difference exceeds DISK_LIMITS_AGREE,
  * or if the error of a cell's polynomial between its points exceeds its uncertainty. */
 #define DISK_LIMITS_AGREE 2.5e-7
 int disk_limits_check_sample(uint64_t seed);

@@ -115,7 +115,7 @@ static int emit_quantity(struct emit *e, const struct law_tables *t, const char 
 /* Writes the public functions PREFIX_eps_zero_overlap, ... */
 static void emit_functions(struct emit *e, const struct law_tables *t, const char *name, const char *prefix)
 {
-    /* functions for each end; texts of emit_lines in which the name of the law and the end occur once or twice */
+    /* Functions for each end. value: a text for emit_lines; each pair of $s is the law's name and the end */
     static const struct {
         const char *name, *argument, *value;
     } functions[] = {
@@ -170,7 +170,7 @@ static const char accuracy_text[] =
     "to 80 bits (proved); between them their error is at most %.1e (sampled). Errors of the rows are above each\n"
     "table (sampled).\n";
 
-/* Without this attribute gcc 12 at -O2 copies the law's constants in each function: five times slower. */
+/* Without this attribute gcc 12 at -O2 copies the law's constants in each function and is five times slower. */
 static const char always_inline[] =
     "/* Where a compiler leaves a call between these functions, it copies the law's constants for each result. */\n"
     "#if !defined(COR_INLINE) && defined(__GNUC__) && !defined(__CUDACC__) && !defined(__HIPCC__)\n"

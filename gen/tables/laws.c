@@ -243,7 +243,7 @@ static void disk_one_plus_t(arb_t y, const arb_t q, slong prec)
     arb_neg(y, y);
 }
 
-/* Computes the load over the compression, pi/(1 + t), q = ln(delta_limit/delta), a closed form. */
+/* Computes the load over the compression, which is pi/(1 + t) at q = ln(delta_limit/delta). */
 static void disk_load_factor(arb_t factor, bool proved, const arb_t q, slong prec)
 {
     (void)proved;
@@ -325,7 +325,7 @@ enum { FAR_BITS = 400 };
 struct time_rows {
     const char *name, *title, *variable;
     law_time *time;
-    const char *damping; /* zeta or beta as a function of y; NULL: equal to y, in octaves of 1/step cells */
+    const char *damping; /* zeta or beta as a function of y; NULL: it is y, and each octave has 1/step cells */
     double from, step, end;
     double least_bits;
 };
@@ -606,8 +606,8 @@ static int rows_write(struct emit *e, const struct time_rows *rows, slong head_b
     return sampled_function_write(e, &p, time_at, rows);
 }
 
-/* Writes n tables, and the forms for strong damping at `far`, which end with a form without a name. head_bits: bits of
- * the c_0 of each row; 0: all */
+/* Writes n tables, and the forms for strong damping. far: the forms; the last has no name. head_bits: bits of c_0 in
+ * each row; 0: all */
 static int file_write(FILE *file, const char *name, const char *what, const char *how, const struct time_rows *rows,
                       int n, slong head_bits, const struct far_form *far)
 {

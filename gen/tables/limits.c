@@ -330,8 +330,8 @@ struct part {
     int first[2], side[2];
 };
 
-/* Returns the neighbour of a part's cell, across its first or last side and opposite the part's middle. Returns NULL
- * unless the neighbour is smaller. axis: perpendicular to the side */
+/* Returns the cell beyond a side of the part's cell, next to the middle of the part. Returns NULL unless that cell is
+ * smaller. axis: perpendicular to the side; last: 0 for the first side, 1 for the last side */
 static const struct cell *smaller_beyond(const struct part *part, int axis, int last)
 {
     const int side = PER_ROOT >> part->cell->depth, end = axis ? ROWS : COLUMNS;
@@ -387,8 +387,8 @@ static void to_powers(double *value, int stride)
     value[3 * stride] = 9 * (-a + 3 * b - 3 * c + d) / 2;
 }
 
-/* Cuts a part until each of its sides has only one neighbour, and adds the pieces to the table. Sets their numbers in
- * piece_at. Returns false if there are too many. */
+/* Cuts a part until each of its sides has only one neighbour, and adds the pieces to the table. Stores the index of
+ * each piece in piece_at. Returns false if there are too many pieces. */
 static bool add_pieces(const struct part *part, uint16_t piece_at[ROWS][COLUMNS])
 {
     bool cut[2] = {false, false};
@@ -424,7 +424,7 @@ static bool add_pieces(const struct part *part, uint16_t piece_at[ROWS][COLUMNS]
     return true;
 }
 
-/* Returns the least a for which the piece does not change along an axis within each of 2^a equal strips of a square. */
+/* Returns the least n such that the piece does not change along an axis inside any of 2^n equal strips of a square. */
 static int square_bits(uint16_t piece_at[ROWS][COLUMNS], int x, int nu, int axis)
 {
     int bits = 0;
@@ -633,7 +633,7 @@ bool disk_limits_known(const struct cor_disk_limit_piece *piece)
 
 struct check {
     long places[2], wrong; /* numbers of collisions on the grid and between its points */
-    double worst[2];       /* largest difference on the grid; largest difference/uncertainty between */
+    double worst[2];       /* on the grid: largest difference; between its points: largest difference/uncertainty */
 };
 
 static void check_scene(struct check *check, const struct scene *scene, const struct cell *cell)
@@ -674,12 +674,11 @@ static uint64_t sample_draw(uint64_t *state, uint64_t below)
     return (*state * UINT64_C(2685821657736338717) >> 33) % below;
 }
 
-/* Checks one row of one cell. This needs the modes of only one material, whose computation takes as long as a
- * collision. */
+/* Checks one row of one cell. A row has one nu, and the modes for it take as long to compute as a collision. */
 int disk_limits_check_sample(uint64_t seed)
 {
     uint64_t state = 2 * seed + 1;
-    for (int i = 0; i < 8; i++) /* a few draws spread seeds that differ in few bits over all bits */
+    for (int i = 0; i < 8; i++) /* mixes the bits, so that similar seeds give unrelated draws */
         sample_draw(&state, 2);
     const struct cell cell = table->cell[sample_draw(&state, (uint64_t)table->cells)];
     const int32_t sixth = sixth_of(&cell), row = cell.nu + 2 * (int32_t)sample_draw(&state, SIDE) * sixth;
