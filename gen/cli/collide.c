@@ -205,9 +205,9 @@ static const char help[] =
     "Columns: beta,x_max,t_max,eps_zero_overlap,t_zero_overlap,eps_zero_force,t_zero_force;\n"
     "with --end, without the columns of the other end. In SI units beta,max_overlap_m,\n"
     "time_of_max_overlap_s,eps_zero_overlap,duration_s_zero_overlap,eps_zero_force,\n"
-    "duration_s_zero_force,max_force_n. Under a force the last is missing, and eps_surface,t_surface or\n"
-    "duration_s_surface are in place of those at zero force: the bodies part where the contact force\n"
-    "vanishes and fly to the surface, the place of first contact. With --threshold beta,\n"
+    "duration_s_zero_force,max_force_n. Under a force max_force_n is absent, and columns of the surface,\n"
+    "the place of first contact, replace those of zero force: eps_surface,t_surface (duration_s_surface).\n"
+    "The bodies part where the contact force vanishes and fly to the surface. With --threshold beta,\n"
     "sticking_force_zero_overlap,sticking_force_surface.\n\n"
     "Example: corgen collide --beta 0.1 --digits 30\n";
 

@@ -74,9 +74,10 @@ static int check_options(const struct contact_arguments *o, const struct contact
             "--tangential-restitution needs --end zero-overlap or zero-force, because the duration depends on the end");
     if (o->tangential.text &&
         cor_scene_tangential(&spring, &dashpot, c, options_number(&o->tangential, NAN), end) != STATUS_OK)
-        return usage_error("--tangential-restitution needs --law linear with --stiffness or --duration and "
-                           "--effective-mass, bodies that part, and no --gravity, for example --law linear --stiffness "
-                           "1e5 --effective-mass 1e-3 --restitution 0.9");
+        return usage_error(
+            "--tangential-restitution needs --law linear with --effective-mass and --stiffness or "
+            "--duration, a damping at which the bodies part, and no --gravity, for example --law linear --stiffness "
+            "1e5 --effective-mass 1e-3 --restitution 0.9");
     if (o->step_corrected && !o->simulator && contact_end(contacts, 0) == COR_BOTH_ENDS)
         return usage_error("--step-corrected needs --end zero-overlap or %s, because the damping depends on the end",
                            c->force_n > 0 ? "surface" : "zero-force");
@@ -324,9 +325,9 @@ static const char help[] =
     "                   approach-only; under a constant force zero-overlap or surface (default both)\n"
     "  --steps N        time steps in the shortest duration, 1 to 1e9, for time_step_s (default " DEFAULT_STEPS ")\n"
     "  --time-step DT   time step, s, instead of --steps\n"
-    "  --step-tolerance T   largest step_bias and step_scatter, 1e-5 to 1, instead of --steps.\n"
-    "                   Each of the three adds both columns, mean and standard deviation of the error of\n"
-    "                   eps over phases of the first step\n"
+    "  --step-tolerance T   largest step_bias and step_scatter, 1e-5 to 1, instead of --steps\n"
+    "                   These three options add step_bias and step_scatter, the mean and standard\n"
+    "                   deviation of the error of eps over phases of the first step\n"
     "  --step-corrected   also print the damping that makes step_bias 0, and the ratio\n"
     "  --integrator I   integrator: verlet-half-step (used by LAMMPS), leapfrog or symplectic-euler, which\n"
     "                   give the same eps; verlet-full-step; or with --law linear implicit-euler\n"
@@ -334,8 +335,8 @@ static const char help[] =
     "  --erp E --cfm C  ERP and CFM of an engine with implicit steps, such as ODE; need --time-step and\n"
     "                   --effective-mass\n"
     "  --for HOST       simulator whose input lines are printed, such as lammps; list prints all names\n"
+    "  --simulator-version V   its version, such as '29 Sep 2021' or 3.8.1\n"
     "  --materials FILE, --pairs FILE   csv files of several materials for --for (docs/contact.md)\n"
-    "  --simulator-version V   version of the simulator, such as '29 Sep 2021' or 3.8.1\n"
     "  --friction MU    friction coefficient of spheres, 0 or more; prints kappa, the ratio of tangential\n"
     "                   velocities of an elastic impact without slip, and the largest angle of sticking\n"
     "  --angle LIST | --tangential-speed LIST   oblique impacts with --friction and --speed (the normal\n"
@@ -346,13 +347,13 @@ static const char help[] =
     "                   ratio of tangential to normal damping (default 0; viscous 1)\n"
     "  --walton         print friction and beta_0 of Walton's model that fit the angles best\n"
     "  --tangential-restitution E   tangential e of --law linear; sets its tangential spring and dashpot\n"
-    "  --equivalent Q   quantity, energy or duration, at which a linear spring equals Hertz's contact at\n"
-    "                   the speed --at; adds columns hertz_ of Hertz's contact at each --speed\n"
+    "  --equivalent Q   energy or duration, in which a linear spring equals Hertz's contact at the speed\n"
+    "                   --at; adds columns hertz_ of Hertz's contact at each --speed\n"
     "  --plot FILE      picture of eps over the speed, .svg, .png or .pdf, by gnuplot\n"
     "  --format F       output format, text, csv or json (default text)\n" HELP_COMMON "\n"
     "Columns: speed_m_s,beta,eps_zero_overlap,eps_zero_force,duration_s_zero_overlap,\n"
-    "duration_s_zero_force,max_overlap_m,max_force_n,time_step_s (surface for zero_force under a\n"
-    "force); step_bias,step_scatter for each end; damping_correction and the corrected damping;\n"
+    "duration_s_zero_force,max_overlap_m,max_force_n,time_step_s (under a force surface, not\n"
+    "zero_force); step_bias,step_scatter for each end; damping_correction and the corrected damping;\n"
     "measured_end without --end; contact_radius_m,max_pressure_pa. Without --speed quantity,value,unit.\n"
     "With angles speed_m_s,angle_degrees,tangential_speed_m_s,tangential_restitution (-u'/u),\n"
     "rebound_angle_degrees,spin_rad_s (of body 1),regime (stick, slip, both); with --walton\n"

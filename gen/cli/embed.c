@@ -34,7 +34,8 @@ static int run_embed(const void *arguments)
     const enum embed_family chosen = embed_choose(form, o->scene.purpose);
     if (status == STATUS_OK && chosen == FAMILIES) {
         char *const why = embed_failures(&scene, form);
-        status = fail("no form meets the tolerance %s (%s)", o->scene.number[EMBED_TOLERANCE].text, why);
+        status = fail("no form meets the tolerance %s (%s); give a larger --tolerance or a narrower range of speeds",
+                      o->scene.number[EMBED_TOLERANCE].text, why);
         free(why);
     }
     profile_step("proof");

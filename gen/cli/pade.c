@@ -212,9 +212,9 @@ static const char help[] =
 #define ARGUMENTS struct pade_arguments
 static const struct option_rule options[] = {
     OPTION("numerator", WHOLE, request.numerator, .range.whole = {0, MAX_DEGREE},
-           .why = "a degree needs a linear system of its size"),
+           .why = "larger linear systems take too long"),
     OPTION("denominator", WHOLE, request.denominator, .range.whole = {0, MAX_DEGREE},
-           .why = "a degree needs a linear system of its size"),
+           .why = "larger linear systems take too long"),
     OPTION("two-point", FLAG, two_point, .excludes = "as-published"),
     OPTION_PLAIN("as-published", FLAG, as_published),
     OPTION_DIGITS,

@@ -86,8 +86,8 @@ static int run_plan(const void *arguments)
 static const char help[] =
     "Usage: corgen plan --speed-min G --speed-max G --tolerance T BODIES DISSIPATION [OPTION]...\n"
     "       corgen plan --disks --speed-min V --speed-max V --tolerance T --poisson NU [OPTION]...\n\n"
-    "Compares models of eps with enclosed collisions over a range of speeds, and prints the cheapest\n"
-    "model that meets the tolerance, with the command or call to use.\n\n"
+    "Compares models of eps with proved values over a range of speeds, and prints the cheapest model\n"
+    "that meets the tolerance, with the command or call to use.\n\n"
     "Spheres and other laws: speeds in m/s; T is the relative error of eps, 1e-15 to below 1.\n" HELP_END_PRESSED
     "  --for USE        purpose whose time is compared, scalar (single calls), array (loops) or balanced (both)\n"
     "                   (default balanced)\n" HELP_CONTACT "\n"

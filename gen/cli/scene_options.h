@@ -28,13 +28,13 @@
     "  --plate-thickness H   thickness of a large plate as second body, m, with --law plate\n"                         \
     "or a spring K x^a instead of bodies:\n"                                                                           \
     "  --stiffness K --effective-mass M   stiffness, N/m^a, and m_1 m_2/(m_1 + m_2), kg\n"                             \
-    "  --duration T     duration of contact at the speed --at, s, instead of --stiffness; linear without --at\n\n"     \
+    "  --duration T     duration of contact at the speed --at, s, instead of --stiffness; linear needs no --at\n\n"    \
     "Dissipation, one of:\n"                                                                                           \
     "  --dissipation-time A   dissipation time of viscoelastic spheres, s; also --dissipation-time-2\n"                \
     "  --viscosity ETA1,ETA2   twice the shear viscosity, and the bulk viscosity, Pa s; also --viscosity-2\n"          \
     "  --g-star G       characteristic speed, m/s, of eps = 1 - (speed/g*)^q + ..., for spheres q = 1/5\n"             \
-    "  --restitution E --at G   measured eps, above 0 and up to 1, and its speed, m/s; linear, tsuji\n"                \
-    "                   without --at\n"                                                                                \
+    "  --restitution E --at G   measured eps, above 0 and up to 1, and its speed, m/s; linear and tsuji\n"             \
+    "                   need no --at\n"                                                                                \
     "  --damping-coefficient C   damping of the force K x^a + C x^b x', N s/m^(b+1)\n"                                 \
     "  --beta B --at G  beta at the speed G, m/s\n"                                                                    \
     "  --zeta Z         damping ratio of the laws linear and tsuji\n\n"                                                \
@@ -47,9 +47,9 @@
     "  --eps-inf E --decay-speed V    with --law exponential, E + (1 - E) exp(-v/V)\n"                                 \
     "  --table FILE                   with --law table, a csv file with the columns speed_m_s,eps\n\n"                 \
     "Yield, or a liquid:\n"                                                                                            \
-    "  --yield-stress Y   yield stress, Pa; gives the yield speed, and a warning above it\n"                           \
+    "  --yield-stress Y   yield stress, Pa; prints the yield speed, and warns of speeds above it\n"                    \
     "  --viscosity-liquid ETA --gap-outer H --gap-inner h\n"                                                           \
-    "                   viscosity, Pa s, and the gaps, m, between which the liquid lubricates the contact\n\n"         \
+    "                   viscosity, Pa s, and the outer and inner gap, m, between which the liquid acts\n\n"            \
     "A constant force that presses the bodies together:\n"                                                             \
     "  --gravity G      gravity on a ball above a --wall or a plate, m/s^2\n"                                          \
     "  --adhesion W --adhesion-model M   work of adhesion, J/m^2, and its model, dmt (the force 2 pi W R)\n"           \

@@ -58,7 +58,7 @@ static const struct option_rule options[] = {
     OPTION_PLAIN("check", FLAG, request.check),
     OPTION_PLAIN("all", FLAG, request.all),
     OPTION_PLAIN("digits", FLAG, request.digits),
-    OPTION("seed", WHOLE, request.seed, .range.whole = {0, TABLES_MAX_SEED}, .why = "there are no more samples"),
+    OPTION("seed", WHOLE, request.seed, .range.whole = {0, TABLES_MAX_SEED}, .why = "more seeds have no use"),
     OPTION_PLAIN("output", FOLDER, common.output),
     OPTION_LAST,
 };

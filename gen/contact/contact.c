@@ -79,7 +79,8 @@ int contacts_of_request(struct contacts *contacts, const struct embed_request *r
                            longer ? "shorter" : "longer");
     }
     if (fault.fault == COR_FAULT_NO_DAMPING)
-        return fail("found no damping that gives eps = %g", embed_number(request, COR_SCENE_RESTITUTION));
+        return fail("found no damping that gives eps = %g; give another --restitution or --end",
+                    embed_number(request, COR_SCENE_RESTITUTION));
     if (fault.fault == COR_FAULT_VISCOSITY)
         return usage_error("--%s: '%s' is not two numbers, 0 or more, with a comma between them: ETA1,ETA2 in Pa s, "
                            "for example 1e3,2e3",
@@ -94,7 +95,7 @@ int contacts_without_jkr(struct contacts *contacts, const struct embed_request *
     const int status = contacts_of_request(contacts, request);
     return status == STATUS_OK && contacts->contact[0].adhesion_j_m2 > 0
                ? usage_error(
-                     "--adhesion-model jkr works only in corgen contact, with any list of speeds; allowed here: dmt")
+                     "--adhesion-model jkr works only in corgen contact, for the speeds of --speed; allowed here: dmt")
                : status;
 }
 
@@ -115,8 +116,8 @@ void contact_warn_yield(const struct contacts *contacts, double speed_m_s)
     const double speed = speed_m_s - c->liquid_speed_m_s;
     if (c->plastic || !(c->yield_speed_m_s > 0) || !(speed > c->yield_speed_m_s))
         return;
-    fail("warning: at %g m/s the largest Hertzian pressure would be %.4g Pa, above 1.6 times the yield stress, %.4g "
-         "Pa. The bodies yield above %.4g m/s, which this law does not describe; use --law elastic-plastic.",
+    fail("warning: at %g m/s the largest Hertzian pressure would be %.4g Pa. The bodies yield at %.4g Pa, 1.6 times "
+         "the yield stress, and so above %.4g m/s. This law does not describe yield; use --law elastic-plastic.",
          speed_m_s, cor_scene_pressure(c, cor_scene_elastic_overlap(c, speed)),
          cor_scene_pressure(c, cor_scene_elastic_overlap(c, c->yield_speed_m_s)),
          c->yield_speed_m_s + c->liquid_speed_m_s);
@@ -254,8 +255,8 @@ static int read_pair(struct cor_material_pair *p, const struct table *t, char *c
             if (strcmp(row[k], materials->cell[*place[k] * MATERIAL_COLUMNS + NAME]) == 0)
                 break;
         if (*place[k] == count)
-            return usage_error("--pairs, line %s, %s: '%s' is not a name of --materials", row[PAIR_LINE], t->column[k],
-                               row[k]);
+            return usage_error("--pairs, line %s, %s: '%s' is not a name in the file of --materials", row[PAIR_LINE],
+                               t->column[k], row[k]);
     }
     for (p->end = 0; contact_end_options[p->end] && strcmp(row[END], contact_end_options[p->end]) != 0;)
         p->end++;

@@ -42,8 +42,8 @@ void contact_print_ranges(FILE *file, const struct contacts *contacts, bool rows
     if (rows && !isnan(step))
         fprintf(
             file,
-            "\nRayleigh's time step is %.6g s: a surface wave travels half around the smaller sphere. Codes for\n"
-            "particles limit their step to 0.1 to 0.3 of it at every speed; time_step_s follows from this contact.\n",
+            "\nRayleigh's time step is %.6g s, in which a surface wave travels half around the smaller sphere. Codes\n"
+            "for particles use 0.1 to 0.3 of it at every speed, whereas time_step_s follows from this contact.\n",
             step);
     if (contacts->hertz.stiffness > 0)
         fprintf(file,
@@ -53,7 +53,7 @@ void contact_print_ranges(FILE *file, const struct contacts *contacts, bool rows
                 contacts->at_m_s);
     if (!isnan(tabor))
         fprintf(file,
-                "\nTabor's number is %.3g if %g m separate the surfaces: JKR holds above about %g, DMT below %g.\n",
+                "\nTabor's number is %.3g for surfaces %g m apart. The JKR model holds above about %g, DMT below %g.\n",
                 tabor, COR_TABOR_DISTANCE_M, COR_TABOR_JKR, COR_TABOR_DMT);
 }
 

@@ -186,8 +186,8 @@ int contact_oblique(struct table *table, const struct contacts *contacts, struct
                 if (!bounded) {
                     beta_0 = NAN;
                     strcpy(request->remark,
-                           "No beta_0: the contact slips to its end at every angle, so the result does "
-                           "not depend on beta_0.");
+                           "beta_0 is not determined: the contact slips to its end at every angle, so no "
+                           "result depends on it.");
                 }
                 const double value[] = {impact.eps, slip / factor, beta_0, error};
                 table_add_text(table, decimal_text(text, speed));

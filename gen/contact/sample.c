@@ -374,7 +374,7 @@ int sample_choose(struct sample *sample, const struct sample_request *request)
             return usage_error("%s is %g at %g m/s and %g at %g m/s, but a relative tolerance needs values above 0; "
                                "give a narrower range of speeds%s",
                                q == 0 ? "eps" : "the duration", low, request->speed_min, high, request->speed_max,
-                               request->contact->force_n > 0 ? ", above the sticking speed of corgen contact"
+                               request->contact->force_n > 0 ? ", above the sticking speed that corgen contact prints"
                                                              : ", or --end zero-force");
     }
     int status = STATUS_OK;

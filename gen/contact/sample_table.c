@@ -104,7 +104,7 @@ void sample_print(FILE *file, const struct sample *sample, const struct sample_r
         column[columns++] = (struct column){"even_eps", sample->even.value[0]};
         fprintf(file, "Error with this number of evenly spaced points: %.4g.", sample->even.error);
         if (isfinite(sample->error_of_fewer))
-            fprintf(file, "\nWith one point fewer, placed as well as possible: %.4g.", sample->error_of_fewer);
+            fprintf(file, "\nError with one point fewer, placed as well as possible: %.4g.", sample->error_of_fewer);
         fputs("\n\n", file);
         /* fall through */
     case SAMPLE_CSV:

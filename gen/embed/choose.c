@@ -109,7 +109,7 @@ static void search_series(struct embed_form *best, const struct embed_scene *s)
         try_quotient(best, s, &f, degree, 0);
     }
     if (!best->found && s->beta_max > NEAR_CONVERGENCE * CONVERGENCE)
-        snprintf(best->why, sizeof best->why, "beta leaves the circle of convergence, %g", CONVERGENCE);
+        snprintf(best->why, sizeof best->why, "beta exceeds the radius of convergence, %g", CONVERGENCE);
 }
 
 static void search_pade(struct embed_form *best, const struct embed_scene *s)
@@ -200,10 +200,10 @@ static void search_family(void *context, slong family)
             try_form(form, *form, s, NULL);
         snprintf(form->why, sizeof form->why, "eps is the same at every speed");
     } else if (family <= FAMILY_TWO_POINT && (!law_is_sphere(&s->law) || !arb_is_zero(s->liquid_speed) || s->pressed)) {
-        snprintf(form->why, sizeof form->why, "tried for viscoelastic spheres only%s",
-                 s->pressed                     ? ", without a constant force"
+        snprintf(form->why, sizeof form->why, "exists only for viscoelastic spheres%s",
+                 s->pressed                     ? " without a constant force"
                  : arb_is_zero(s->liquid_speed) ? ""
-                                                : ", dry ones");
+                                                : " without a liquid");
     } else if (families[family].search) {
         families[family].search(form, s);
     } else {

@@ -127,7 +127,8 @@ static int beta_of_restitution(arb_t beta, const arb_t force, const struct embed
     int status = STATUS_OK;
     const struct measured measured = {wanted, pressing, law, request->end, &status};
     if (!root_near(beta, eps_above, &measured, arb_is_zero(pressing) ? ROOT_BITS : ROOT_BITS_PRESSED, SOLVE_BITS))
-        return status ? STATUS_FAILED : fail("found no damping that gives the eps of --restitution");
+        return status ? STATUS_FAILED
+                      : fail("found no damping that gives the eps of --restitution; give another --restitution");
     LET(beta, SOLVE_BITS, "beta/at^q", beta, at, q);
     return STATUS_OK;
 }

@@ -90,7 +90,7 @@ static void append_scene(FILE *t, const struct embed_request *request, const str
     if (s->own.law && s->onset > 0)
         fprintf(t, "eps = 1 up to %.17g m/s.\n", s->onset);
     else if (s->plastic)
-        fprintf(t, "v_y = %s m/s, the impact speed from which they yield%s.\n", middle_text(s->yield_speed).text,
+        fprintf(t, "v_y = %s m/s, the impact speed above which they yield%s.\n", middle_text(s->yield_speed).text,
                 s->onset > 0 || s->constant ? "; eps = 1 up to it" : "");
     else if (!s->by_speed)
         fprintf(t, "beta = %s (speed/(m/s))^%s, from %.4g to %.4g.\n", middle_text(s->beta_per_root).text,
@@ -122,7 +122,7 @@ static void append_choice(FILE *t, const struct embed_request *request, const st
                           const struct embed_form *form, enum embed_family chosen, const struct embed_proof *proof)
 {
     static const char balanced[] =
-        "the least time, one separate call counting\nas much as four numbers of a vectorised loop, scalar + 4 vector";
+        "the least time for one separate call and four numbers of a vectorised loop,\nscalar + 4 vector";
     static const char *const rule[] = {[PURPOSE_BALANCED] = balanced,
                                        [PURPOSE_SCALAR] = "the least time for separate calls, column scalar",
                                        [PURPOSE_ARRAY] = "the least time in vectorised loops, column vector",
@@ -131,7 +131,7 @@ static void append_choice(FILE *t, const struct embed_request *request, const st
     char size[64];
     embed_form_size(size, sizeof size, f);
     fprintf(t,
-            "Chosen: %s, %s. Of the forms that meet the tolerance it needs\n%s (--for %s).\n"
+            "Chosen: %s, %s. Of the forms that meet the tolerance, it needs\n%s (--for %s).\n"
             "Largest error found %s, at %.6g m/s, at %d speeds with equal ratios, sums of products rounded\n"
             "once and twice: sampled. %s\n",
             embed_family_name(chosen, s), size, rule[request->purpose], embed_purpose_names[request->purpose],
@@ -164,7 +164,7 @@ static void append_provenance(FILE *t, const struct embed_scene *s, const struct
         fprintf(t, "\nFitted to and compared with a closed form in interval arithmetic; coefficients rounded once to "
                    "the type.\n");
     else if (s->constant)
-        fprintf(t, "\neps is that of one collision %s, enclosed (proved), or is given.\n", law_equation(&s->law).text);
+        fprintf(t, "\neps comes from one collision %s, enclosed (proved), or is given.\n", law_equation(&s->law).text);
     else
         fprintf(t,
                 "\nFitted to and compared with collisions %s%s enclosed to 76 bits or\n"

@@ -259,7 +259,7 @@ static void add_laws(const struct disks *d)
     for (slong i = 0; i < plan->points; i++)
         m->value[i] = (time ? cor_disk_contact_time_leading_log : cor_disk_max_compression_leading_log)(plan->speed[i]);
     plan_model_is(
-        plan, m, NS_LEADING_LOG, "all except ln(4/v); vibrations",
+        plan, m, NS_LEADING_LOG, "all terms except ln(4/v); vibrations",
         xprintf("#include \"cor/disk.h\"\ndouble %s = %s_leading_log(v);\n", quantities[d->quantity].field, called));
     for (int k = 0; k < 3; k++) {
         m = plan_add(plan, "quasistatic law: %s", name[k]);

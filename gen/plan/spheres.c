@@ -519,11 +519,11 @@ char *plan_wave_remark(const struct embed_request *request, double speed, double
     const double waves = cor_contact_wave_loss(&contact, &half_space, speed), all = (1 - eps) * (1 + eps);
     if (isnan(waves))
         return NULL;
-    return xprintf("Elastic waves only: 1 - eps^2 = %.2g at %.4g m/s, to first order, if the wall is massive and as "
-                   "dense as the\nsphere; with this dissipation time it is %.2g. %s\n",
+    return xprintf("Elastic waves in a massive wall as dense as the sphere cause the loss 1 - eps^2 = %.2g at %.4g "
+                   "m/s, to first\norder. This dissipation time gives %.2g. %s\n",
                    waves, speed, all,
-                   waves < all ? "A measured dissipation time includes the loss by waves."
-                               : "The waves dissipate more: the dissipation time is too small.");
+                   waves < all ? "A measured dissipation time includes the waves."
+                               : "This is less: the dissipation time is too small.");
 }
 
 /* ---- the plan ---- */

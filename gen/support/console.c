@@ -96,7 +96,7 @@ int usage_error(const char *format, ...)
 
 int fail_accuracy(const char *quantity, long bits)
 {
-    return fail("cannot enclose %s to %ld bits; use fewer digits or less damping", quantity, bits);
+    return fail("cannot prove %s to %ld bits; use fewer digits or less damping", quantity, bits);
 }
 
 /* Handles a failure of GMP or FLINT, which would abort: exit() cleans up unfinished files. */

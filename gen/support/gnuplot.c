@@ -36,7 +36,7 @@ int gnuplot_check(const char *path)
 {
     return format_of(path) < FORMATS ? STATUS_OK
                                      : usage_error("--plot: '%s' is not the name of a picture; allowed: names that end "
-                                                   "in .svg, .png or .pdf, or have no ending (svg)",
+                                                   "in .svg, .png or .pdf; a name without an ending gives svg",
                                                    path);
 }
 

@@ -165,7 +165,7 @@ def lines(
     are required, and the other keywords are law, elastic, damping and end."""
     request = ffi.new("struct cor_simulator_request *")
     if materials is None and friction:
-        raise TypeError("friction: allowed with materials")
+        raise TypeError("friction: allowed only with materials; give materials, or leave out friction")
     if materials is None:
         made = _contact(contact, scene)
     elif contact is not None or set(scene) - {"law", "elastic", "damping", "end"} or not np.size(speeds):

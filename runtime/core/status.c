@@ -36,7 +36,7 @@ const char *cor_status_text(int status)
     case COR_ERROR_SPEED:
         return "The impact speed must be zero or positive, and at most cor_disk_speed_limit().";
     case COR_ERROR_MODES:
-        return "The table must hold at least the requested number of modes, one or more, by increasing frequency.";
+        return "The table must contain at least the requested number of modes (one or more), sorted by frequency.";
     case COR_ERROR_TOLERANCE:
         return "The tolerance must be between 0 and 1.";
     case COR_ERROR_FILE:
@@ -44,17 +44,17 @@ const char *cor_status_text(int status)
     case COR_ERROR_FILE_VERSION:
         return "The file is not a mode file of the version that this library reads.";
     case COR_ERROR_FILE_DAMAGED:
-        return "The mode file is not as corgen wrote it, or ends early.";
+        return "The mode file was changed after corgen wrote it, or is incomplete.";
     case COR_ERROR_CAPACITY:
         return "The array is too small for the modes in the file.";
     case COR_BEYOND_THEORY:
-        return "The collision is too violent for perturbation theory; the numbers are given.";
+        return "The collision is too violent for perturbation theory; the result is stored, but may be wrong.";
     case COR_TOLERANCE_NOT_REACHED:
-        return "The tolerance cannot be met with this table or these steps; the best numbers are given.";
+        return "The tolerance cannot be met with this table or these steps; the best result is stored.";
     case COR_WALL_NOT_TOUCHED:
         return "The disk does not move towards the wall; there is no collision.";
     case COR_CONTACT_NOT_ENDED:
-        return "The contact lasts longer than the number of steps allowed.";
+        return "The contact needs more steps than the allowed number.";
     case COR_ERROR_ALPHA:
         return "The hardness alpha of the wall must be from 40 to 1e5.";
     case COR_ERROR_PHI_POINTS:
@@ -62,7 +62,7 @@ const char *cor_status_text(int status)
     case COR_ERROR_WORKSPACE:
         return "The workspace is smaller than cor_disk_collision_workspace() bytes.";
     case COR_ERROR_MEMORY:
-        return "There is no memory for a workspace.";
+        return "The workspace could not be allocated.";
     case COR_ERROR_DENSITY:
         return "The density must be positive and finite.";
     case COR_ERROR_THICKNESS:

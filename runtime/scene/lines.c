@@ -468,8 +468,8 @@ static int correct_block(struct block *block, const struct task *task)
     double number[PAIRS];
     if (block->model->law == COR_LAW_IMPULSE)
         return 1;
-    snprintf(block->reason, SENTENCE, "its damping has no correction for the time step: %s",
-             task->request->speeds != 1 ? "it holds at one impact speed; give one speed"
+    snprintf(block->reason, SENTENCE, "cor has no correction of its damping for the time step: %s",
+             task->request->speeds != 1 ? "a correction holds at one impact speed; give one speed"
              : integrator_of(task) == COR_NO_INTEGRATOR
                  ? "its integrator is implicit, or chooses its own steps"
                  : "the step is not known, or too long for any damping to correct the mean");
@@ -551,12 +551,12 @@ static int fill_block(struct block *block, struct task *task, const struct cor_s
                      : "the effective radius of bodies: give bodies instead of --stiffness and --effective-mass");
     } else if (isnan(number)) {
         cor_simulator_reach(model, &least, &most);
-        snprintf(block->reason, SENTENCE, "no e realises %s; the e of this model realise %s to %s%s",
+        snprintf(block->reason, SENTENCE, "no e of this model realises eps = %s; allowed: %s to %s%s",
                  TEXT(cor_law_eps(model->law, model->end, requested)), TEXT(least), TEXT(most),
                  status == COR_SIMULATOR_TOO_SMALL && model->end == COR_END_ZERO_FORCE
-                     ? " (its formula assumes the end zero overlap, but its force ends at zero, so the least is "
-                       "exp(-2) = 0.1353); set its damping coefficient instead, by --stiffness and --effective-mass, "
-                       "or choose a larger e"
+                     ? ". Its formula assumes that contacts end at zero overlap, but they end at zero force, which "
+                       "gives at least exp(-2) = 0.1353. Request a larger eps, or set its damping coefficient by "
+                       "--stiffness and --effective-mass"
                      : "");
     }
     if (isnan(number))
@@ -1011,7 +1011,7 @@ static void put_own_e(struct text *t, const struct block *block, const struct ta
     const double back = cor_simulator_realised(block->model, eps);
     put_comment(t,
                 isnan(back) ? "In %s this eps needs e = %s; the simulator refuses e = %s."
-                            : "In %s this eps needs e = %s; there e = %s realises %s.",
+                            : "In %s this eps needs e = %s; e = %s would realise %s.",
                 task->simulator->title, TEXT(block->number[PAIR]), TEXT(eps), TEXT(back));
 }
 
@@ -1037,7 +1037,7 @@ static int put_block(struct text *t, const struct block *block, const struct tas
     if (has_soft_wall(task))
         put_comment(t, "%s%s", task->simulator->wall, task->pressed ? " Here eps is that of a wall." : "");
     if (task->pressed)
-        put_comment(t, "The simulator adds gravity; eps is the speed at %s over the impact speed.",
+        put_comment(t, "The simulator adds gravity; eps is the rebound speed at %s over the impact speed.",
                     model->end == COR_END_ZERO_OVERLAP ? "zero overlap" : "the surface");
     put_comment(t, "%s", model->advice);
     put_own_e(t, block, task);
@@ -1610,7 +1610,7 @@ static void put_largest(struct text *t, const struct block *block, const struct 
                              model->damping_of_number(model, block->number[PAIR], &made, speed), speed);
     if (cor_scene_eps(&eps, &made, speed, (int)model->end) == 0 &&
         cor_scene_eps(&wanted, &c, speed, (int)model->end) == 0)
-        put_comment(t, "between the largest balls this line realises eps = %s at %s m/s; the materials have %s",
+        put_comment(t, "between the largest balls this line realises eps = %s at %s m/s; the materials require %s",
                     TEXT(eps), TEXT(speed), TEXT(wanted));
 }
 

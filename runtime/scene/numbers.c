@@ -95,10 +95,12 @@ int cor_scene_check_bodies(struct cor_scene_fault *fault, const struct cor_scene
 
 #define BODY_RULE                                                                                                      \
     "a contact of bodies needs --young, --poisson, --radius and --density or --mass, for example --young 7e10 "        \
-    "--poisson 0.17 --radius 1e-3 --density 1600; a different second body has the same options with -2, or --wall"
+    "--poisson 0.17 --radius 1e-3 --density 1600; describe a different second body by the same options with -2, or "   \
+    "by "                                                                                                              \
+    "--wall"
 #define PAIR_RULE                                                                                                      \
-    "With --effective-mass, two of these determine a contact: --stiffness, --damping-coefficient, --duration and one " \
-    "ratio, --restitution, --beta or --zeta"
+    "With --effective-mass, two of these four determine a contact: --stiffness, --damping-coefficient, --duration, "   \
+    "and one of --restitution, --beta and --zeta"
 #define WAY_RULE                                                                                                       \
     "Give one dissipation: --dissipation-time A (s), --viscosity ETA1,ETA2 (Pa s), --g-star G (m/s), --restitution E " \
     "--at SPEED (such as --restitution 0.9 --at 1), --damping-coefficient C, --beta B --at SPEED or --zeta Z"
@@ -107,7 +109,8 @@ int cor_scene_check_bodies(struct cor_scene_fault *fault, const struct cor_scene
  * {status}: the status of libcor. {more}: the text of more_of. */
 static const char *const sentences[] = {
     [COR_FAULT_SOLVER] = "the law {law} has no functions in cor; corgen contact solves it",
-    [COR_FAULT_NO_DAMPING] = "found no damping that gives the eps of --restitution",
+    [COR_FAULT_NO_DAMPING] =
+        "found no damping that gives the eps of --restitution; give another --restitution or --end",
     [COR_FAULT_MISSING] = "--{number} is missing: {bodies}",
     [COR_FAULT_ONE_OF] = "give exactly one of --{number} and --{other}; {bodies}",
     [COR_FAULT_EXCLUDED] = "--{number} and --{other} exclude each other",
@@ -202,8 +205,8 @@ static const char *more_of(const struct cor_scene_fault *fault)
                                                : "";
     case COR_FAULT_NO_SPEED:
         return number == COR_SCENE_DURATION
-                   ? "durations of the law {law} depend on the speed (only the law linear needs none)"
-                   : "eps of the law {law} depends on the speed (only linear and tsuji need none)";
+                   ? "durations of the law {law} depend on the speed (only the law linear needs no --at)"
+                   : "eps of the law {law} depends on the speed (only linear and tsuji need no --at)";
     default:
         return number == COR_SCENE_YIELD_STRESS ? "--law elastic-plastic" : "a contact in a liquid";
     }

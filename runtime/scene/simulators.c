@@ -210,7 +210,7 @@ static double damping_of_yade_en(const struct cor_simulator_model *model, double
 #define NUMBER(of_damping, to_damping) .most = 1, .number_of_damping = of_damping, .damping_of_number = to_damping
 #define SCALED(name) NUMBER(scale_damping, unscale_number), .number = name
 #define OPEN 0x1p-1022 /* e > 0 */
-#define IMPLICIT "As the time step goes to zero: its method is implicit, and longer steps damp more."
+#define IMPLICIT "This eps is the limit of short time steps: the method is implicit, and longer steps damp more."
 #define PFC(mode) EVERYWHERE("contact cmat default model linear property kn {K} dp_nratio {n} dp_mode " mode "\n")
 /* Lines for the input, for two bodies and for a body and a wall */
 #define EVERYWHERE(text) .lines = text, .wall_lines = text
@@ -329,7 +329,7 @@ static double damping_of_yade_en(const struct cor_simulator_model *model, double
 #define CPP COMMENT("// ", "")
 static const struct cor_simulator_model lammps[] = {
     ROW(LAMMPS_HOOKE_VELOCITY, OF_LAMMPS_RUN, "granular hooke, damping velocity", "eta_n, kg/s", LINEAR, ZERO_OVERLAP,
-        SCALED(DASHPOT), "eta_n is the dashpot itself.", LAMMPS("hooke {K}", "velocity")),
+        SCALED(DASHPOT), "eta_n is the damping coefficient itself.", LAMMPS("hooke {K}", "velocity")),
     ROW(LAMMPS_HOOKE_VELOCITY_LIMIT, OF_LAMMPS_RUN, "granular hooke, damping velocity, limit_damping", "eta_n, kg/s",
         LINEAR, ZERO_FORCE, SCALED(DASHPOT), "Exact.", LAMMPS("hooke {K}", "velocity limit_damping")),
     ROW(LAMMPS_HOOKE_MASS_VELOCITY, OF_LAMMPS_RUN, "granular hooke, damping mass_velocity; gran/hooke",
@@ -358,7 +358,7 @@ static const struct cor_simulator_model lammps[] = {
     ROW(LAMMPS_COEFF_RESTITUTION_LIMIT, OF_LAMMPS_SOURCE,
         "granular hertz or hooke, damping coeff_restitution, limit_damping", "e", TSUJI, ZERO_FORCE,
         ASKED(exact_at_zero_overlap, OPEN, 1),
-        "LAMMPS computes its damping for contacts that end at zero overlap: these realise more than its e.",
+        "LAMMPS computes its damping for contacts that end at zero overlap. These end at zero force: eps is above e.",
         LAMMPS("{model} {stiffness}", "coeff_restitution limit_damping"), .any_spring = 1, .since = 20250205),
     ROW(LAMMPS_HERTZ_TSUJI, OF_LAMMPS_RUN, "granular hertz, damping tsuji, releases to July 2026", "e", TSUJI,
         ZERO_OVERLAP, ASKED(tsuji_until_2026, 0, 1),
@@ -368,16 +368,16 @@ static const struct cor_simulator_model lammps[] = {
         "e", TSUJI, ZERO_FORCE, ASKED(tsuji_until_2026, 0, 1), "LAMMPS realises up to 0.263 more than its e.",
         LAMMPS("hertz {kn}", "tsuji limit_damping"), .until = 20260731),
     ROW(LAMMPS_HERTZ_TSUJI_2026, OF_LAMMPS_SOURCE, "granular hertz, damping tsuji, source after July 2026", "e", TSUJI,
-        ZERO_OVERLAP, ASKED(tsuji_since_2026, 0, 1), "Within 0.002 from e = 0.05 on; coeff_restitution is exact.",
-        NO_LINES, .since = 20260801),
+        ZERO_OVERLAP, ASKED(tsuji_since_2026, 0, 1),
+        "Within 0.002 for e of 0.05 and above; coeff_restitution is exact.", NO_LINES, .since = 20260801),
     ROW(LAMMPS_HOOKE_TSUJI, OF_LAMMPS_RUN, "granular hooke, damping tsuji, releases to July 2026", "e", LINEAR,
         ZERO_OVERLAP, ASKED(tsuji_on_hooke_until_2026, 0, 1),
         "LAMMPS uses a formula for Hertz's force on a linear spring; damping velocity is exact.",
         LAMMPS("hooke {K}", "tsuji"), .until = 20260731),
     ROW(LAMMPS_HOOKE_TSUJI_2026, OF_LAMMPS_SOURCE, "granular hooke, damping tsuji, source after July 2026", "e", LINEAR,
         ZERO_OVERLAP, ASKED(tsuji_on_hooke_since_2026, 0, 1),
-        "LAMMPS uses a formula for Hertz's force on a linear spring, and another one than in older releases; "
-        "coeff_restitution.",
+        "LAMMPS uses a formula for Hertz's force on a linear spring, which differs from that in older releases; "
+        "coeff_restitution is exact.",
         LAMMPS("hooke {K}", "tsuji"), .since = 20260801),
 };
 
@@ -389,12 +389,12 @@ static const struct cor_simulator_model liggghts[] = {
         "hooke/stiffness, gamman, limitForce on", "gamman, 1/s", LINEAR, ZERO_FORCE, SCALED(DASHPOT_PER_MASS), "Exact.",
         LIGGGHTS("hooke/stiffness", " limitForce on", LIGGGHTS_STIFFNESS("{K[]}"))),
     ROW(LIGGGHTS_RESTITUTION, OF_LIGGGHTS("normal_model_hertz.h"), "hertz or hooke, coefficientRestitution", "e", TSUJI,
-        ZERO_OVERLAP, ASKED(exact_at_zero_overlap, 0.05, 1), "Exact; it refuses e <= 0.05.",
+        ZERO_OVERLAP, ASKED(exact_at_zero_overlap, 0.05, 1), "Exact; LIGGGHTS refuses e <= 0.05.",
         LIGGGHTS("{model}", "", LIGGGHTS_E), .any_spring = 1),
     ROW(LIGGGHTS_RESTITUTION_LIMIT, OF_LIGGGHTS("normal_model_hertz.h"),
         "hertz or hooke, coefficientRestitution, limitForce on", "e", TSUJI, ZERO_FORCE,
         ASKED(exact_at_zero_overlap, 0.05, 1),
-        "LIGGGHTS computes its damping for contacts that end at zero overlap: these realise more than its e.",
+        "LIGGGHTS computes its damping for contacts that end at zero overlap. These end at zero force: eps is above e.",
         LIGGGHTS("{model}", " limitForce on", LIGGGHTS_E), .any_spring = 1),
     ROW(LIGGGHTS_HERTZ_GAMMAN, OF_LIGGGHTS("normal_model_hertz_stiffness.h"), "hertz/stiffness, gamman",
         "gamman, 1/(m s)", VISCOELASTIC, ZERO_OVERLAP, SCALED(AREA_HERTZ), SPHERE("gamman"),
@@ -436,7 +436,8 @@ static const struct cor_simulator_model yade[] = {
 static const struct cor_simulator_model mercurydpm[] = {
     ROW(MERCURYDPM_LINEAR, OF_MERCURYDPM("LinearViscoelasticNormalSpecies.cc"),
         "LinearViscoelastic, setStiffnessAndRestitutionCoefficient", "e", LINEAR, ZERO_OVERLAP,
-        ASKED(exact_at_zero_overlap, 0, 1), "Exact, with the mass of one particle; e = 0 sticks for ever.",
+        ASKED(exact_at_zero_overlap, 0, 1),
+        "Exact, if the mass is that of one particle. With e = 0 the particles never part.",
         EVERYWHERE(MERCURYDPM_DENSITY
                    "species->setStiffnessAndRestitutionCoefficient({K}, {n}, {2m});\n" MERCURYDPM_FRICTION),
         .mass = COR_MASS_IN_LINES),
@@ -474,7 +475,7 @@ static const struct cor_simulator_model mercurydpm[] = {
 static const struct cor_simulator_model chrono[] = {
     ROW(CHRONO_MATERIAL, OF_CHRONO, "SMC, Hooke or Hertz from material, cr", "e", TSUJI, ZERO_FORCE,
         ASKED(exact_at_zero_overlap, 2.220446049250313e-16, 1 - 2.220446049250313e-16),
-        "Chrono computes its damping for contacts that end at zero overlap: these realise more than cr.",
+        "Chrono computes its damping for contacts that end at zero overlap. These end at zero force: eps is above cr.",
         PAIRS("system.UseMaterialProperties(true);\n"
               "system.SetContactForceModel(ChSystemSMC::ContactForceModel::{Model});\n"
               "material->SetRestitution({n});\n"),
@@ -490,8 +491,7 @@ static const struct cor_simulator_model chrono[] = {
               "material->SetGn({n});\n")),
     ROW(CHRONO_HERTZ, OF_CHRONO, "SMC Hertz, kn and gn", "gn, 1/s per m", VISCOELASTIC, ZERO_FORCE,
         SCALED(CHRONO_HERTZ), "K is kn R. The viscoelastic sphere: one gn for every speed.",
-        PAIRS("// Type::BULLET finds no R and takes this one for every contact; Type::MULTICORE finds that of each "
-              "pair of spheres\n"
+        PAIRS("// Type::BULLET uses this R for every contact; Type::MULTICORE computes R of each pair of spheres\n"
               "ChCollisionInfo::SetDefaultEffectiveCurvatureRadius({R});\n"
               "system.UseMaterialProperties(false);\n"
               "system.SetContactForceModel(ChSystemSMC::ContactForceModel::Hertz);\n"
@@ -501,7 +501,7 @@ static const struct cor_simulator_model chrono[] = {
                     CHRONO_PAIRS("StiffnessCoefficient", "Kn", "{K[,]}")
                         CHRONO_PAIRS("DampingCoefficient", "Gn", "{nR[,]}"),
                     "mcor_{i}->SetKn({i});\nmcor_{i}->SetGn({i});\nmcor_{i}->SetKt(0);\nmcor_{i}->SetGt(0);\n"
-                    "-// the collision system Type::BULLET has this radius for every contact; K = kn R\n"
+                    "-// the collision system Type::BULLET uses this radius for every contact; K = kn R\n"
                     "-ChCollisionInfo::SetDefaultEffectiveCurvatureRadius(1);\n")),
 };
 
@@ -513,7 +513,7 @@ static const struct cor_simulator_model chrono_multicore[] = {
 
 static const struct cor_simulator_model mfix[] = {
     ROW(MFIX_LSD, OF_MFIX, "DEM, LSD", "e", LINEAR, ZERO_OVERLAP, ASKED(exact_at_zero_overlap, 0, 1),
-        "Exact; e = 0 sticks for ever.",
+        "Exact. With e = 0 the particles never part.",
         BOTH("DES_COLL_MODEL = 'LSD'\n"
              "KN = {K}\n"
              "DES_EN_INPUT(1) = {n}\n",
@@ -521,7 +521,7 @@ static const struct cor_simulator_model mfix[] = {
              "KN_W = {K}\n"
              "DES_EN_WALL_INPUT(1) = {n}\n")),
     ROW(MFIX_HERTZIAN, OF_MFIX, "DEM, HERTZIAN", "e", TSUJI, ZERO_OVERLAP, ASKED(mfix_hertz, 0, 1),
-        "MFiX uses the formula of a linear spring on Hertz's force: it realises more than its e.",
+        "MFiX uses the formula of a linear spring for Hertz's force: eps is above e.",
         BOTH("DES_COLL_MODEL = 'HERTZIAN'\n"
              "DES_EN_INPUT(1) = {n}\n",
              "DES_COLL_MODEL = 'HERTZIAN'\n"
@@ -535,7 +535,7 @@ static const struct cor_simulator_model openfoam[] = {
     ROW(OPENFOAM_PAIR,
         OF("src/lagrangian/intermediate/submodels/Kinematic/CollisionModel/PairCollision", "source", "source 446e5777"),
         "pairSpringSliderDashpot, b = 1.5", "alpha", TSUJI, ZERO_OVERLAP, SCALED(TSUJI_BETA),
-        "The usual alpha = 0.12 is e = 0.84465.",
+        "The usual alpha, 0.12, gives e = 0.84465.",
         BOTH("pairModel pairSpringSliderDashpot;\n"
              "pairSpringSliderDashpotCoeffs\n"
              "{\n"
@@ -550,12 +550,14 @@ static const struct cor_simulator_model openfoam[] = {
 
 static const struct cor_simulator_model kratos[] = {
     ROW(KRATOS_HERTZ, OF_KRATOS("python_scripts"), "DEM Hertz, COEFFICIENT_OF_RESTITUTION", "e", TSUJI, ZERO_FORCE,
-        ASKED(thornton_kratos, 0, 1), "Above 0.9 set DAMPING_GAMMA instead; above 0.999 nothing is damped.", NO_LINES),
+        ASKED(thornton_kratos, 0, 1),
+        "For e above 0.9 set DAMPING_GAMMA instead; with e above 0.999 nothing is damped.", NO_LINES),
     ROW(KRATOS_HERTZ_GAMMA, OF_KRATOS("custom_constitutive"), "DEM Hertz, DAMPING_GAMMA", "DAMPING_GAMMA", TSUJI,
         ZERO_FORCE, SCALED(TANGENT_RATIO), "Exact.", NO_LINES),
     ROW(KRATOS_LINEAR, OF_KRATOS("python_scripts"), "DEM linear, COEFFICIENT_OF_RESTITUTION", "e", LINEAR, ZERO_FORCE,
         ASKED(kratos_linear, 0, 1),
-        "The exact formula, bisected to 0.0001 in gamma: at e = 0.99 the loss is off by some percent.", NO_LINES),
+        "Kratos solves the exact formula for gamma to 0.0001: at e = 0.99 the loss is wrong by some percent.",
+        NO_LINES),
     ROW(KRATOS_LINEAR_GAMMA, OF_KRATOS("custom_constitutive"), "DEM linear, DAMPING_GAMMA", "DAMPING_GAMMA", LINEAR,
         ZERO_FORCE, SCALED(DAMPING), "Exact.", NO_LINES),
 };
@@ -570,14 +572,15 @@ static const struct cor_simulator_model esys_particle[] = {
         SCALED(DISSIPATION_TIME_ESYS), "Its A is (3/2) of the dissipation time.",
         PAIRS("HertzianViscoElasticPrms(name=\"contact\", A={n}, E={youngpair}, nu={poisson})\n")),
     ROW(ESYS_HERTZ_MINDLIN, OF_ESYS_PARTICLE, "HertzMindlinVisco, COR", "e", TSUJI, ZERO_OVERLAP, ASKED(esys, OPEN, 1),
-        "Right to 1e-8.",
+        "Correct to 1e-8.",
         PAIRS("HertzMindlinViscoPrms(name=\"contact\", youngsModulus={E}, poissonsRatio={poisson}, dynamicMu=0, "
               "restitution={n})\n")),
 };
 
 static const struct cor_simulator_model dem_engine[] = {
     ROW(DEM_ENGINE_HERTZ, OF("src/DEM/DEMModelSnippets", "source", "source a1dc2312"), "full Hertz model, CoR", "e",
-        TSUJI, ZERO_OVERLAP, ASKED(exact_at_zero_overlap, OPEN, 1), "Exact; of two materials SetMaterialPropertyPair.",
+        TSUJI, ZERO_OVERLAP, ASKED(exact_at_zero_overlap, OPEN, 1),
+        "Exact; for two materials use SetMaterialPropertyPair.",
         PAIRS("auto cor_material = DEMSim.LoadMaterial({\n"
               "    {\n        \"E\", {youngpair}}, {\n        \"nu\", {poisson}}, {\n        \"CoR\", {n}}, {\n"
               "        \"mu\", 0.0f}, {\n        \"Crr\", 0.0f}});\n")),
@@ -592,7 +595,7 @@ static const struct cor_simulator_model exadem[] = {
 
 static const struct cor_simulator_model mujoco[] = {
     ROW(MUJOCO_TIME_CONSTANT, OF_MUJOCO, "solref (timeconst, dampratio), dmin = dmax", "dampratio", LINEAR, ZERO_FORCE,
-        SCALED(DAMPING), "The default 1 realises exp(-2) = 0.1353; step at most timeconst/2.",
+        SCALED(DAMPING), "The default, 1, realises exp(-2) = 0.1353. Use time steps up to timeconst/2.",
         EVERYWHERE("<default><geom solref=\"{timeconst} {n}\" solimp=\"0.99 0.99 0.001\" condim=\"1\"/></default>\n")),
     ROW(MUJOCO_STIFFNESS, OF_MUJOCO, "solref (-stiffness, -damping), dmin = dmax", "damping, 1/s", LINEAR, ZERO_FORCE,
         SCALED(DASHPOT_PER_MASS), "Stiffness and damping are per unit of mass.",
@@ -603,7 +606,7 @@ static const struct cor_simulator_model mujoco[] = {
 static const struct cor_simulator_model newton[] = {
     ROW(NEWTON_SEMI_IMPLICIT, OF("newton/_src/solvers/semi_implicit/kernels_contact.py", "source", "source 41a5392c"),
         "SolverSemiImplicit, Featherstone; warp example_dem", "kd, kg/s", LINEAR, APPROACH_ONLY, SCALED(DASHPOT),
-        "The damper works while the bodies approach only.",
+        "The damper acts only while the bodies approach.",
         EVERYWHERE("cor_shape = newton.ModelBuilder.ShapeConfig(ke={K}, kd={n}, kf=0.0, mu=0.0) # of both shapes\n"
                    "# particles: model.particle_ke = {K}; model.particle_kd = {n}; model.particle_kf = 0.0\n")),
 };
@@ -611,12 +614,12 @@ static const struct cor_simulator_model newton[] = {
 static const struct cor_simulator_model drake[] = {
     ROW(DRAKE_HUNT_CROSSLEY, OF_DRAKE("plant"), "point contact or hydroelastic, hunt_crossley_dissipation",
         "d of the pair, s/m", HUNT_CROSSLEY, ZERO_FORCE, SCALED(CROSSLEY_PER_SPEED),
-        "One d holds at one speed; the rebound is never faster than 1/d.",
+        "d holds at one speed. The rebound is never faster than 1/d.",
         EVERYWHERE("<drake:proximity_properties>\n"
                    "  <drake:hunt_crossley_dissipation>{n}</drake:hunt_crossley_dissipation>\n"
                    "</drake:proximity_properties>\n")),
     ROW(DRAKE_SAP, OF_DRAKE("contact_solvers"), "SAP, relaxation_time", "tau of the pair, s", LINEAR, ZERO_FORCE,
-        SCALED(RELAXATION_TIME), "As the step goes to zero; 0.1 s each if nothing is set.",
+        SCALED(RELAXATION_TIME), "This eps is the limit of short time steps. The default of each body is 0.1 s.",
         EVERYWHERE("<drake:proximity_properties>\n"
                    "  <drake:point_contact_stiffness>{2K}</drake:point_contact_stiffness>\n"
                    "  <drake:relaxation_time>{n/2}</drake:relaxation_time>\n"
@@ -643,8 +646,7 @@ static const struct cor_simulator_model opensees[] = {
 static const struct cor_simulator_model bullet[] = {
     ROW(BULLET_RESTITUTION, OF_BULLET("BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.cpp"),
         "setRestitution of both bodies, product e", "e", IMPULSE, INSTANT, ASKED(loss_of_impulse, 0, 1),
-        "Exact for spheres with these lines; Bullet's defaults add up to 0.2 to e, and treat impacts below 0.2 m/s as "
-        "e = 0.",
+        "Exact for spheres with these lines. With Bullet's defaults eps is up to 0.2 above e, and 0 below 0.2 m/s.",
         EVERYWHERE("body->setRestitution({root}); // each of two equal bodies\n" BULLET_TOUCH
                    "world->getSolverInfo().m_restitutionVelocityThreshold = 0;\n"
                    "world->getSolverInfo().m_splitImpulsePenetrationThreshold = 0;\n")),
@@ -685,7 +687,8 @@ static const struct cor_simulator_model bullet[] = {
 static const struct cor_simulator_model gazebo[] = {
     ROW(GAZEBO_BOUNCE, OF("gazebo/physics/ode/ODEPhysics.cc", "source", "gazebo 11"), "ODE, restitution_coefficient",
         "e", IMPULSE, INSTANT, ASKED(loss_of_impulse, 0, 1),
-        "The smaller e of both; eps is 0 up to the smaller threshold, 100000 m/s if none is set.", NO_LINES),
+        "Gazebo uses the smaller e of both bodies. eps is 0 up to the smaller threshold, by default 100000 m/s.",
+        NO_LINES),
     ROW(GAZEBO_KP_KD, OF("gazebo/physics/ode/ODEPhysics.cc", "source", "gazebo 11"),
         "ODE, kp and kd; soft_erp, soft_cfm", "kd of the pair, kg/s", LINEAR, ZERO_FORCE, SCALED(DASHPOT), IMPLICIT,
         EVERYWHERE("<surface><contact><ode> <!-- of both collisions; ODE puts kp in series and adds kd -->\n"
@@ -694,7 +697,8 @@ static const struct cor_simulator_model gazebo[] = {
                    "?<!-- ODE without Gazebo, at the step {dt} s: soft_erp = {erp}, soft_cfm = {cfm} -->\n")),
 };
 
-#define PHYSX_TGS " That is ePGS; eTGS divides the step, and with 50 steps was within 0.02 of eps with short steps."
+#define PHYSX_TGS                                                                                                      \
+    " This holds for ePGS. eTGS divides the step: with 50 steps in a contact, eps was within 0.02 of the limit."
 static const struct cor_simulator_model physx[] = {
     ROW(PHYSX_COMPLIANT, OF("lowleveldynamics/src/DyContactPrepShared.h", "run", "5.6.1"), "compliant contact",
         "damping, kg/s", LINEAR, ZERO_FORCE, SCALED(DASHPOT), IMPLICIT PHYSX_TGS,
@@ -720,13 +724,14 @@ static const struct cor_simulator_model isaac[] = {
 static const struct cor_simulator_model lethe[] = {
     ROW(LETHE_RESTITUTION, OF("particle_particle_contact_force.h", "source", "source of 2023"),
         "hertz_mindlin_limit_overlap or linear, restitution coefficient", "e", TSUJI, ZERO_OVERLAP,
-        ASKED(exact_at_zero_overlap, OPEN, 1), "Exact; two materials have the harmonic mean of both e.", NO_LINES,
-        .any_spring = 1),
+        ASKED(exact_at_zero_overlap, OPEN, 1), "Exact; Lethe uses the harmonic mean of the e of two materials.",
+        NO_LINES, .any_spring = 1),
 };
 
 static const struct cor_simulator_model pfc[] = {
     ROW(PFC_LINEAR, OF("linear model", "documentation", "its documentation of PFC 5 and later"), "linear, dp_nratio",
-        "dp_nratio", LINEAR, ZERO_OVERLAP, SCALED(DAMPING), "Exact; dp_mode 1 and 3 end it at zero force.", PFC("0")),
+        "dp_nratio", LINEAR, ZERO_OVERLAP, SCALED(DAMPING), "Exact; with dp_mode 1 and 3 contacts end at zero force.",
+        PFC("0")),
     ROW(PFC_LINEAR_PUSHES, OF("linear model", "documentation", "its documentation of PFC 5 and later"),
         "linear, dp_nratio, dp_mode 1", "dp_nratio", LINEAR, ZERO_FORCE, SCALED(DAMPING), "Exact.", PFC("1")),
 };
@@ -734,7 +739,7 @@ static const struct cor_simulator_model pfc[] = {
 static const struct cor_simulator_model edem[] = {
     ROW(EDEM_HERTZ, OF("Hertz-Mindlin (no slip)", "documentation", "its documentation of 2025"),
         "Hertz-Mindlin (no slip), coefficient of restitution", "e", TSUJI, ZERO_OVERLAP,
-        ASKED(exact_at_zero_overlap, OPEN, 1), "Exact, if the force may pull, as its documented formula does.",
+        ASKED(exact_at_zero_overlap, OPEN, 1), "Exact, if the force may be attractive, as in the documented formula.",
         EVERYWHERE("Coefficient of Restitution: {n}\n")),
 };
 
@@ -746,10 +751,10 @@ static const struct cor_simulator_model edem[] = {
 static const struct cor_simulator_model simscape[] = {
     ROW(SIMSCAPE_DAMPED, OF("Translational Hard Stop", "documentation", "its documentation of 2026"),
         "hard stop, damped rebound", "damping, kg/s", LINEAR, ZERO_OVERLAP, SCALED(DASHPOT),
-        "The stop pulls before the bodies part.", SIMSCAPE("damped rebound")),
+        "The force is attractive before the bodies part.", SIMSCAPE("damped rebound")),
     ROW(SIMSCAPE_UNDAMPED, OF("Translational Hard Stop", "documentation", "its documentation of 2026"),
         "hard stop, undamped rebound", "damping, kg/s", LINEAR, APPROACH_ONLY, SCALED(DASHPOT),
-        "The damper works while the bodies approach only.", SIMSCAPE("undamped rebound")),
+        "The damper acts only while the bodies approach.", SIMSCAPE("undamped rebound")),
 };
 
 static const struct cor_simulator_model rebound[] = {
@@ -774,24 +779,25 @@ static const struct cor_simulator_model rebound[] = {
 
 static const struct cor_simulator_model modelica[] = {
     ROW(MODELICA_LINEAR, OF_MODELICA, "ElastoGap, n = 1", "d, kg/s", LINEAR, LIMITED, SCALED(DASHPOT),
-        "The damping force is limited to the spring's.",
+        "The damping force is at most the spring force.",
         EVERYWHERE("Modelica.Mechanics.Translational.Components.ElastoGap gap(c={K}, d={n}, n=1, s_rel0=0);\n")),
     ROW(MODELICA_HERTZ, OF_MODELICA, "ElastoGap, n = 1.5", "d, kg/s", HERTZ_DASHPOT, LIMITED, SCALED(HERTZ_VELOCITY),
-        "The damping force is limited to the spring's; slow impacts lose more.",
+        "The damping force is at most the spring force; slow impacts lose more.",
         EVERYWHERE("Modelica.Mechanics.Translational.Components.ElastoGap gap(c={K}, d={n}, n=1.5, s_rel0=0);\n")),
 };
 
 #define BIT(id) 1U << COR_##id
 const struct cor_simulator cor_simulators[] = {
     {SIMULATOR(lammps, "lammps", "LAMMPS", VERLET_HALF_STEP), SCRIPT,
-     .setup = "Goes with: units si, atom_style sphere, newton off, comm_modify vel yes." FRICTION,
+     .setup = "Use with: units si, atom_style sphere, newton off, comm_modify vel yes." FRICTION,
      .time_step = "timestep {dt}\n", .version = "29 Sep 2021", .packaged = 20210929,
      .tangential = BIT(LAMMPS_MINDLIN) | BIT(LAMMPS_MINDLIN_FORCE) | BIT(LAMMPS_MINDLIN_RESCALE) |
                    BIT(LAMMPS_MINDLIN_RESCALE_FORCE) | BIT(LAMMPS_LINEAR_HISTORY) | BIT(LAMMPS_LINEAR_NOHISTORY),
-     .yielding = "LAMMPS of 2025 and later has mdr, which takes E, nu and the yield stress: elastic-plastic with "
-                 "another yield criterion, so that its eps is another one. It was not run."},
+     .yielding =
+         "LAMMPS of 2025 and later has the model mdr of E, nu and the yield stress. Its yield criterion, and so "
+         "its eps, are different. cor has not run it."},
     {SIMULATOR(liggghts, "liggghts", "LIGGGHTS", VERLET_HALF_STEP), SCRIPT,
-     .setup = "Goes with: units si, atom_style granular, newton off, communicate single vel yes, {types} type{s} in "
+     .setup = "Use with: units si, atom_style granular, newton off, communicate single vel yes, {types} type{s} in "
               "create_box." FRICTION,
      .time_step = "timestep {dt}\n", .version = "3.8.0", .packaged = 30800, .tangential = BIT(LIGGGHTS_HISTORY),
      .luding = "LIGGGHTS, luding",
@@ -804,8 +810,8 @@ const struct cor_simulator cor_simulators[] = {
      .time_step = "O.dt = {dt}\n", .version = "2023.02", .packaged = 20230200,
      .tangential = BIT(YADE_HERTZ_MINDLIN) | BIT(YADE_VISCEL) | BIT(YADE_CUNDALL_STRACK),
      .wall_divides = 1.4142135623730951,
-     .wall = "YADE's walls have K/sqrt(2), its facets K sqrt(2/3), where K is Hertz's: contacts last longer.",
-     .density = "cor_material gets the density that YADE chooses, 1000 kg/m^3: add that of your bodies.",
+     .wall = "In YADE walls have the stiffness K/sqrt(2) and facets K sqrt(2/3), with Hertz's K: contacts last longer.",
+     .density = "cor_material has YADE's default density, 1000 kg/m^3: add the density of your bodies.",
      .luding = "YADE, LudingMat",
      .luding_lines = "cor_material = LudingMat(frictionAngle=0, {density}" YADE_LUDING
                      "?cor_material_2 = LudingMat(frictionAngle=0, {density2}" YADE_LUDING
@@ -826,7 +832,7 @@ const struct cor_simulator cor_simulators[] = {
     {SIMULATOR(dem_engine, "dem-engine", "DEM-Engine", NO_INTEGRATOR), CPP, .setup = "SI units." FRICTION},
     {SIMULATOR(exadem, "exadem", "exaDEM", NO_INTEGRATOR), SCRIPT, .setup = "SI units." FRICTION},
     {SIMULATOR(mujoco, "mujoco", "MuJoCo", SYMPLECTIC_EULER), XML,
-     .setup = "Units of the model: m, kg, s. To be put into <mujoco>." FRICTION,
+     .setup = "Units of the model: m, kg, s. Put these lines into <mujoco>." FRICTION,
      .time_step = "<option timestep=\"{dt}\"/>\n", .version = "2.2.2", .packaged = 20202},
     {SIMULATOR(newton, "newton", "Newton", SYMPLECTIC_EULER), SCRIPT, .setup = "SI units." FRICTION,
      .time_step = "cor_dt = {dt} # s, of a substep\n"},
@@ -836,13 +842,14 @@ const struct cor_simulator cor_simulators[] = {
     {SIMULATOR(opensees, "opensees", "opensees", NO_INTEGRATOR)},
     {SIMULATOR(bullet, "bullet", "Bullet", IMPLICIT_EULER), CPP, .setup = "SI units.", .version = "3.24",
      .packaged = 32400},
-    {SIMULATOR(gazebo, "gazebo", "Gazebo", IMPLICIT_EULER), XML, .setup = "SI units. To be put into <collision>."},
+    {SIMULATOR(gazebo, "gazebo", "Gazebo", IMPLICIT_EULER), XML,
+     .setup = "SI units. Put these lines into <collision>."},
     {SIMULATOR(physx, "physx", "PhysX", IMPLICIT_EULER), CPP, .setup = "SI units."},
     {SIMULATOR(isaac, "isaac", "Isaac Sim", IMPLICIT_EULER), SCRIPT, .setup = "Units of the stage: m, kg, s."},
     {SIMULATOR(lethe, "lethe", "lethe", SYMPLECTIC_EULER)},
     {SIMULATOR(pfc, "pfc", "PFC", VERLET_HALF_STEP), COMMENT("; ", ""), .setup = "SI units.",
      .time_step = "model mechanical timestep fix {dt}\n"},
-    {SIMULATOR(edem, "edem", "EDEM", NO_INTEGRATOR), SCRIPT, .setup = "Of the interaction in Physics."},
+    {SIMULATOR(edem, "edem", "EDEM", NO_INTEGRATOR), SCRIPT, .setup = "Set this number in the interaction in Physics."},
     {SIMULATOR(simscape, "simscape", "Simscape", NO_INTEGRATOR), COMMENT("% ", ""),
      .setup = "SI units. The solver chooses the time step."},
     {SIMULATOR(rebound, "rebound", "REBOUND", NO_INTEGRATOR), CPP, .setup = "cor_eps takes m/s."},

@@ -198,8 +198,8 @@ VISCOUS = (
 @pytest.mark.parametrize(
     "old,new,reason",
     [
-        ("en=0.5", "en=read()", "Of its material en is not a constant."),
-        ("en=0.5,et=1", "cn=1", "Of its material kn is missing."),
+        ("en=0.5", "en=read()", "Its material is incomplete: en is not a constant."),
+        ("en=0.5,et=1", "cn=1", "Its material is incomplete: kn is missing."),
         ("en=0.5", "en=toHP1('0.5')", "e = 0.5 realises 0.550283."),
         ("_ViscElPhys", "_MultiViscElPhys", "by Ip2_ViscElMat_ViscElMat_MultiViscElPhys."),
         ("en=0.5,(.*)Phys[(]", r"\1Phys(en=read()", "The number of its damping could not be read."),

@@ -695,7 +695,7 @@ POSITIVE = "gravity drag_coefficient terminal_speed diameter air_density drop_he
     [
         (ValueError, "law: 'viscous' is not a model; allowed: all, viscoelastic", dict(law="viscous")),
         (ValueError, "law: 3 is not a model", dict(law=3)),
-        (ValueError, r"law: \[\] has no models", dict(law=[])),
+        (ValueError, r"law: \[\] names no model", dict(law=[])),
         (ValueError, "separator: 'space' is not a separator; allowed: comma", dict(separator="space")),
         *[(ValueError, f"{name}: 0 is not above 0", {name: 0}) for name in POSITIVE],
         (ValueError, "fit_drag: points has speeds", dict(fit_drag=True)),

@@ -260,9 +260,9 @@ TEST(status_texts)
     /* a characteristic word of the text of each status, in their order, with | between them */
     char words[] =
         "No error|NULL|Young's modulus of|Poisson's|dissipation|radius of|mass of|radii|masses|Young's moduli|"
-        "characteristic|double|of a disk|datum|cor_disk_speed_limit|by increasing|tolerance must|opened|"
-        "version|ends early|too small|too violent|cannot be met|towards|number of steps|hardness|more angles|"
-        "smaller than|no memory|density|thickness";
+        "characteristic|double|of a disk|datum|cor_disk_speed_limit|sorted by|tolerance must|opened|"
+        "version|incomplete|too small|too violent|cannot be met|towards|more steps|hardness|more angles|"
+        "smaller than|allocated|density|thickness";
     int count = 0;
     assert_int_equal(COR_OK, 0);
     for (const char *word = strtok(words, "|"); word; word = strtok(NULL, "|"), count++) {

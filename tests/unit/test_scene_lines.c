@@ -258,8 +258,9 @@ TEST(corrected_for_a_step)
     scene = bodies(COR_LAW_HUNT_CROSSLEY, 0);
     scene_give(scene, {COR_SCENE_RESTITUTION, 0.7}, {COR_SCENE_AT, speed});
     scene.end = COR_END_ZERO_FORCE;
-    found(text_for("simbody", NULL, &scene, speed), "refused: simbody, HuntCrossleyForce; OpenSim: its damping has no "
-                                                    "correction for the time step: its integrator is implicit");
+    found(text_for("simbody", NULL, &scene, speed),
+          "refused: simbody, HuntCrossleyForce; OpenSim: cor has no correction "
+          "of its damping for the time step: its integrator is implicit");
     found(text_for("bullet", NULL, &scene, speed), "realises eps = 0.7 at 0.7 m/s\n");
     /* the text names missing numbers, instead of a step */
     scene = scene_without_numbers(COR_LAW_TSUJI);

@@ -366,8 +366,8 @@ class _Audit:
         elif math.isnan(speed):
             row.advice += " eps depends on the impact speed: give --speed."
         elif row.contact and row.contact.cohesion[0]:
-            most = f" cor integrates at most {_COHESIVE} contacts of a deck."
-            row.advice += most if self.cohesive_left < 0 else " The pull exceeds the spring."
+            most = f" cor integrates at most {_COHESIVE} contacts with cohesion of a deck."
+            row.advice += most if self.cohesive_left < 0 else " The cohesion exceeds the spring force."
         else:
             row.advice += " This law has no function in libcor."
 

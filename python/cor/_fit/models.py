@@ -321,7 +321,7 @@ def choose(names: Any, end: Optional[str]) -> List[Model]:
     made += [function_model(name) for name in chosen if callable(name)]
     if not made:
         raise ValueError(
-            f"law: {names!r} has no models; allowed: all, or names"
+            f"law: {names!r} names no model; allowed: all, or names of models"
             if not chosen
             else f"end: no model of law {names} ends at {end}; allowed: another end or model"
         )

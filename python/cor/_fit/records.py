@@ -427,7 +427,7 @@ def _points(table: Table, ball: Ints, _start: Ints) -> Points:
         if sigma is None:
             table.refuse_cell(int(row), "eps")
         why = f"'{table.cell(row, 'eps')}' is {beyond[row] / sigma[row]:.3g} eps_sigma beyond {int(eps[row] > 1)}"
-        allowed = f"a number from 0 to 1, or beyond by {MAX_BEYOND} eps_sigma of noise"
+        allowed = f"a number from 0 to 1, or up to {MAX_BEYOND} eps_sigma outside"
         table.refuse_row(int(row), "eps", f"{why}; allowed: {allowed}")
     return Points(speed, eps, sigma, table.line, ball)
 
