@@ -176,7 +176,7 @@ static double cell_error(const struct far_proof *proof, enum quantity quantity, 
     error = done ? enclosed_largest_ratio(difference, scale, known, HALVINGS) : HUGE_VAL;
     if (quantity != BETA_ZERO_FORCE)
         return error;
-    return error < 0x1p-20 ? error * (1 + error) : HUGE_VAL; /* bounds exp(error) - 1; `error` is of a logarithm */
+    return error < 0x1p-20 ? error * (1 + error) : HUGE_VAL; /* at least exp(error) - 1 */
 }
 
 double far_proof_bits(const struct far_proof *proof, enum quantity quantity, const double *c)

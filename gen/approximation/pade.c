@@ -39,7 +39,7 @@ void pade_clear(struct pade *f)
     FOR_ALL(arb_poly, clear, f->p, f->q);
 }
 
-/* Returns the coefficient c_k, or 0 for k < 0, which the system's matrix contains if n > m. */
+/* Returns the coefficient c_k, and 0 for k < 0. The system's matrix contains such c_k if n > m. */
 static void get_coefficient(arb_t x, const arb_poly_t c, slong k)
 {
     if (k < 0)

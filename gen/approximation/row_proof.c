@@ -32,7 +32,7 @@ static void exact_point(arb_t x, slong j, slong n)
 }
 
 /* Bounds the Lebesgue constant for the nodes of an interval. For the n Chebyshev points it is L < 1 + (2/pi) ln(n). For
- * nodes that differ by at most d it is at most L/(1 - L d (n-1)^2), by Markov's inequality. The bound is not finite if
+ * nodes within d of these points it is at most L/(1 - L d (n-1)^2), by Markov's inequality. The bound is not finite if
  * d is too large. */
 static void bound_lebesgue(arb_t bound, arb_srcptr node, const struct interval *interval)
 {

@@ -27,7 +27,7 @@ static void remove_force(struct embed_request *request, struct decimal *damping,
 
 static int plan_of_spheres(struct plan *plan, const struct plan_arguments *o)
 {
-    /* without the constant force, which the formulas lack */
+    /* without the constant force, because the formulas have none */
     struct embed_request scene = o->scene;
     struct contacts contacts, pressed;
     struct decimal damping = {0};

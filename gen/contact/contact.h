@@ -10,7 +10,7 @@
 
 extern const char *const contact_equivalent_names[]; /* words of --equivalent; ends with NULL */
 
-/* One contact. If the end at which a restitution was measured is not given, one contact for each end */
+/* One contact, or one contact for each end if the end at which a restitution was measured is not given */
 struct contacts {
     struct cor_scene scene;
     int count;

@@ -21,7 +21,7 @@ enum { PIECE_POINTS = 24, PIECES_MOST = 512 };
 #define PIECE_ERROR 1e-13
 
 struct piece {
-    double low, high; /* of ln(speed) */
+    double low, high; /* range of ln(speed) */
     double value[SAMPLE_QUANTITIES][PIECE_POINTS];
     int status;
 };

@@ -214,7 +214,7 @@ static bool part_from(struct part *part, double *end, const struct prover *w, do
     const struct interpolant_layout *const layout = &interpolant_sphere_proof;
     *part = (struct part){.by_log = true, .lo = u};
     *end = HUGE_VAL;
-    if (w->s->own.law) /* u may be off by ulps: next to a knot, the cubics of both rows agree to first order */
+    if (w->s->own.law) /* u may be wrong by ulps, because the cubics at a knot agree to first order */
         part->interval = (int)own_law_row(end, &w->s->own, u);
     if (w->s->by_speed)
         return true;

@@ -4,7 +4,7 @@
 #include "enclosure/complex_path.h"
 
 /* Ranges of |sqrt(beta)|. The path to zero force uses the variable zeta up to NEAR_TO, and k from NEAR_FROM upward. The
- * path on to zero overlap uses k up to CREEP_TO, and 1/Y from CREEP_FROM upward, where unloading is slow. */
+ * path from there to zero overlap uses k up to CREEP_TO, and 1/Y from CREEP_FROM upward, where unloading is slow. */
 #define NEAR_FROM 1.05
 #define NEAR_TO 1.1
 #define CREEP_FROM 1.65
@@ -201,7 +201,7 @@ bool complex_collision_root(struct complex_collision *c, struct complex_ball z, 
         return false;
     struct path p = {.c1 = ball_sqr(z), .c2 = one, .resolution = 1};
     struct path_state y = {one, zero};
-    /* At this real zeta the path continues in kappa. Every choice gives the same collision. */
+    /* At this real zeta the path continues in kappa. Every real zeta gives the same collision. */
     const double first = size > 1 ? 1 / cbrt(size * size) : 1;
     if (!path_follow(&p, loading_slopes, zero, ball_of(first, 0), &y))
         return false;

@@ -473,7 +473,7 @@ static bool may_go(const struct cor_scene_contact *pressed, int end, double tole
            fabs(with / without - 1) <= tolerance;
 }
 
-/* Returns a remark on the speed above which gravity or adhesion, force_n > 0, may be omitted. Tests 201 speeds of the
+/* Returns a remark on the speed above which gravity or adhesion (force_n > 0) may be omitted. Tests 201 speeds of the
  * range, from the largest down. */
 static char *pressing_remark(const struct spheres *s)
 {

@@ -9,14 +9,14 @@
 enum output_format { FORMAT_TEXT, FORMAT_CSV, FORMAT_JSON, FORMAT_LATEX };
 
 /* If the path names a regular file or no file, the output stays in memory until it is committed. A commit writes a
- * temporary file in the same folder, .corgen-XXXXXX, and renames it over the file. Signals wait meanwhile, so only
- * SIGKILL can leave the temporary file. The new file has the mode of the file that it replaces. For a symbolic link,
- * the file behind all links is created or replaced. A file with several hard links is refused.
+ * temporary file in the same folder, .corgen-XXXXXX, and renames it over the file. Signals are blocked meanwhile, so
+ * only SIGKILL can leave the temporary file. The new file has the mode of the file that it replaces. For a symbolic
+ * link, the file behind all links is created or replaced. A file with several hard links is refused.
  *
  * All other paths are written directly: standard output (path NULL or /dev/stdout), a terminal, a pipe, /dev/null. */
 struct output {
     FILE *file;
-    FILE *screen;     /* the terminal, if it also shows progress, otherwise NULL; output_show moves `bytes` to it */
+    FILE *screen;     /* if the output and stderr are terminals: the output, to which output_show moves `bytes` */
     const char *path; /* path as given, for messages; NULL: standard output */
     char *target;     /* the file to be replaced, behind all links; NULL = written directly */
     char *temporary;  /* the temporary file with the new text, during a commit */

@@ -97,10 +97,10 @@ struct journal {
     char *interrupted; /* the text that SIGINT, SIGTERM and SIGHUP print while the journal is open */
 };
 
-/* Opens or creates FILE.part, whose first line is `title` (given without its line end), "corgen ...: COMMAND". Refuses
- * a file with another title. Otherwise keeps up to `most` correct rows and cuts off the rest, with a message if a
- * complete row is wrong. Until the journal is closed, signals that end the program print how to continue. Returns
- * STATUS_OK, or STATUS_FAILED after a message. */
+/* Opens or creates FILE.part. title: its first line, "corgen ...: COMMAND", without the line end. Refuses a file with
+ * another title. Otherwise keeps up to `most` correct rows and cuts off the rest, with a message if a complete row is
+ * wrong. Until the journal is closed, signals that end the program print how to continue. Returns STATUS_OK, or
+ * STATUS_FAILED after a message. */
 int journal_open(struct journal *journal, const char *file, const char *title, uint64_t most);
 
 /* Opens the rows of a finished part for journal_next. The file must have this title and `rows` correct rows. It is not
