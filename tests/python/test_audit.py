@@ -202,7 +202,7 @@ VISCOUS = (
         ("en=0.5,et=1", "cn=1", "Its material is incomplete: kn is missing."),
         ("en=0.5", "en=toHP1('0.5')", "e = 0.5 realises 0.550283."),
         ("_ViscElPhys", "_MultiViscElPhys", "by Ip2_ViscElMat_ViscElMat_MultiViscElPhys."),
-        ("en=0.5,(.*)Phys[(]", r"\1Phys(en=read()", "The number of its damping could not be read."),
+        ("en=0.5,(.*)Phys[(]", r"\1Phys(en=read()", "Its damping could not be read."),
     ],
 )
 def test_reasons(tmp_path, old, new, reason):

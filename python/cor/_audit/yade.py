@@ -880,7 +880,7 @@ class _Reader:
             lost = sorted({k for m in (a, b) for k in keys if k not in own and math.isnan(m.number(k))})
             has = [k for k in lost if k in a.values or k in b.values]
             state = f"{' and '.join(has)} is not a constant" if has else f"{' and '.join(lost)} is missing"
-            c.unknown = f"Its material is incomplete: {state}." if lost else "The number of its damping could not be read."
+            c.unknown = f"Its material is incomplete: {state}." if lost else "Its damping could not be read."
         elif keys[0] not in own and a.nodes.get(keys[0]) is b.nodes.get(keys[0]) is not None:
             self.place(c, a.nodes[keys[0]])
         elif keys[0] not in own and a is not b:
