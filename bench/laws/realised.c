@@ -181,7 +181,7 @@ int main(int argc, char **argv)
     if (strcmp(form, "table") == 0 || strcmp(form, "curve") == 0) {
         print_csv(*form == 'c');
     } else if (strcmp(form, "markdown") == 0) {
-        print_table("realised where a user asks for e =", cor_simulator_realised);
+        print_table("realised e for the requested e =", cor_simulator_realised);
     } else if (strcmp(form, "models") == 0) {
         print_models();
     } else if (strcmp(form, "speeds") == 0) {

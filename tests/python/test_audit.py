@@ -90,13 +90,13 @@ def expected_text(audited):
 
 def page_text(audited):
     """Returns docs/audit.md with its examples and the table of the decks, each counted by its worst contact."""
-    kinds = ("as asked", "something else", "not known", "no e asked for")
+    kinds = ("eps as requested", "another eps", "not judged", "no e requested")
     counts = {}
     for deck, (status, rows) in audited.items():
         kind = {3: 1, 2: 2, 4: 2}.get(status, 0 if any(row["asked"] for row in rows) else 3)
         for name in (deck.partition("-")[0], "all"):
             counts.setdefault(name, [0] * 4)[kind] += 1
-    lines = [f"| simulator | decks | {' | '.join(kinds)} |", "|---|---|---|---|---|---|"]
+    lines = [f"| simulator | inputs | {' | '.join(kinds)} |", "|---|---|---|---|---|---|"]
     for name in sorted(counts, key=lambda name: (name == "all", name)):
         lines.append(f"| {name} | {sum(counts[name])} | {' | '.join(map(str, counts[name]))} |")
     table = "<!-- decks: python3 tests/python/test_audit.py -->\n" + "\n".join(lines) + "\n<!-- end of decks -->"
