@@ -42,7 +42,7 @@ function numberOf(option, text) {
     const shift = exponentOf(suffix, unitOf(option)), [digits, exponent = "0"] = number.toLowerCase().split("e");
     if (Number.isNaN(shift))
         throw refusal(`'${suffix}' is not a unit here; allowed: ${unitOf(option) || "none, %"}` +
-            (unitOf(option) && ", also with n, \u00b5, m, c, k, M or G in front of it"), option);
+            (unitOf(option) && ", also with the prefix n, \u00b5, m, c, k, M or G"), option);
     const e = Number(exponent) + shift, point = /^[^.,]*,[^.,]*$/.test(digits) ? digits.replace(",", ".") : digits;
     return e === 0 ? point : `${point}e${e}`;
 }
@@ -139,8 +139,8 @@ function showFields() {
         part.hidden = !allowed.split("|").includes(now[name]);
     }
     $("simulation").hidden = $("for").value === "";
-    $("about-bodies").textContent = now.kind !== "none" ? materialNow()?.about ?? "" : "eps at a speed needs no " +
-        "material. Duration, force, time step and the lines of most simulators do: choose spheres or a spring as the " +
+    $("about-bodies").textContent = now.kind !== "none" ? materialNow()?.about ?? "" : "eps needs no material. " +
+        "Duration, force, time step and the lines of most simulators need spheres or a spring: choose them as the " +
         "first word of the question.";
     for (const fold of all("details[data-none]")) {
         const state = fold.querySelector(".state") ?? fold.querySelector("summary")
@@ -460,11 +460,11 @@ function showSimulator() {
     const [[eps, speed, end], ...models] = tabs(cor.page.text("models", TEXT_DIGITS));
     const short = (text) => Number(Number(text).toPrecision(3)), title = $("for").selectedOptions[0].text;
     const [, model, , , , gives, set] = models[0] ?? [], same = short(gives) === short(eps) || set === "nan";
-    $("gives").textContent = !model ? `No model of ${title} takes a restitution e: the lines set the damping itself.`
+    $("gives").textContent = !model ? `No model of ${title} has an input e: the lines set the damping directly.`
         : gives === "nan" ? `${title}, ${model}, refuses e = ${short(eps)}.`
-            : `${title}, ${model}: asked e = ${short(eps)}, gives ${short(gives)} at ${speed} m/s` +
-                (same ? "." : `; for ${short(eps)} at ${end} set e = ${short(set)}.`);
-    table("models", ["number", "model", "version", "law", "contact ends at", `gives, asked ${eps}`, "e to set"], models);
+            : `${title}, ${model}: e = ${short(eps)} gives eps = ${short(gives)} at ${speed} m/s.` +
+                (same ? "" : ` For eps = ${short(eps)} at ${end} set e = ${short(set)}.`);
+    table("models", ["number", "model", "version", "law", "contact ends at", `eps for e = ${eps}`, "e to set"], models);
     $("models").parentElement.hidden = models.length === 0;
     let lines = "", why = "";
     try {
@@ -483,7 +483,7 @@ function showResults() {
     const { integrator } = $("for").selectedOptions[0];
     showAnswer();
     table("impacts", order(head), rows.map(order));
-    $("step-error").textContent = integrator === "" ? "cor does not know the error of this simulator's time step."
+    $("step-error").textContent = integrator === "" ? "cor cannot compute the error by the time step of this simulator."
         : `The error of eps by the time step is for ${integrator}: mean and standard deviation over the phases of ` +
             "the first step. nan: not known, or over 20,000 steps in the contact.";
     const [summaryHead, ...summary] = csv(cor.page.text("summary", TEXT_DIGITS));
@@ -550,7 +550,7 @@ function fromAddress(hash) {
     const lost = [...options].find(([name, value]) => name !== "wall" && fields.get(name)?.input.value !== value)
         ?.join("=") ?? others.find((text) => !kept.includes(text));
     if (lost !== undefined)
-        $("wrong").textContent = `The address has '${lost.slice(0, 60)}', which this page cannot show; it is left out.`;
+        $("wrong").textContent = `The address has '${lost.slice(0, 60)}', which this page cannot show and leaves out.`;
 }
 
 function keepCurves() {
@@ -623,7 +623,7 @@ async function copy(text, said) {
     } catch {
         const area = document.body.appendChild(element("textarea", text));
         area.select();
-        tell(document.execCommand("copy") ? said : "This browser does not copy from a page; select the text.");
+        tell(document.execCommand("copy") ? said : "This browser cannot copy from a page; select the text yourself.");
         area.remove();
     }
 }

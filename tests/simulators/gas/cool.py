@@ -349,30 +349,28 @@ def column(result, log):
     s, error = result.states, result.error
     d = deviations(s, result.theory)
     rows = {
-        "ranks of MPI": "%d" % log.ranks,
         "T falls by the factor": "%.1f" % (s[0].temperature / s[-1].temperature),
         "collisions of a sphere": "%.0f" % result.theory[-1].collisions,
         "standard error of ln T": "%.2f %%" % (100 * error),
-        "ln(T/theory), largest": "%.2f %%, %.1f standard errors" % (100 * largest(d), largest(d) / error),
-        "the same, root mean square; at the end": "%.2f %%; %+.2f %%" % (100 * root_mean_square(d), 100 * d[-1]),
-        "d ln T/d ln(t + t_0), t_0 = T/\\|dT/dt\\| at first, last half of the points": "%.4f ± %.4f" % (
+        "largest ln(T/theory)": "%.2f %%, %.1f standard errors" % (100 * largest(d), largest(d) / error),
+        "root mean square of ln(T/theory); last value": "%.2f %%; %+.2f %%" % (100 * root_mean_square(d), 100 * d[-1]),
+        "slope d ln T/d ln(t + t_0), last half of the points": "%.4f ± %.4f" % (
             result.slopes[0], result.slope_error),
-        "the same, theory; at the last point": "%.4f; %.4f" % (result.slopes[1], result.theory[-1].slope),
-        "a_2, last half of the points; theory": "%.4f; %.4f" % tuple(
+        "slope of the theory, last half; last point": "%.4f; %.4f" % (result.slopes[1], result.theory[-1].slope),
+        "a_2, last half; theory": "%.4f; %.4f" % tuple(
             sum(values[len(values) // 2:]) / (len(values) - len(values) // 2)
             for values in ([0.6 * state.kurtosis - 1 for state in s], [t.a2 for t in result.theory])),
-        "change of 1 - eps^2 by the time step, first; last": "%+.2f %%; %+.2f %%" % tuple(
+        "change of 1 - eps^2 by the time step, at first; at last": "%+.2f %%; %+.2f %%" % tuple(
             100 * x for x in result.step_errors),
     }
-    others = {"this change of the loss": result.stepped, "zero force in place of zero overlap": result.zero_force,
-              "no overlaps": result.rigid}
+    others = {"this change in the theory": result.stepped, "zero force instead of zero overlap": result.zero_force,
+              "no overlaps in the theory": result.rigid}
     for name, theory in others.items():
         wrong = largest(deviations(s, theory))
-        rows["ln(T/theory), largest, theory with " + name] = "%.2f %%, %.1f standard errors" % (
+        rows["largest ln(T/theory) with " + name] = "%.2f %%, %.1f standard errors" % (
             100 * wrong, wrong / error)
     rows.update({
-        "energy of each of the longest shear waves over T": "%.1f" % s[-1].shear,
-        "their part of all energy": "%.2f %%" % (100 * s[-1].shear * 4 / result.spheres),
+        "energy of the longest shear waves, part of all energy": "%.2f %%" % (100 * s[-1].shear * 4 / result.spheres),
         "time steps; minutes of a processor": "%d; %.1f" % (s[-1].steps, processor_min(result, log, -1)),
     })
     return rows
@@ -401,9 +399,9 @@ def comparisons(results, logs):
                                              deviations(fine.states, fine.theory))]
         error, stages = math.sqrt(2) * coarse.error, len(differences)
         minutes = processor_min(coarse, log, stages), processor_min(fine, fine_log, stages)
-        said = ("%d spheres with %d corrected steps against %d: ln T differs by at most %.2f %% in %d stages, %.1f "
-                "standard errors of\nthe difference. Its root mean square is %.2f %%. The stages took %.1f and %.1f "
-                "minutes of a processor, a factor of\n**%.2f**.\n" %
+        said = ("%d spheres: ln T with %d corrected steps and with %d steps differs by at most %.2f %% in %d stages, "
+                "%.1f\nstandard errors of the difference. The root mean square is %.2f %%. The stages took %.1f and "
+                "%.1f minutes of a\nprocessor, a factor of **%.2f**.\n" %
                 (fine.spheres, coarse.steps, fine.steps, 100 * largest(differences), stages,
                  largest(differences) / error, 100 * root_mean_square(differences), *minutes, minutes[1] / minutes[0]))
         verdict(largest(differences) <= ALLOWED * error, " ".join(said.split()))
