@@ -150,6 +150,14 @@ def test_kept_and_late(tmp_path, monkeypatch):
     assert not rows and "--run has no contact to measure" in messages and "sets no contact itself" in messages
 
 
+def test_overdamped(tmp_path):
+    """A contact of infinite duration is measured, too."""
+    deck = tmp_path / "deck.lmp"
+    deck.write_text(HEAD.replace("NULL 50", "NULL 1e5") + "run 1\n")
+    (row,), _ = measured(deck, [], program_of(deck))
+    assert row["realised"] == "0" and number(row["measured"]) == 0, row
+
+
 def test_late_material(tmp_path):
     """YADE: a material that the script makes after a run is measured at a later run, or at the end of the script."""
     deck, run_ = tmp_path / "deck.py", "O.dt=1e-5\nO.run(1,True)\n"

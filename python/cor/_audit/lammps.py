@@ -424,6 +424,7 @@ class Granular(System):
                 self.add_speed(words, words.find("vel", 4) + 2)
             distribution = self.fixes.get(words.after("distributiontemplate", 4))
             named = [self.fixes[n] for n in (distribution or [])[6::2] if n in self.fixes]
+            groups |= {distribution[2]} if distribution else set()
             self.cohorts += [c for f in named or self.templates() for c in self.of_template(f, groups)]
             self.created = -1
 
@@ -465,7 +466,7 @@ class Granular(System):
         for i in (words.find("radius", 4), words.find("density", 4)):
             count = {"constant": 1, "uniform": 2}.get(words[i + 1], 0) if i > 0 else 0
             limits.append([words.value(i + 2 + k) for k in range(count)] or [NAN])
-        made = Cohort.of(type, *limits, groups=groups) if type >= 1 else None
+        made = Cohort.of(type, *limits, groups=groups | {words[2]}) if type >= 1 else None
         if made and words[3] != "particletemplate/sphere":
             made.body, made.radius, made.mass, made.lever = f"body {words[1]}", (NAN, NAN), (NAN, NAN), (NAN, NAN)
             self.shape_template(made, words, limits[1])
@@ -474,7 +475,7 @@ class Granular(System):
     def shape_template(self, made: Cohort, words: Words, density: List[float]) -> None:
         """Reads the size of the body of a template: spheres X Y Z R ..., or shape constant A B C."""
         volume, at = NAN, words.find("spheres", 4) + 1
-        if words[3] == "particletemplate/multisphere" and at > 0:
+        if words[3] in ("particletemplate/multisphere", "particletemplate/multiplespheres") and at > 0:
             count, scale = words.value(words.find("nspheres", 4) + 1), 1.0
             text = " ".join(words[at : at + (4 * int(count) if 0 < count < MAX_TYPES else 0)])
             if words[at] == "file":
@@ -485,6 +486,10 @@ class Granular(System):
             volume, made.lever = clump([[scale * x for x in row] for row in spheres])
             radii = [scale * row[3] for row in spheres] or [NAN]
             made.radius = min(radii), max(radii)
+            if words[3].endswith("multiplespheres"):  # free spheres
+                made.body, made.lever = "", (0.0, 0.0)
+                made.mass = _sphere(min(radii), density[0]), _sphere(max(radii), density[-1])
+                return
             if words.find("mass", at) > 0:
                 made.mass, made.lever = (words.value(words.find("mass", at) + 1),) * 2, (NAN, NAN)
                 return
@@ -616,9 +621,7 @@ class Granular(System):
 
     def count_types(self) -> int:
         """Returns the number of types. If no command states it, counts the types of the contacts."""
-        properties = [
-            f for f in self.fixes.values() if f[3].startswith("property/global") and f[5] == "peratomtypepair"
-        ]
+        properties = [f for f in self.fixes.values() if f[3].startswith("property/global") and self.is_matrix(f)]
         sizes = [f.value(6) for f in properties]
         ends = [x for c in self.coefficients.values() for x in (*c.first, *c.last) if x <= MAX_TYPES]
         return self.types or max([1, *ends, *(int(x) for x in sizes if 1 <= x <= MAX_TYPES)])
@@ -652,6 +655,9 @@ class Granular(System):
     def property(self, name: str) -> Optional[Words]:
         named = [f for f in self.fixes.values() if f[3].startswith("property/global") and f[4] == name]
         return named[-1] if named else None
+
+    def is_matrix(self, words: Words) -> bool:
+        return words[5] in ("peratomtypepair", "atomtypepair", "matrix")
 
     def with_material(self, body: Body) -> Body:
         values = []
@@ -889,7 +895,7 @@ class Granular(System):
         contact.model = f"LIGGGHTS_{kind}" + ("_LIMIT" if "limitForce" in is_on else "")
         name = "gamman" if is_stiff else "coefficientRestitution"
         found, i, j = self.property(name), one.type - 1, two.type - 1
-        types = found.value(6) if found and found[5] == "peratomtypepair" else 0
+        types = found.value(6) if found and self.is_matrix(found) else 0
         if found is None or not max(i, j) < types <= MAX_TYPES or len(found) != 7 + types * types:
             contact.unknown = f"{name} of these types could not be read: it needs a value for each pair of types."
             return contact
@@ -935,7 +941,9 @@ class Granular(System):
             is_on, cohesion = is_on | {"cohesion"}, "sjkr"
         density = self.property("cohesionEnergyDensity")
         pull = density.value(places[0]) if density and density.value(6) == types else NAN
-        if cohesion in ("sjkr", "sjkr2") and not math.isnan(pull) and not is_stiff:
+        if pull == 0:
+            is_on -= {"cohesion"}
+        elif cohesion in ("sjkr", "sjkr2") and not math.isnan(pull) and not is_stiff:
             contact.cohesion = cohesion, pull
             contact.tangential, contact.slots = Tangential("cor has no model of the tangential force with cohesion"), ()
             is_on -= {"cohesion"} if "limitForce" not in is_on else set()

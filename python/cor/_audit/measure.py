@@ -58,7 +58,7 @@ def measure(path: str, options: Options, rows: List[Row], program: str, keep: bo
 def speed_of(row: Row, contact: Contact) -> float:
     """Returns the impact speed in the deck's units or, if eps does not depend on it, a speed of small overlap."""
     units, free = contact.units, 0.1
-    if math.isnan(row.speed_m_s) and row.duration_s > 0 and contact.bodies[0].radius[row.size] > 0:
+    if math.isnan(row.speed_m_s) and 0 < row.duration_s < math.inf and contact.bodies[0].radius[row.size] > 0:
         free = SLOW * contact.bodies[0].radius[row.size] * units.length_m / row.duration_s
     speed = free if math.isnan(row.speed_m_s) else row.speed_m_s
     return speed * units.time_s / units.length_m

@@ -8,6 +8,7 @@ import json
 import math
 import re
 import warnings
+from dataclasses import replace
 from typing import Any, Dict, Iterator, List, Set, Tuple
 
 from .deck import (
@@ -400,6 +401,9 @@ def read_mercurydpm(text: str, name: str, options: Options) -> Deck:
     """Reads MercuryDPM's C++: setters of species with literal numbers."""
     source, deck = Source(text, name), Deck(name, "mercurydpm")
     plain = re.sub(r"//[^\n]*|/\*.*?\*/", lambda m: re.sub(r"[^\n]", " ", m[0]), text, flags=re.S)
+    mixed = re.compile(r"[\w.>-]*getMixedObject\(\s*[&*]?(\w+)\s*,\s*[&*]?(\w+)\s*\)")
+    plain = mixed.sub(lambda m: f"{m[1]}__{m[2]}".ljust(len(m[0])), plain)
+    alias = dict(re.findall(r"\b(\w+)\s*=\s*(\w+__\w+)\s*;", plain))
     constants = {m[1]: m[2] for m in re.finditer(r"\b(?:double|Mdouble|auto|int)\s+(\w+)\s*=\s*([^;{}]+);", plain)}
     step = re.search(r"\bsetTimeStep\(([^;]*)\);", plain)
     walls = "wallHandler" in plain or "InfiniteWall" in plain
@@ -438,9 +442,40 @@ def read_mercurydpm(text: str, name: str, options: Options) -> Deck:
             both = [*values, NAN, NAN, NAN][1:3] if "Tangential" in m[2] else []
             c.tangential = _mercury_tangential(c, m[1], plain, constants, both)
             deck.contacts.append(c)
+    _mercury_species(deck, plain, alias)
     if not deck.contacts:
         deck.remarks.append(Remark(name, 1, "the text calls no setter of a restitution coefficient that cor supports"))
     return deck
+
+
+def _mercury_species(deck: Deck, plain: str, alias: Dict[str, str]) -> None:
+    """Names the bodies of mixed species, and removes contacts of species that no particle or no wall has. Refuses
+    species with other forces."""
+    kinds = dict(re.findall(r"\b(\w+)\s*=\s*[\w.>-]*copyAndAddObject\(\s*(\w+Species)\b", plain))
+    kinds.update((name, kind) for kind, name in re.findall(r"\b(\w+Species)\s*\*\s*(\w+)", plain))
+    others = re.findall(r"\w*(?:Plastic|Adhesive|Bonded|Liquid|Charged|Sinter|Melt)\w*Species", plain)
+    walls = set(re.findall(r"\b\w*Wall\w*\s+(\w+)\s*[;({]", plain))
+    has = re.findall(r"\b(\w+)\s*(?:->|\.)\s*setSpecies\(\s*(\w+)\s*\)", plain)
+    of_walls, of_particles = ({s for body, s in has if (body in walls) == is_wall} for is_wall in (True, False))
+    kept, pairs = [], set()
+    for c in deck.contacts:
+        wall, own = c.bodies[1].wall, alias.get(c.bodies[0].name, c.bodies[0].name)
+        one, is_mixed, two = own.partition("__")
+        two = two or one
+        kind = next((kinds[s] for s in (one, two) if s in kinds), others[0] if others else "")
+        if not re.fullmatch(r"((Linear|Hertzian)Viscoelastic(Sliding|Mindlin|Roll\w*)?(Friction)?Species)?", kind):
+            c.unknown = f"cor does not support the species {kind}."
+        if is_mixed:
+            c.bodies = replace(c.bodies[0], name=one), replace(c.bodies[1], name="wall" if wall else two)
+        pairs |= {(one, two), (two, one)}
+        seen = of_walls if wall else of_particles
+        if not (of_particles and seen) or any(p in of_particles and q in seen for p, q in ((one, two), (two, one))):
+            kept.append(c)
+    deck.contacts = kept
+    for p, q in sorted((p, q) for p in of_particles for q in of_particles | of_walls):
+        if (p, q) not in pairs and p in kinds and q in kinds and not (q in of_particles and q < p):
+            text = f"the contact of {p} and {q} has means of both species, which cor does not compute"
+            deck.remarks.append(Remark(deck.file, 1, text))
 
 
 def _mercury_tangential(c: Contact, of: str, plain: str, constants: Dict[str, str], both: List[float]) -> Tangential:

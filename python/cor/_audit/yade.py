@@ -629,12 +629,23 @@ class _Reader:
         count = sum(b.count for b in found if b.kind == "sphere")
         lonely = count == 1 and any(b.kind != "sphere" for b in found)
         spheres = [b for b in found if b.kind == "sphere"]
+        functors = [t.name.lower() for t in script.things if t.name.startswith("Ig2_")]
+
+        def meet(kind: str) -> bool:
+            names = f"ig2_{kind}_sphere", f"ig2_sphere_{kind}"
+            found = not functors or any(functor.startswith(names) for functor in functors)
+            if not found:
+                script.note(
+                    1, f"The script has no Ig2 functor for a sphere and a {kind}: these bodies do not interact."
+                )
+            return found
+
         for i, one in enumerate(spheres):
-            for two in [] if lonely else spheres[i:]:
+            for two in [] if lonely or not meet("sphere") else spheres[i:]:
                 if not (one.fixed and two.fixed) and (one is not two or one.count > 1 or count == 1 or not one.fixed):
                     self.contact(one, two)
             for two in found:
-                if two.kind != "sphere" and not one.fixed:
+                if two.kind != "sphere" and not one.fixed and meet(two.kind):
                     self.contact(one, two)
         for c, materials in self.owners:
             if self.mixed & materials:
@@ -731,7 +742,7 @@ class _Reader:
 
     def set_bonds(self, c: Contact, functor: Thing, strengths: Sequence[str], *materials: Optional[Thing]) -> None:
         """Refuses contacts with a bond that can pull. Bonds that form only in the first steps are noted."""
-        strong = any(m is None or m.values.get(key, -1) != 0 for m in materials for key in strengths)
+        strong = any(all(m is None or m.values.get(key, -1) != 0 for m in materials) for key in strengths)
         if strong and all(m and m.values.get("isCohesive") is not False for m in materials):
             new, now = (functor.values.get(f"setCohesion{when}", False) for when in ("OnNewContacts", "Now"))
             first = functor.values.get("cohesiveTresholdIteration", 1)
