@@ -580,8 +580,8 @@ COR_INLINE struct cor_inline_pair cor_inline_log_factor(double beta, struct cor_
 #define COR_INLINE_LOG_FACTOR(beta, quantity, table)                                                                   \
     cor_inline_log_factor(beta, COR_INLINE_GRID(table), table##_END, cor_rows_tail_##quantity, cor_rows_far_##quantity)
 
-/* Returns factor beta^(-2/3), or factor beta^(-5/3) with `fifths`, as a pair times 2^exponent, without overflow or
- * underflow. The relative error is the error of the factor plus 2^-65. */
+/* Returns factor beta^(-2/3) as a pair times 2^exponent, without overflow or underflow. fifths: true for beta^(-5/3).
+ * The relative error is the error of the factor plus 2^-65. */
 COR_INLINE struct cor_inline_pair cor_inline_power_parts(double beta, struct cor_inline_pair factor, int fifths,
                                                          int *exponent)
 {

@@ -20,7 +20,7 @@ TOLERANCE = 1e-8  # absolute error allowed in eps
 # Values of alpha v, the rate at which the wall's force grows on impact; a hard wall needs a rate above omega of the
 # modes. WALLS: used in all extrapolations. OTHER_WALLS: used in none
 WALLS, OTHER_WALLS = (25, 50, 100), (10, 15, 200)
-# Numbers of modes N. PAPER_SPEEDS use all, SLOW_SPEEDS use LARGE. limit_of extrapolates LARGE, the paper FEW
+# Numbers of modes N. PAPER_SPEEDS use all, SLOW_SPEEDS use LARGE. limit_of extrapolates from LARGE, the paper from FEW
 SIZES = (300, 400, 600, 940, 1300, 1800)
 FEW, LARGE = SIZES[:4], SIZES[3:]
 # Tolerances of 1 - eps^2 at the rigid wall: for numbers in texts, and for lines in pictures

@@ -549,8 +549,8 @@ def oscillation():
                                      *(wall_line(NU, n, v).at_zero for n in LARGE), theory[i]))
 
     def fall(values):
-        """Returns value and speed of the highest inner maximum, the relative depth of the lowest minimum below it,
-        and its speed."""
+        """Returns the highest inner maximum and its speed. Also returns the fall to the lowest inner minimum, in
+        percent of the maximum, and the speed of this minimum."""
         inside = range(1, len(values) - 1)
         top = max((i for i in inside if values[i - 1] <= values[i] > values[i + 1]), key=lambda i: values[i])
         bottom = min((i for i in inside if values[i - 1] >= values[i] < values[i + 1]), key=lambda i: values[i])

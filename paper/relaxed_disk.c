@@ -175,7 +175,7 @@ static int newton_step(struct relaxed_disk *disk)
 }
 
 /* Adds the Newton step d to ln f. A large positive d would overshoot, so the step is then ln(1 + d), as for Newton's
- * method in f. This is slow for a tiny f: d is allowed until the pressure at this point bends the disk there by
+ * method in f. This is slow for a tiny f. Steps are therefore not shortened until f bends the disk at this point by
  * 1/alpha. */
 static void advance(struct relaxed_disk *disk)
 {

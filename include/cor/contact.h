@@ -236,7 +236,8 @@ COR_API double cor_tangential_stick_angle(double kappa, double friction);
  * A force F at a point of a large thin plate moves that point with the velocity F/Z, where Z = 8 sqrt(B d_p h) and B =
  * Y_p h^3/(12 (1 - nu_p^2)). Bending waves carry the energy away. A sphere that hits the plate obeys the equation of
  * sphere.h with the dissipation time A = m/Z, and beta = (3/2) lambda with Zener's inelasticity parameter lambda. The
- * X therefore gives the restitution; functions of the zero-force end have no meaning here.
+ * contact force vanishes, and the plate is at rest, at zero overlap. cor_contact_eps_zero_overlap therefore gives the
+ * restitution; functions of the zero-force end have no meaning here.
  * Source: Zener, Phys. Rev. 59, 669 (1941); docs/laws.md. */
 
 struct cor_plate {
@@ -292,7 +293,7 @@ COR_API double cor_plate_least_half_width_m(const struct cor_sphere_contact *con
  *
  * with the density d of the block, rho and m of the contact, and c_w = |C_1| of the law x'' + beta x x' + x^(3/2) = 0.
  * The formula holds while the result is well below 1, the block is deeper than half the duration times the pressure
- * wave speed, and no material yields. Other losses add to this one only to first order.
+ * wave speed, and no material yields. To first order, other losses add to this loss.
  * Source: docs/laws.md; Hunter, J. Mech. Phys. Solids 5, 162 (1957), whose constant is 6 to 8 % smaller. */
 
 struct cor_half_space {

@@ -98,7 +98,7 @@ COR_API extern const struct cor_disk_modes cor_disk_modes_nu090;
  * becomes the number of the wrong line of the file, or 0. Returns COR_OK or
  *     COR_ERROR_NULL
  *     COR_ERROR_FILE          the file cannot be read
- *     COR_ERROR_FILE_VERSION  the file is not a mode file, or one of another version
+ *     COR_ERROR_FILE_VERSION  the file is not a mode file, or has another version
  *     COR_ERROR_FILE_DAMAGED  the check of a line fails, a line ends early, a number is impossible, or n is above
  *                             COR_DISK_MODES_MAX_N
  *     COR_ERROR_CAPACITY      the file has more modes than the array */
@@ -132,7 +132,7 @@ COR_API size_t cor_disk_modes_below(double nu, double omega);
 enum cor_disk_datum {
     COR_DISK_DATUM_CENTRE_OF_MASS, /* centre of mass to wall: b = -2 ln 2 - (1 + nu)/4, which (62) to (67) require */
     COR_DISK_DATUM_DIAMETER,       /* far rim to wall: b = -1, which (54) and (55) give */
-    COR_DISK_DATUM_PRINTED         /* b = -1 - nu, as (56) and (57) are printed; fits no pair of points */
+    COR_DISK_DATUM_PRINTED         /* b = -1 - nu, as printed in (56) and (57); no such points exist */
 };
 
 /* Return the limits of the law. At the load P = 4 pi exp(b - 1), delta stops growing: delta = 4 exp(b - 1) and V = 4 pi
@@ -289,9 +289,9 @@ struct cor_disk_collision {
  * of nu = 0.33 and 0.9 (alpha 200 to 8000, v 0.003 to 0.3, tolerances 1e-3 to 1e-11). Another 8640 scenes have 10 to
  * 1800 modes (alpha 100 to 8000, v 0.003 to 0.45, tolerances 1e-2 to 1e-6). Where the status is COR_OK the error is at
  * most 0.86 of the tolerance. In 6 scenes the error exceeds error_estimate, by a factor of at most 3.7:
- * docs/theory-disks.md, 15. Near chaos, round-off may prevent a small tolerance from being reached; below 1e-12 it
- * mostly does. one_minus_eps2 is as accurate as eps. contact_time and max_compression are less accurate. energy_drift
- * is eps^2 + one_minus_eps2 - 1. Equal arguments give equal bits on every instruction set.
+ * docs/theory-disks.md, 15. Near chaos, round-off may prevent small tolerances; it usually prevents tolerances below
+ * 1e-12. one_minus_eps2 is as accurate as eps. contact_time and max_compression are less accurate. energy_drift is
+ * eps^2 + one_minus_eps2 - 1. Equal arguments give equal bits on every instruction set.
  *
  * Returns COR_OK if error_estimate is at most the tolerance. It returns, with the best numbers and their
  * error_estimate,
@@ -315,8 +315,8 @@ COR_API int cor_disk_collision(const struct cor_disk_modes *modes, size_t n_mode
 /* Does the same at n speeds with one table, wall and tolerance: out[i] has the bits of cor_disk_collision at speed[i].
  * The speeds share the workspace and all data that depend only on the modes. Speeds with equal numbers of angles share
  * the tables of angles. status is NULL, or receives the status of each speed. The numbers of out[i] are NaN, and steps
- * is 0, if the speed is too high or NaN. If n is 0, speed and out may be NULL. max_steps holds for each speed. Callers
- * may divide the speeds among threads.
+ * is 0, if the speed is too high or NaN. If n is 0, speed and out may be NULL. max_steps is the budget of each speed.
+ * Callers may divide the speeds among threads.
  * Returns COR_OK, the first status of a speed that is not COR_OK, or, with nothing changed,
  *     COR_ERROR_NULL, COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_MODES, COR_ERROR_TOLERANCE, COR_ERROR_ALPHA,
  *     COR_ERROR_PHI_POINTS as above, COR_ERROR_MEMORY */

@@ -54,11 +54,11 @@ double cor_law_force_max(const struct cor_exponents *exponents, double damping);
 
 /* ---- spheres that yield, spheres in a liquid ---- */
 
-/* Return, for elastic-plastic spheres (Thornton 1997): eps at x = v/v_y, the impact speed over the yield speed; 1 - eps
- * at x; x for an eps. With r = 1/x and t = r sqrt(5/(6 - r^2)): eps^4 = 108 t/((t + 2) (t^2 + 5)^2). eps = 1 for x <=
- * 1. The bounds below are in units in the last place. The bound for eps counts roundings (docs/theory.md, 21); the
- * others are sampled in tests/unit/test_scene_plastic.c. Special values: x = +inf -> eps 0; x negative or NaN, eps not
- * in [0, 1] -> NaN; eps = 0 -> x = +inf. An x too large for a double is +inf, too. */
+/* Return three numbers of elastic-plastic spheres (Thornton 1997): eps at x = v/v_y, the impact speed over the yield
+ * speed; 1 - eps at x; and the x that has an eps. With r = 1/x and t = r sqrt(5/(6 - r^2)): eps^4 = 108 t/((t + 2) (t^2
+ * + 5)^2). eps = 1 for x <= 1. The bounds below are in units in the last place. The bound for eps counts roundings
+ * (docs/theory.md, 21); the others are sampled in tests/unit/test_scene_plastic.c. Special values: x = +inf -> eps 0; x
+ * negative or NaN, eps not in [0, 1] -> NaN; eps = 0 -> x = +inf. An x too large for a double is +inf, too. */
 #define COR_ELASTIC_PLASTIC_EPS_MAX_ULP 4.5
 #define COR_ELASTIC_PLASTIC_LOSS_MAX_ULP 12.0
 #define COR_ELASTIC_PLASTIC_SPEED_RATIO_MAX_ULP 16.0
@@ -100,7 +100,7 @@ struct cor_scene_contact {
     double mass_kg;           /* m; NaN if not known, like the next two fields */
     double stiffness;         /* K, N/m^a */
     double radius_m;          /* effective radius; only simulators need it */
-    double damping;           /* beta g^-q, (m/s)^-q; where q = 0 zeta */
+    double damping;           /* beta g^-q, (m/s)^-q; zeta if q = 0 */
     cor_scene_solver *solver; /* solver for all other laws; NULL: the functions below return COR_FAULT_SOLVER */
     double force_n;           /* constant force that presses the bodies together, N: gravity, adhesion; 0: none */
     int plastic;              /* elastic-plastic spheres; `damping` is 0 */
@@ -110,7 +110,7 @@ struct cor_scene_contact {
 };
 
 double cor_scene_speed_exponent(const struct cor_scene_contact *contact); /* q */
-/* cor_scene_has_end returns 1 if the contact can end in this way, cor_scene_ends_differ if eps depends on the end. */
+/* cor_scene_has_end: 1 if the contact can have this end. cor_scene_ends_differ: 1 if eps depends on the end. */
 int cor_scene_has_end(const struct cor_scene_contact *contact, int end);
 int cor_scene_ends_differ(const struct cor_scene_contact *contact);
 /* Returns the name of end 0 or 1 of a contact, as in the columns of corgen: "zero_overlap" and "zero_force". Under a
@@ -127,8 +127,8 @@ struct cor_scene_impact {
     double beta, eps[COR_SCENE_ENDS], duration_s[COR_SCENE_ENDS], max_overlap_m;
 };
 
-/* Compute, at a speed above 0, m/s: the impact; only its eps at one end; the largest force between the bodies with
- * damping, N. Accuracy: COR_SCENE_MAX_ERROR. The first two return COR_OK, COR_FAULT_RANGE, COR_FAULT_SOLVER,
+/* Compute the impact at a speed above 0, its eps at one end, and the largest force between the damped bodies. Accuracy:
+ * COR_SCENE_MAX_ERROR. cor_scene_impact and cor_scene_eps return COR_OK, COR_FAULT_RANGE, COR_FAULT_SOLVER,
  * COR_FAULT_PRESSED, or the result of the solver. */
 int cor_scene_impact(struct cor_scene_impact *impact, const struct cor_scene_contact *contact, double speed_m_s);
 int cor_scene_eps(double *eps_at_end, const struct cor_scene_contact *contact, double speed_m_s, int end);
@@ -261,8 +261,8 @@ int cor_scene_step_corrected(struct cor_scene_contact *corrected, const struct c
 enum cor_tangential_memory {
     COR_REMEMBERS_DISPLACEMENT,          /* the force is k x^p s */
     COR_REMEMBERS_FORCE,                 /* the force is the integral of k x^p ds */
-    COR_REMEMBERS_DISPLACEMENT_RESCALED, /* k x^p s, but s shrinks like the contact radius x^(1/2) on the way back */
-    COR_REMEMBERS_FORCE_RESCALED,        /* the integral, but it shrinks like that radius; both RESCALED: p = a - 1 */
+    COR_REMEMBERS_DISPLACEMENT_RESCALED, /* k x^(a-1) s; s shrinks like the contact radius x^(1/2) on the way back */
+    COR_REMEMBERS_FORCE_RESCALED,        /* the integral of k x^(a-1) ds; it shrinks like x^(1/2) on the way back */
     COR_REMEMBERS_NOTHING,               /* no spring: only a damper acts */
     COR_TANGENTIAL_MEMORIES
 };
@@ -405,12 +405,12 @@ enum cor_jkr_end { COR_JKR_TAIL = COR_END_ZERO_OVERLAP, COR_JKR_LARGEST_PULL = C
 struct cor_scene {
     double number[COR_SCENE_NUMBERS]; /* NaN: not known */
     struct cor_exponents law;
-    int plate;                /* body 2 is a large plate; density: COR_SCENE_DENSITY_2 or COR_SCENE_DENSITY */
+    int plate;                /* body 2 is a large plate of density COR_SCENE_DENSITY_2; default: COR_SCENE_DENSITY */
     int wall;                 /* body 2 is flat and held fast */
     int end;                  /* the end at which restitution and duration were measured, or COR_BOTH_ENDS */
     cor_scene_solver *solver; /* the solver for the contact; may be NULL */
     int adhesion_model;       /* enum cor_adhesion; goes with COR_SCENE_ADHESION */
-    int plastic;              /* elastic-plastic spheres, with a yield stress, or a restitution that gives v_y */
+    int plastic;              /* elastic-plastic spheres; a yield stress or a restitution then gives v_y */
 };
 
 /* The faults of a scene. `number` and `other` are the numbers that caused the fault. */
@@ -444,9 +444,9 @@ enum cor_fault {
     COR_FAULT_SPEED_ALONE,    /* COR_SCENE_AT is given, but no number that needs it */
     COR_FAULT_FIRST_MISSING,  /* `number`, of body 2, needs `other`, the same quantity of body 1 */
     COR_FAULT_NO_SECOND_BODY, /* `number` belongs to a second viscoelastic body, which is absent */
-    COR_FAULT_RANGE,          /* `number`, a number of the contact, or the speed is out of range */
+    COR_FAULT_RANGE,          /* out of range: `number`, the speed, or a number of the contact */
     COR_FAULT_STEP,           /* cor_scene_step_error lists the causes */
-    COR_FAULT_NO_STIFFNESS,   /* no stiffness gives the contact its damping and its duration (or C, or A) */
+    COR_FAULT_NO_STIFFNESS,   /* no stiffness fits the given damping and the given duration, C or A */
     COR_FAULT_PRESSED,        /* under a constant force the damping is too strong to be integrated */
     COR_FAULT_GRAVITY,        /* gravity needs a wall or a plate: it does not press free bodies together */
     COR_FAULT_ADHESION,       /* adhesion and an adhesion model go together */
@@ -456,9 +456,9 @@ enum cor_fault {
     COR_FAULT_YIELD_DAMPING,  /* elastic-plastic spheres do not accept `number` */
     COR_FAULT_LIQUID,         /* `number` is missing: viscosity and both gaps go together */
     COR_FAULT_GAPS,           /* the outer gap is not larger than the inner one */
-    COR_FAULT_NO_DURATION,    /* no damping gives the contact its duration and its stiffness (or C, or A) */
+    COR_FAULT_NO_DURATION,    /* no damping fits the given duration and the given stiffness, C or A */
     COR_FAULT_TWO_DURATIONS,  /* two contacts may have this dissipation time and this duration at zero overlap */
-    COR_FAULT_EQUIVALENT /* cor_scene_equivalent needs bodies, a speed, the linear law, and for some numbers an end */
+    COR_FAULT_EQUIVALENT      /* the scene does not meet the conditions of cor_scene_equivalent */
 };
 struct cor_scene_fault {
     int fault;         /* enum cor_fault */
@@ -544,7 +544,7 @@ double cor_scene_quantity(const struct cor_scene_contact *contact, int number);
  * each pair. MATRIX: matrices. ONE_LAW: one law, also for walls */
 enum cor_simulator_pairs { COR_PAIRS_NONE, COR_PAIRS_LINES, COR_PAIRS_MATRIX, COR_PAIRS_ONE_LAW };
 /* How the numbers in the lines depend on the mass. OF_NUMBER: like the number of the model. IN_LINES: they contain
- * twice the effective mass. PER_UNIT: not at all, they are per unit of mass */
+ * twice the effective mass. PER_UNIT: they are per unit of mass, and do not depend on it */
 enum cor_simulator_mass { COR_MASS_OF_NUMBER, COR_MASS_IN_LINES, COR_MASS_PER_UNIT };
 
 /* The contact models, each with a row in cor_simulators */
@@ -624,7 +624,7 @@ struct cor_simulator {
     const char *comment, *comment_end;
     const char *setup;     /* a sentence about the rest of the input */
     const char *time_step; /* template of lines that set the time step; NULL: none */
-    const char *version;   /* the version in Debian 12; its models are the first; NULL: none */
+    const char *version;   /* the version in Debian 12, whose models come first; NULL: none */
     long packaged;         /* the same version as a number, by cor_simulator_version; 0: none */
 
     /* For a wall the simulator divides Hertz's stiffness of two bodies by this number; 0: it does not. */
@@ -645,8 +645,8 @@ extern const size_t cor_simulator_count;
 const struct cor_simulator_model *cor_simulator_model(enum cor_simulator_model_id id);
 const struct cor_simulator *cor_simulator_of(enum cor_simulator_model_id id);
 
-/* Returns the simulator that has this name, with or without the part after a hyphen, in any case. NULL: none, or its
- * models have no lines. */
+/* Returns the simulator with this name, in upper or lower case, with or without the part after a hyphen. Returns NULL
+ * if no simulator has the name or if its models have no lines. */
 const struct cor_simulator *cor_simulator_named(const char *name);
 
 /* Returns the realised e of the model for the e that a user sets; NaN if the model has no e or refuses this one. */
@@ -684,9 +684,9 @@ long cor_simulator_version(const char *text);
 /* One of several materials, of balls or of a wall. name: letters, digits, blanks, and _ - . */
 struct cor_material {
     const char *name;
-    struct cor_body body; /* the smallest ball, or a wall: infinite radius and mass; dissipation time NaN: not known */
+    struct cor_body body; /* smallest ball, or wall with infinite radius and mass; unknown dissipation time: NaN */
     double radius_max_m;  /* radius of the largest ball, of the same density; NaN: all balls have one radius */
-    const char *made_of; /* the material that gives the elasticity, and the dissipation time if it is NaN; NULL: none */
+    const char *made_of;  /* the material that gives the elasticity, and an unknown dissipation time; NULL: none */
 };
 
 /* A restitution measured between the smallest balls of materials number a and b (from 0), or between a ball and a wall;
@@ -718,7 +718,7 @@ struct cor_simulator_request {
     int count;
     const double *speed_m_s; /* impact speeds, for which the text states the realised e */
     size_t speeds;
-    double time_step_s; /* 0: the duration of the shortest contact at these speeds over `steps` */
+    double time_step_s; /* 0: the duration of the shortest contact at these speeds, divided by `steps` */
     double steps;       /* 0: 50 */
     /* step_tolerance not 0: use the largest time step at which bias and scatter of eps stay below step_tolerance.
      * step_errors: the text states bias and scatter. step_corrected: the damping is corrected by
@@ -726,14 +726,14 @@ struct cor_simulator_request {
     double step_tolerance;
     int step_errors, step_corrected;
     int integrator; /* enum cor_integrator; COR_NO_INTEGRATOR: the simulator's integrator */
-    /* Several materials, instead of contacts. The scene then has no numbers, only law, end and solver. NULL: two
-     * bodies. memory: material_count^2 elements for the function */
+    /* Several materials, which replace `contacts`. The scene then has no numbers, only law, end and solver. NULL: two
+     * bodies. memory: the caller's array of material_count^2 elements, in which the function works */
     const struct cor_material *materials;
     const struct cor_material_pair *pairs; /* the measured pairs */
     size_t material_count, pair_count;
     struct cor_material_contact *memory;
-    /* friction: of two bodies of one material, at a wall, or of pairs of materials that have no friction of their own;
-     * 0: none. tangential: a model that the simulator must have; with materials COR_TANGENTIAL_DISPLACEMENT selects its
+    /* friction: between equal bodies or at a wall. With materials: of pairs that have no friction of their own. 0:
+     * none. tangential: a model that the simulator must have; with materials COR_TANGENTIAL_DISPLACEMENT selects its
      * first model. Spring and damper are as in cor_scene_tangential_scaled; with materials the spring is Mindlin's.
      * oblique: angles in degrees, or tangential speeds in m/s, for which the text states the tangential restitution */
     double friction, tangential_stiffness, tangential_damping;
@@ -744,10 +744,10 @@ struct cor_simulator_request {
 };
 
 /* Writes the input lines for a contact in a simulator, as a text that can be included whole. One block is active: the
- * first model that has the law of the contact and the requested end, and that the version has. Other models follow as
- * comments. If the simulator does not have the law, the lines hold at one speed: the speed of the restitution, or the
- * only speed of the request. Under gravity the numbers describe the contact, and eps includes gravity. Adhering
- * contacts have no lines.
+ * first model of this version that has the law of the contact and the requested end. Other models follow as comments.
+ * If the simulator does not have the law, the lines hold at one speed: the speed of the restitution, or the only speed
+ * of the request. Under gravity the numbers describe the contact, and eps includes gravity. Adhering contacts have no
+ * lines.
  * With materials the block has the lines of all their contacts, and one time step. A contact that was not measured has
  * the dissipation times of both materials. If one is unknown, the measured contact of two balls of this material gives
  * it.

@@ -68,8 +68,8 @@ extern "C" {
 
 /* double cor_sphere_eps_zero_overlap(double beta), cor_sphere_eps_zero_force: restitution coefficient. The name gives
  * the end of contact.
- * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_EPS_MAX_ULP. 0 <= eps <= 1, and from one double beta to the next eps
- * never rises by more than one unit of its last place: proved (docs/theory.md, 18).
+ * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_EPS_MAX_ULP. 0 <= eps <= 1. From one double beta to the next one, eps
+ * never rises by more than one unit of its last place. Both are proved (docs/theory.md, 18).
  * Large beta: h*^5 beta^-5, h*^5 = 5.1583817..., exact in double precision for beta >= 7 (zero overlap); (3/2)^(2/3)
  * beta^(-5/3) with corrections of relative size beta^(-5/3) ln(beta) (zero force).
  * Special values: +-0 -> exactly 1, +inf -> 0; negative and NaN -> NaN.

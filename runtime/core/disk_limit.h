@@ -14,13 +14,14 @@
 /* Sides of a root (an undivided cell) and of a square of the index below, in sides of the smallest piece */
 enum { COR_DISK_LIMIT_SQUARE_BITS = 3, COR_DISK_LIMIT_PER_SQUARE = 8, COR_DISK_LIMIT_PER_ROOT = 16 };
 
-/* Distance beyond a cell's edge at which its neighbour is looked up, in sides of the cell; below the side of any
- * neighbour */
+/* Distance beyond a cell's edge at which its neighbour is looked up, in sides of the cell. It is below the side of
+ * every neighbour */
 #define COR_DISK_LIMIT_BEYOND 0x1p-10
 
 /* A piece. x, nu: the corner with the smallest coordinates in the plane. per_x, per_nu: inverse sides. coefficient[4 j
- * + i] multiplies s^i t^j, where s and t grow from 0 to 1 across the piece in x and nu. uncertainty, depth: of its
- * cell, which is a root after `depth` divisions. Coefficients and uncertainty are in units of COR_DISK_LIMIT_UNIT. */
+ * + i] multiplies s^i t^j, where s and t grow from 0 to 1 across the piece in x and nu. uncertainty: the value of the
+ * cell that contains the piece. depth: number of divisions from a root to this cell. Coefficients and uncertainty are
+ * in units of COR_DISK_LIMIT_UNIT. */
 #define COR_DISK_LIMIT_UNIT 1e-7
 enum { COR_DISK_LIMIT_SIDE = 4, COR_DISK_LIMIT_POINTS = 16 };
 struct cor_disk_limit_piece {

@@ -163,9 +163,9 @@ enum cor_collision_outcome cor_collision_run(struct cor_motion *m, struct cor_co
 /* Ratio of the step of a run to the step of the next run */
 #define COR_COLLISION_RATIO COR_ROOT_2
 
-/* Extrapolates runs with steps h, h/sqrt(2), h/2, ... to h = 0. Sets all fields of *out except error_estimate, and
- * energy_after unless it is NULL, from runs whose mode energies are in m->after. Returns the sum of negative
- * extrapolated mode energies, which are set to 0. */
+/* Extrapolates runs with steps h, h/sqrt(2), h/2, ... to h = 0. Sets all fields of *out except error_estimate. Also
+ * sets energy_after, if it is not NULL, from the mode energies in m->after. Returns the sum of negative extrapolated
+ * mode energies, which are set to 0. */
 double cor_collision_results(const struct cor_motion *m, const struct cor_collision_run *run, int levels,
                              struct cor_disk_collision *out, double *energy_after);
 /* Sets the mean energies from m->average, or NaN if no run has them. */

@@ -65,7 +65,7 @@ static int window_missed(const struct cor_motion *m, size_t window, double load)
 }
 
 /* Replaces the pressure in the window by the pressure of the modified potential, pressure (1 - (h^2/12) alpha a) with
- * the rim's acceleration a, (15.1), and sets its moments e. Returns its force. */
+ * the rim's acceleration a, (15.1). Sets e to the moments of the new pressure. Returns the new force. */
 static double rim_soften(struct cor_motion *m, double h, double load, size_t window, double *stiffness)
 {
     double fastest, *const sum_c = m->force_c, *const sum_s = m->force_s;

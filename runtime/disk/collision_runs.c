@@ -35,7 +35,8 @@ static void extrapolation_weights(int levels, int first, double weight[LEVELS])
     memcpy(weight, row[levels - 1], LEVELS * sizeof *weight);
 }
 
-/* Computes the weights of the runs in a movement: the extrapolation of all runs minus the one without the last run. */
+/* Computes the weights of the runs in a movement: extrapolation of all runs minus extrapolation without the last
+ * run. */
 static void movement_weights(int levels, double weight[LEVELS])
 {
     double before[LEVELS];
@@ -228,7 +229,7 @@ struct runs {
     enum cor_collision_outcome outcome; /* outcome of the last run */
     struct cor_collision_evidence evidence;
     struct cor_collision_error error;
-    double left, less_than_none; /* energy in the modes; sum of the extrapolated energies below 0 */
+    double left, less_than_none; /* energy in the modes; sum of the negative extrapolated energies */
 };
 
 /* ---- steps and angles ---- */

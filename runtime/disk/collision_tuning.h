@@ -28,16 +28,16 @@ enum {
 
 /* Smallest number of angles in the quadrant. Chosen. */
 #define COR_TUNING_LEAST_PHI 16.0
-/* The first number of angles is alpha^(2/3) (PHI_PER_DIGIT digits - PHI_OFFSET) (v/0.1)^p + PHI_PER_N n_max. digits is
+/* The first run has alpha^(2/3) (PHI_PER_DIGIT digits - PHI_OFFSET) (v/0.1)^p + PHI_PER_N n_max angles. digits is
  * -log10 of the tolerance. p is PHI_SLOW below v = 0.1 and PHI_FAST above. alpha^(-2/3) is the width of the contact's
- * edge. Fitted: this number mostly suffices. */
+ * edge. Fitted: this number suffices in most collisions. */
 #define COR_TUNING_PHI_PER_DIGIT 0.2
 #define COR_TUNING_PHI_OFFSET 0.05
 #define COR_TUNING_PHI_SLOW 0.25
 #define COR_TUNING_PHI_FAST 0.6
 /* Derived: with phi angles the harmonic 4 phi - n of the pressure aliases n; see cor_collision_quadrature_error. */
 #define COR_TUNING_PHI_PER_N 0.25
-/* Largest number of angles relative to the first number at COR_DISK_COLLISION_MAX_SPEED. Chosen. */
+/* Largest number of angles, divided by the number in the first run at COR_DISK_COLLISION_MAX_SPEED. Chosen. */
 #define COR_TUNING_PHI_LIMIT 2.5
 
 /* Steps between two scans of all angles. Steps between scans evaluate the window only. Chosen. */
@@ -53,7 +53,7 @@ enum {
  * of the tolerance and COR_TUNING_WALL_TOLERANCE. Chosen: see COR_TUNING_WALL_IN_EPS. */
 #define COR_TUNING_WALL_LEFT 1e-6
 #define COR_TUNING_WALL_TOLERANCE 1e-4
-/* The wall's force is neglected below this fraction of the load at those moments. Chosen. */
+/* The wall's force is neglected below this fraction of the load at the first and the last moment. Chosen. */
 #define COR_TUNING_NO_LOAD 1e-3
 /* Load at which a contact begins and ends, relative to the largest load. Derived: from the definition in cor/disk.h. */
 #define COR_TUNING_CONTACT_LOAD 1e-3
@@ -65,8 +65,8 @@ enum {
 #define COR_TUNING_LATER_RATIO 0.25
 /* Lower bound on a movement, relative to the one before it. Fitted. */
 #define COR_TUNING_LEAST_MOVEMENT 0.01
-/* Above the first ratio the runs do not converge. Derived: the geometric series then doubles its first term. The second
- * number is the error of such runs divided by the larger of the last two movements. Fitted. */
+/* NO_CONVERGENCE: above this ratio the runs do not converge. Derived: the geometric series then doubles its first term.
+ * SCATTER: the error of such runs divided by the larger of the last two movements. Fitted. */
 #define COR_TUNING_NO_CONVERGENCE 0.5
 #define COR_TUNING_SCATTER 4.0
 /* From this alpha v onward the wall is hard: runs may agree by chance (docs/theory-disks.md, 15). Fitted. */

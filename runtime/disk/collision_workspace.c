@@ -66,7 +66,7 @@ size_t cor_motion_arrange(struct cor_motion *m, char *base)
 
 /* ---- tables ---- */
 
-/* Reach in array elements beyond the last angle. It is so low that their pressure is 0. */
+/* Reach in array elements beyond the last angle, so low that the pressure there is 0 */
 #define NOWHERE (-1e6)
 
 void cor_motion_set_modes(struct cor_motion *m)

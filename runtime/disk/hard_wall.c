@@ -18,12 +18,12 @@ enum { MAX_LEVELS = COR_DISK_HARD_WALL_MAX_LEVELS, LEAST_LEVELS = 2 };
 #define COARSE_TOLERANCE 4e-6
 #define FINEST 0.4
 #define TURN 0.8         /* Omega h */
-#define WAVE_SPACING 0.4 /* Omega d, d the spacing of angles; larger where MOST_ANGLES limits d */
+#define WAVE_SPACING 0.4 /* Omega d, where d is the spacing of angles; MOST_ANGLES may require a larger d */
 #define COARSEST_SPACING                                                                                               \
     0.8 /* largest Omega d: the Nyquist number pi/d must exceed 1.75 Omega, the largest n of the rim's waves */
 #define LEAST_ANGLES 60
 #define MOST_ANGLES 120 /* in the half-width of the contact */
-#define HALF_WIDTH 1.1  /* half-width of the contact divided by sqrt(v); it reaches 1.45 */
+#define HALF_WIDTH 1.1  /* assumed half-width of the contact divided by sqrt(v); the true one is at most 1.45 */
 #define RANGE 2.6       /* range of the angles divided by sqrt(v) */
 
 /* The error estimate is the sum of three parts. The first is the largest of the last changes of the extrapolated value,

@@ -413,7 +413,7 @@ static void group_point(struct group *group, const struct search *s)
 static void refine_group(struct cor_disk_mode *mode, struct group *group, const struct search *s, long count)
 {
     const struct cor_mode_point *const p = &group->point;
-    double before[LANES]; /* length of the step to omega, if Halley's method made it */
+    double before[LANES]; /* length of Halley's step to omega; INFINITY if another method gave omega */
     int done[LANES] = {0}, last[LANES] = {0}, left = group->lanes;
     group_start(group, s);
     for (int i = 0; i < LANES; i++)

@@ -12,7 +12,7 @@
 #include "cor/disk.h"
 #include "runtime/number/sets.h"
 
-/* Number of frequencies or n that are evaluated at once, and number of terms of a series in kappa */
+/* Number of points (omega, n) that are evaluated at once, and number of terms of a series in kappa */
 enum { COR_MODE_LANES = 16, COR_MODE_TERMS = 19 };
 
 /* e and s are separate, so that no digits are lost for nu close to 1 or -1. */
@@ -26,8 +26,8 @@ struct cor_mode_wave {
     double z[COR_MODE_LANES], h[COR_MODE_LANES], k[COR_MODE_LANES], zeros[COR_MODE_LANES];
 };
 
-/* Both waves, at COR_MODE_LANES frequencies or orders n. step: a step of Halley's method in omega^2, after which omega
- * sqrt(1 - step) is closer to a root. below: the number of roots below omega. */
+/* Both waves at COR_MODE_LANES points (omega, n). step: a step of Halley's method in omega^2; omega sqrt(1 - step) is
+ * closer to a root. below: the number of roots below omega. */
 struct cor_mode_point {
     double omega[COR_MODE_LANES], g[COR_MODE_LANES], n[COR_MODE_LANES];
     struct cor_mode_wave a, b;

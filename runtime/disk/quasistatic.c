@@ -93,8 +93,8 @@ struct limit {
     double exponent; /* slope nu */
 };
 
-/* Finds a limit. Returns 0 if nu is outside its domain or the datum does not exist. at_zero has two rows for nu = 0,
- * with b of cor/disk.h: exp(b - 1) is exp(-5/4)/4 for the centre of mass and exp(-2) for the other data. */
+/* Finds a limit. Returns 0 if nu is outside its domain or the datum does not exist. at_zero: limits at nu = 0, for the
+ * centre of mass (exp(b - 1) is exp(-5/4)/4) and for the other data (exp(-2)). */
 static int find_limit(enum quantity quantity, double nu, enum cor_disk_datum datum, struct limit *limit)
 {
     static const struct cor_logarithm at_zero[4][2] = {

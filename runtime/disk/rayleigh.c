@@ -220,7 +220,7 @@ struct list {
     enum cor_disk_datum datum;
     size_t n_modes;
     double *room;                  /* memory of a piece */
-    struct cor_spectrum *spectrum; /* spectrum of one speed; on the heap, as a piece already has one on the stack */
+    struct cor_spectrum *spectrum; /* of one speed; on the heap, because a piece has another one on the stack */
     double *q0;                    /* q0 of every speed; NaN if the speed is finished or invalid */
 };
 

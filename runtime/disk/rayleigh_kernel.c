@@ -342,7 +342,7 @@ static void kernel_sum(const struct cor_lines *restrict lines, const struct cor_
         cosine[i] = c * c - s * s;
         sine[i] = 2 * c * s;
     }
-    for (int i = 0; i < COR_LINES; i++) /* the same sum as a caller's over mode_fraction, to the bit */
+    for (int i = 0; i < COR_LINES; i++) /* gives the same bits as a sum over mode_fraction by a caller */
         sums->fraction += fraction[i];
     sums->faded += kernel_dot(weights->mean, mean) + kernel_dot(weights->echo, more);
     sums->low[0] += kernel_dot(weights->low, cosine);

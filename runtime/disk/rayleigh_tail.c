@@ -11,7 +11,7 @@
  *   The strongest echo, with half of the whole strength, is the surface wave along the rim. It consists of the modes
  *   l = 0, whose omega and C^2 continue smoothly as power series in 1/n. The modes l = 0 are summed one by one, far
  *   beyond the table.
- *   - The echoes of waves through the disk are many and weak: e is some percent and decreases about like omega^(-1/2).
+ *   - The echoes of waves through the disk are many and weak: e is a few percent, decreasing about like omega^(-1/2).
  *   The modes of the table contain these echoes. Their oscillation, under a weight that is negative before it increases
  *   to 1 (kernel_echo_weight), predicts part of the oscillation beyond the table. The rest is estimated from the echo
  *   strength at T = tau, measured on the modes of the table. */
@@ -34,7 +34,7 @@ static const struct {
     double echo_low, half_echo_low; /* weights of the echo strengths in the low window; 1 in the high window */
     double of_echo, of_half_echo;   /* factors of the echo strengths measured at T = tau and at T = tau/2 */
     double of_density, of_fifth;    /* error of the density 2 omega + a: factors of omega_max^-2 and omega_max^-5 */
-    /* factor of (omega_max tau)^-2: the echo weight's kink leaves this part of the density, an echo with T = 0 */
+    /* factor of (omega_max tau)^-2. The density acts like an echo with T = 0; the weight's kink leaves a part of it. */
     double of_turn;
     /* for a table whose modes l = 0 cannot be continued. Chosen: the error of the tail is as large as the tail. */
     double unknown;

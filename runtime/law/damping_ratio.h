@@ -197,7 +197,7 @@ COR_INLINE double cor_ratio_zeta_beyond_zero_overlap(double eps)
  *
  * Let v = x' and u = x^((a+1)/2). While beta v > u, the force is twice the elastic force. From beta v = u onward the
  * law holds unchanged. The force vanishes after another phase psi, where cos(psi) = (4 zeta^2 - 1)/R and R = sqrt(1 + 8
- * zeta^2). Then L = zeta psi/sqrt(1 - zeta^2), and with half the angle
+ * zeta^2). Then L = zeta psi/sqrt(1 - zeta^2). In terms of psi/2 this is
  *
  *     L = (R + 1)/(R + 3) 2 C A(C),     C = cos(psi/2) = zeta sqrt(2 (R + 3)/(R (R + 1)))
  */

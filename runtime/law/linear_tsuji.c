@@ -135,7 +135,7 @@ static double tsuji_at_duration_approach_only(double zeta)
     return cor_pair_plus(rebound, cor_pair(tsuji_at_time_of_max_overlap(zeta), 0)).hi;
 }
 
-/* Returns (5/4 eps)^(2/5), eps at zero force. */
+/* Returns (5/4 eps)^(2/5) with eps at zero force. */
 static double tsuji_at_max_overlap(double zeta)
 {
     if (!(zeta >= 0))

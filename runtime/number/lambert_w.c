@@ -92,7 +92,7 @@ double cor_lambert_t(double q)
 
 struct cor_inline_pair cor_log_ratio_parts(struct cor_inline_pair log_a, double x)
 {
-    /* the upper 42 bits of ln 2, so that its product with an exponent is exact, and the rest */
+    /* ln 2 in two parts; the first has 42 bits, so that its product with an exponent is exact */
     const double ln2 = 0.69314718055989033019, ln2_rest = 5.4979230187083711747e-14;
     const uint64_t bias = UINT64_C(1023) << 52, root_half = UINT64_C(0x3fe6a09e00000000);
     int exponent = -1023;

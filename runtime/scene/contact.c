@@ -475,7 +475,6 @@ int cor_scene_tangential(double *stiffness_n_m, double *damping_n_s_m, const str
 
 /* ---- the damping from other quantities ---- */
 
-/* Computes eps at a trial beta. */
 static int eps_at(double *eps, const struct cor_scene_contact *contact, double beta, double speed_m_s, int end)
 {
     struct cor_scene_contact trial = *contact;

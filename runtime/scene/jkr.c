@@ -26,7 +26,7 @@ static double overlap_of(double u)
     return u * (u * u * u - 1);
 }
 
-/* True if the motion creeps to its rest at the overlap x_e and never passes it. Let c be the smallest damping
+/* True if the motion creeps to the equilibrium overlap x_e and never passes it. Let c be the smallest damping
  * coefficient on the way. The condition is c > 2 sqrt(dF/dx) and 0 <= x'/(x_e - x) < c/2. */
 static int is_slow(const struct motion *m)
 {

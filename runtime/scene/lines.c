@@ -149,7 +149,7 @@ static struct number number_text(double value, int digits)
 
 /* ---- the request to a simulator ---- */
 
-/* PAIR: bodies 1 and 2. LIKE_1, LIKE_2: two bodies 1 or 2. PAIRS and above, for the time step only: a body at a wall */
+/* PAIR: bodies 1 and 2. LIKE_1: two of body 1. LIKE_2: two of body 2. PAIRS and above, for time steps: with a wall */
 enum { PAIR, LIKE_1, LIKE_2, PAIRS, CONTACTS = PAIRS + 4 };
 static const struct {
     int body, other, wall;
@@ -288,7 +288,7 @@ static int has_own_damping(const struct cor_scene *scene)
 }
 
 /* Changes the contact of the pair into another contact of the same materials. The new damping comes from the
- * dissipation times of the materials, or keeps zeta or C/K of the pair. */
+ * dissipation times of the materials, if they are known. Otherwise zeta (if q = 0) or C/K stays the same. */
 static void make_contact(struct cor_scene_contact *contact, const struct cor_scene *scene, int kind)
 {
     struct cor_sphere_contact sphere;
@@ -396,7 +396,7 @@ static int integrator_of(const struct task *task)
     return own == COR_NO_INTEGRATOR || task->request->integrator == COR_NO_INTEGRATOR ? own : task->request->integrator;
 }
 
-/* True if the lines of the model define this contact. For a sphere and a wall, matrices and lines of one law also
+/* True if the lines of the model define this contact. For a sphere and a wall, lines with matrices or with one law also
  * define the contact of two equal spheres. */
 static int has_contact(const struct block *block, const struct task *task, int pair)
 {
@@ -407,9 +407,9 @@ static int has_contact(const struct block *block, const struct task *task, int p
 }
 
 /* Returns the time step of one contact at a speed: its duration divided by the number of steps, or the largest step for
- * the tolerance. Infinite if the bodies never part, NaN if not known. *steps: the requested number; PAIR sets it to its
- * own. Users may change the damping of other contacts: their result is the smallest of the steps for both ends and
- * without damping. */
+ * the tolerance. The result is infinite if the bodies never part, and NaN if it is not known. *steps: the requested
+ * number; for PAIR the function sets it to the number used. Users may change the damping of other contacts, so their
+ * result is the smallest step for both ends and without damping. */
 static double step_of(const struct cor_scene_contact *c, const struct task *task, int pair, int end, double speed,
                       double *steps)
 {
@@ -729,7 +729,7 @@ static void put_density(struct text *t, const char *word, const struct block *bl
     put_text(t, isnan(density) ? "" : ", ");
 }
 
-/* Writes the types of the contact, i or i_j, for {contact}; the variable with the plane of wall j for {plane}. */
+/* Writes a word. {contact}: the types of the contact, i or i_j. {plane}: the variable with the plane of wall j. */
 static void put_types(struct text *t, const char *word, const struct task *task)
 {
     const int plane = strcmp(word, "plane") == 0;
@@ -851,8 +851,8 @@ static int put_template(struct text *t, const char *template, const struct block
 
 /* ---- comments of a block ---- */
 
-/* Returns the factor by which the number grows if the mass grows by the factor `masses`. eps stays the same if q = 0,
- * otherwise the material does. */
+/* Returns the factor by which the number grows if the mass grows by the factor `masses`. If q = 0, eps stays the same,
+ * otherwise the material stays the same. */
 static double mass_factor(const struct block *block, const struct task *task, double masses)
 {
     const struct cor_simulator_model *const model = block->model;
@@ -981,7 +981,7 @@ static void put_oblique(struct text *t, const struct block *block, const struct 
 {
     const struct cor_simulator_request *const r = task->request;
     const struct cor_scene_contact c = contact_made(block, task, PAIR);
-    const int by_et = block->model == cor_simulator_model(COR_YADE_TC_EN); /* et sets spring and damper */
+    const int by_et = block->model == cor_simulator_model(COR_YADE_TC_EN); /* et and tc give spring and damper */
     const double et = word_number("et", block, task, PAIR), tc = word_number("tc", block, task, PAIR),
                  damping = by_et ? -4.0 / 7 * log(et) * c.mass_kg / tc : r->tangential_damping;
     for (size_t i = 0; i < r->speeds * r->obliques; i++) {
@@ -1062,9 +1062,9 @@ static int put_block(struct text *t, const struct block *block, const struct tas
 
 /* ---- spheres that yield ---- */
 
-/* Writes Luding's contact. It loads with k_1 and unloads with k_2(x) = k_1 + (k_p - k_1) x/x_p, x being the largest
- * overlap, so that eps = sqrt(k_1/k_2). k_1 gives the same largest overlap as the request's contact at speed_m_s; x_p
- * is twice this overlap. */
+/* Writes Luding's contact. It loads with k_1 and unloads with k_2(x) = k_1 + (k_p - k_1) x/x_p, where x is the largest
+ * overlap. Then eps = sqrt(k_1/k_2). k_1 gives the same largest overlap as the request's contact at speed_m_s; x_p is
+ * twice this overlap. */
 static void put_luding(struct text *t, struct task *task, double speed_m_s, double eps)
 {
     const struct cor_scene_contact *const contact = task->request->contacts;
@@ -1099,7 +1099,7 @@ static void put_yielding(struct text *t, struct task *task)
         put_comment(t, "%s", task->simulator->yielding);
     else if (task->simulator->luding)
         put_luding(t, task, task->target[PAIR].speed_m_s, task->target[PAIR].eps);
-    else if (!task->has_law) /* with the law, the lines call a function of the speed */
+    else if (!task->has_law) /* if the model has the law, its lines call a function of the speed */
         put_comment(t, "cor knows no model of %s for spheres that yield.", task->simulator->title);
 }
 
@@ -1348,8 +1348,8 @@ static int check_task(struct task *task)
 }
 
 /* Replaces a law that no model has by a linear spring whose undamped contact has the same duration T at the speed: K =
- * m (pi/T)^2. Returns 0 if the simulator has no linear model, if the mass or an eps up to 1 is not known, or if the new
- * scene has a fault. Constant forces, plates and plastic bodies also give 0. */
+ * m (pi/T)^2. Returns 0 if the simulator has no linear model, the mass is not known, eps is not known or above 1, or
+ * the new scene has a fault. Also returns 0 for constant forces, plates and plastic bodies. */
 static int replace_law(struct cor_simulator_request *request, struct cor_scene *scene,
                        struct cor_scene_contact contacts[COR_SCENE_ENDS], const struct task *task)
 {
@@ -1539,8 +1539,8 @@ static int check_materials(struct task *task)
             if ((p->a == other->a && p->b == other->b) || (p->a == other->b && p->b == other->a))
                 return refuse_task(task, "%s and %s: two pairs of these materials; leave out one", a->name, b->name);
     }
-    /* turn 0: contacts of a type with itself. turn 1: the same, for types `made_of` another one; they may use its
-     * damping. turn 2: contacts of two types. */
+    /* turn 0: contacts of a type without `made_of` with itself. turn 1: the same for a type with `made_of`; it may use
+     * the damping of the type it names. turn 2: contacts of two types. */
     for (int turn = 0; turn < 3; turn++)
         for (size_t i = 0; i < balls; i++)
             for (size_t j = i; j < types; j++)

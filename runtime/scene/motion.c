@@ -141,7 +141,7 @@ int cor_motion_expand(struct motion *m)
     return 0;
 }
 
-/* Sets v from the energy, which is accurate while the spring's energy is below half the work of `press`. */
+/* Sets v from the energy, if the spring's energy is below half the work of `press`. v is then accurate. */
 static void restore_speed(struct motion *m)
 {
     const int d = order_of(m);

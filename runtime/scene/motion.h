@@ -4,7 +4,7 @@
  *     du/ds = v,     dv/ds = -T(u) (F - press),     F = E(u) + damper u^b v,     dt/ds = T(u)
  *
  * u is a function of the overlap, and v the velocity. T and E are sums of two terms. The header also has parts that
- * files of this directory share: integer powers, and collisions with more forces than a law. */
+ * files of this directory share: integer powers, and collisions in which more forces than the law act. */
 #ifndef COR_RUNTIME_SCENE_MOTION_H
 #define COR_RUNTIME_SCENE_MOTION_H
 
@@ -18,7 +18,6 @@ struct cor_full_impact {
 };
 static const struct cor_full_impact cor_together = {{0, 0}, {INFINITY, INFINITY}, 0, 0};
 
-/* Returns the coefficient n of the product of two series. */
 COR_INLINE double product_coefficient(const double *x, const double *y, int n)
 {
     double sum = 0;
@@ -78,13 +77,13 @@ int cor_motion_expand(struct motion *m);
 /* Makes the end of the step the start of the next one. */
 void cor_motion_advance(struct motion *m);
 
-/* Follows the motion to the turning point, where the next step begins, or to the end of a step at which F falls and
- * `rests` is true. *force_max: the largest F on the way. Returns 0 if this needs too many steps. */
+/* Follows the motion to the turning point, where the next step begins, or until `rests` is true at the end of a step
+ * where F falls. *force_max: the largest F on the way. Returns 0 if this needs too many steps. */
 int cor_motion_compress(struct motion *m, double *force_max, int (*rests)(const struct motion *m));
 
 /* Functions of the place s in a step. cor_motion_root returns the place at which a function falls to `level`. */
 typedef double motion_function(const struct motion *m, double s, double level);
-motion_function cor_motion_u, cor_motion_v; /* minus the level */
+motion_function cor_motion_u, cor_motion_v; /* return u and v minus `level` */
 double cor_motion_t(const struct motion *m, double s);
 double cor_motion_loss(const struct motion *m, double s);
 double cor_motion_root(const struct motion *m, motion_function *f, double low, double high, double level);

@@ -26,8 +26,8 @@ enum { ORDER = MOTION_ORDER, MOST_STEPS = 20000, MOST_IDLE = 6, MOST_PARTS = 200
 #define PRESS_MOST 1e12
 #define KAPPA_MOST 1e24
 
-/* STICKS: spring and damper act. SLIPS: the cap acts. CREEPS: a damper that acts only while the contact sticks holds w
- * at the threshold between the two. */
+/* STICKS: spring and damper act. SLIPS: the cap acts. CREEPS: w is at the threshold between STICKS and SLIPS, where a
+ * damper that acts only in STICKS keeps it. */
 enum mode { STICKS, SLIPS, CREEPS };
 
 struct slide {
@@ -157,8 +157,8 @@ static void expand_excess(struct slide *s, double *excess, const double *w)
     excess[ORDER - 1] = excess[ORDER] = 0; /* these two need the unknown last coefficient of `held` */
 }
 
-/* Sets w to the threshold, and the two tests of creep. The contact creeps while w would fall below the threshold in
- * slip and would exceed the threshold in stick. */
+/* Sets w to the threshold, and `test` to the two conditions of creep. The contact creeps while w would fall below the
+ * threshold in slip and would exceed the threshold in stick. */
 static void expand_creep(struct slide *s)
 {
     const double *const stiff = power_series(s, s->stiff), *const slope = power_series(s, s->time),
@@ -187,7 +187,7 @@ static void expand_creep(struct slide *s)
 
 /* ---- modes ---- */
 
-/* Returns a step at which the last terms of a series are negligible. Series from x = 0 and next to it have gaps. */
+/* Returns a step at which the last terms of a series are negligible. A series that starts at or near x = 0 has gaps. */
 static double longest_step(const double *c, double size)
 {
     double growth = -INFINITY; /* binary logarithm of the largest ratio of coefficients */
@@ -286,8 +286,8 @@ static struct scales speed_scales(const struct cor_scene_contact *contact, doubl
     return (struct scales){cor_quiet_product(time, speed_m_s), time};
 }
 
-/* Sets the units of the normal motion. The impact speed sets them. Damping or a constant force above the inertia makes
- * them smaller. Returns 0 if the motion overflows. */
+/* Sets the units of the normal motion. They come from the impact speed, and are smaller if damping or constant force
+ * exceeds the inertia. Returns 0 if the motion overflows. */
 static int begin(struct slide *s, const struct cor_scene_contact *contact, const struct cor_tangential *tangential,
                  double speed_m_s)
 {

@@ -205,7 +205,7 @@ void cor_plastic_impact(struct cor_full_impact *impact, const struct cor_scene_c
 
 /* ---- a liquid film around a dry contact ----
  *
- * Lubrication reduces the speed of the bodies by the same s on the way in and on the way out (docs/theory.md, 22). */
+ * Lubrication reduces the speed of the bodies equally on the way in and on the way out (docs/theory.md, 22). */
 
 /* Integrates dv/dh = 6 pi eta R^2/(m h), which follows from m dv/dt = -6 pi eta R^2 v/h and dh/dt = -v. */
 double cor_scene_liquid_speed(const struct cor_scene_contact *contact, double viscosity_pa_s, double gap_outer_m,

@@ -82,7 +82,7 @@ static double overlap_of_rest(const struct motion *m)
                            (double)order_of(m) / m->spring[0].exponent);
 }
 
-/* True if x rises to its rest x_e and never passes it: c > 2 sqrt(dF/dx) and x'/(x_e - x) < c/2 for c = damper x^b. */
+/* True if x rises to the equilibrium x_e without passing it: c = damper x^b > 2 sqrt(dF/dx) and x'/(x_e - x) < c/2. */
 static int creeps_up(const struct motion *m)
 {
     const double a = (double)m->spring[0].exponent / order_of(m), rest = overlap_of_rest(m), x = overlap_of(m);
@@ -127,7 +127,7 @@ static void part_at_surface(struct cor_full_impact *impact, const struct motion 
 /* Follows the rebound from the turning point to the end, or until the energy does not suffice to reach the end. */
 static int follow_rebound(struct cor_full_impact *impact, struct motion *m, int ends_differ, const struct scales *unit)
 {
-    const double release = ends_differ ? release_height(m) : -1; /* the force can vanish at this w or more */
+    const double release = ends_differ ? release_height(m) : -1; /* the force can vanish only at w >= release */
     int held = !ends_differ, parted = 0; /* held: the end at the surface is found or cannot occur */
     for (int k = 0; !parted && energy_of(m) >= 0; k++) {
         if (k == MOTION_MOST_STEPS || !cor_motion_expand(m))
@@ -154,8 +154,8 @@ static int follow_rebound(struct cor_full_impact *impact, struct motion *m, int 
 
 /* ---- slow impacts and weak damping: an elastic motion from rest, which loses the energy `damping` times J ---- */
 
-#define SLOW 1e-8           /* the largest speed; its square is neglected */
-#define WEAK 1e-16          /* the largest damping */
+#define SLOW 1e-8           /* largest speed of a slow impact; its square is neglected */
+#define WEAK 1e-16          /* largest damping of a slow impact */
 #define EXPONENT_MOST 100.0 /* largest argument of the beta functions */
 #define RELEASE_SHARE 1e-17 /* largest share of the impact energy in the spring when the force vanishes */
 
@@ -202,9 +202,9 @@ static void solve_slow(struct cor_full_impact *impact, const struct cor_exponent
 /* ---- a collision ---- */
 
 #define MOST_SPEED 1e140 /* higher speeds overflow */
-#define SLOWEST 1e-12    /* lower speeds count as this one: above WEAK damping the bodies stick in any case */
+#define SLOWEST 1e-12    /* replaces lower speeds: if the damping is above WEAK, the bodies stick at all of them */
 
-/* Returns the units of a motion. The speed sets them; if it is small, the constant force and a strong damping do. */
+/* Returns the units of a motion, set by the speed or by the constant force. Strong damping makes the units smaller. */
 static struct scales motion_scales(const struct cor_exponents *law, double damping, double speed, int *is_forced)
 {
     const double a = cor_elastic(law), b = cor_damping(law), length = cor_quiet_power(speed, 2 / (a + 1));
@@ -212,7 +212,7 @@ static struct scales motion_scales(const struct cor_exponents *law, double dampi
         damping > 0 ? cor_quiet_quotient(cor_quiet_product(damping, cor_quiet_power(length, b + 1)), speed) : 0;
     const double unit = beta > 1 ? cor_quiet_power(beta, -1 / (b + 1)) : 1;
     const double strong = damping > 1 ? cor_quiet_power(damping, -1 / (b + 0.5)) : 1;
-    *is_forced = cor_quiet_power(length, a) < unit; /* in units of the speed the constant force is length^-a */
+    *is_forced = cor_quiet_power(length, a) < unit; /* in the units set by the speed the constant force is length^-a */
     return *is_forced ? (struct scales){strong, sqrt(strong), cor_quiet_quotient(speed, sqrt(strong))}
                       : (struct scales){length * unit, cor_quiet_quotient(length * unit, speed), 1};
 }

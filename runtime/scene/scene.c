@@ -29,7 +29,7 @@ static int refuse_first(struct cor_scene_fault *fault, const struct rule *rule)
 
 /* ---- bodies, or a spring ---- */
 
-/* True if a number of a body other than its dissipation is given. A wall does not count: a spring may have one. */
+/* True if a number of a body, other than its dissipation, is given. A wall counts too, unless a spring is given. */
 static int has_bodies(const struct cor_scene *scene)
 {
     const int spring = cor_scene_given(scene, COR_SCENE_STIFFNESS) ||
@@ -206,7 +206,7 @@ static int is_material(int way)
     return way == COR_SCENE_DISSIPATION_TIME || way == COR_SCENE_VISCOSITY;
 }
 
-/* Sets *found to the number of ways[] that is given and is not the source of the stiffness, or to -1. */
+/* Sets *found to the given number in ways[] that is not the source of the stiffness, or to -1 if none is given. */
 static int find_way(int *found, struct cor_scene_fault *fault, const struct cor_scene *scene)
 {
     *found = -1;
@@ -222,7 +222,7 @@ static int find_way(int *found, struct cor_scene_fault *fault, const struct cor_
     return *found < 0 && !scene->plate ? refuse_scene(fault, COR_FAULT_NO_WAY, 0, 0) : COR_FAULT_NONE;
 }
 
-/* Checks that this way suits the law and has the numbers that it needs. */
+/* Checks that `way`, the number that gives the damping, suits the law, and that the numbers it needs are given. */
 static int check_way(struct cor_scene_fault *fault, const struct cor_scene *scene,
                      const struct cor_scene_contact *contact, int way)
 {

@@ -51,7 +51,7 @@ struct stepped {
     double still; /* speed below which bodies with little energy stay in contact */
     double deep;  /* half of the lowest energy_at: below it bodies creep to rest */
     double most;  /* bound of place and velocity, so that no force overflows */
-    double ahead; /* the damping force uses the velocity this part of a step after the last half step */
+    double ahead; /* time from the last half step to the velocity in the damping force, in steps */
     int roots;    /* this number of square roots gives x^(1/denominator); negative: use pow */
     int implicit; /* the force at the end of the step acts */
     int no_pull;  /* the contact force is never negative */
@@ -324,7 +324,7 @@ int cor_scene_step_corrected(struct cor_scene_contact *corrected, const struct c
         if (status == COR_FAULT_NONE &&
             (beta == 0 || fabs(error.bias) < converged ||
              (cor_is_bracketed(&bracket) && bracket.high - bracket.low < 1e-15 * bracket.high))) {
-            if (beta > 0 && fabs(error.bias) > promised) /* no damping gives this mean eps: it jumps */
+            if (beta > 0 && fabs(error.bias) > promised) /* mean eps jumps past the exact eps: no damping fits */
                 return COR_FAULT_NO_DAMPING;
             corrected->damping = contact->damping * factor;
             return COR_FAULT_NONE;

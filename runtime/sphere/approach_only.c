@@ -39,7 +39,7 @@ static double beta_far(double eps)
     for (int k = 0; k < 40; k++) {
         const struct cor_inline_pair at = cor_hertz_eps_approach_only(sphere_overlap(beta, &unused));
         const double off = ((at.hi - eps) + at.lo) / eps;
-        beta += beta * (off * 1.2); /* 1.2 is -d ln(beta)/d ln(eps) within some percent */
+        beta += beta * (off * 1.2); /* -d ln(beta)/d ln(eps) is 1.2 within a few percent */
         if (fabs(off) < 1e-15)
             break;
     }

@@ -16,8 +16,8 @@ COR_INLINE int cor_contact_is_ordinary(const struct cor_sphere_contact *contact,
 }
 
 /* Returns a limit for the bits of a speed, read as an integer. Speeds with smaller bits do not exceed COR_SI_MOST, and
- * their product with `scale` is below 2^902: the bits of a double are nearly linear in its logarithm. If scale is NaN,
- * the limit is 0. */
+ * their product with `scale` is below 2^902. This holds because the bits of a double are nearly linear in its
+ * logarithm. If scale is NaN, the limit is 0. */
 COR_INLINE uint64_t cor_contact_speed_limit(double scale)
 {
     const uint64_t bits = cor_inline_bits(scale), most = (uint64_t)(2 * 1023 + 900) << 52;

@@ -100,7 +100,7 @@ struct float_table {
     const float *rows;
     float first, end;
     int shift;   /* 23 minus n, where an octave has 2^n rows */
-    int product; /* true if the function is beta times the row; the table then serves 0 and beta >= 2^-100 */
+    int product; /* true if the function is beta times the row; it is then valid for 0 and beta >= 2^-100 */
 };
 
 #define FLOAT_TABLE(quantity, NAME, product)                                                                           \

@@ -25,7 +25,7 @@
 
 /* ---- the data of a law ---- */
 
-/* Rows on a grid (kind 1), by octaves (kind 2), or none (kind 0), used up to `end` of their variable */
+/* kind 0: no rows. kind 1: rows on a grid. kind 2: rows by octaves. end: the value of the variable where rows end */
 struct cor_inline_law_table {
     int kind;
     const double *(*rows)(int);
@@ -138,7 +138,7 @@ COR_INLINE struct cor_inline_pair cor_inline_pair_power(struct cor_inline_pair x
 COR_INLINE double cor_inline_pair_scaled(struct cor_inline_pair x, int k)
 {
     const int e = cor_inline_exponent(x.hi), total = e + k;
-    const double unit = cor_inline_power_of_two(-e), y = x.hi * unit + x.lo * unit; /* about between 1 and 2 */
+    const double unit = cor_inline_power_of_two(-e), y = x.hi * unit + x.lo * unit; /* from about 1 to about 2 */
     if (total < -1100)
         return 0;
     if (total < -960)
@@ -275,7 +275,7 @@ COR_KERNEL struct cor_inline_pair cor_inline_law_tail(struct cor_inline_law_quan
     return cor_inline_pair_plus(value, exponent, cor_inline_pair_times(fall_power, cor_pair(c[0], c[1])), other);
 }
 
-/* Returns beta_c - beta for 0 < beta < beta_c, or a number that is not above 0. */
+/* Returns beta_c - beta for 0 < beta < beta_c. For larger beta the result is 0 or negative. */
 COR_KERNEL struct cor_inline_pair cor_inline_law_below(struct cor_inline_law_quantity q, double beta)
 {
     return cor_inline_below(beta, COR_INLINE_2_900) ? cor_pair_two_sum(q.threshold.hi - beta, q.threshold.lo)
@@ -464,7 +464,7 @@ COR_KERNEL double cor_inline_law_beta_far(struct cor_inline_law_quantity q, doub
     return cor_inline_pair_scaled(cor_inline_sum(root.hi, root.lo + root.hi * more), exponent);
 }
 
-/* Returns the smallest beta for an eps <= 1/2, which has no row near eps = 1. */
+/* Returns the smallest beta that has this eps, for eps <= 1/2. */
 COR_KERNEL double cor_inline_law_beta_low(struct cor_inline_law_quantity q, struct cor_inline_law_inverse inverse,
                                           double eps)
 {
@@ -488,7 +488,7 @@ COR_KERNEL double cor_inline_law_root_rest(double loss, int root)
     return y * (COR_INLINE_KEEP(COR_INLINE_KEEP(loss - back.hi) - back.lo) / (root * back.hi));
 }
 
-/* Returns the smallest beta near eps = 1, from the loss 0 <= loss <= 1/2. */
+/* Returns the smallest beta that has this loss, for 0 <= loss <= 1/2. */
 COR_KERNEL double cor_inline_law_beta_near(struct cor_inline_law_inverse inverse, double loss)
 {
     struct cor_inline_place place = cor_inline_law_near(inverse.near, loss);

@@ -286,7 +286,7 @@ SHARED void evaluate_block(double *out, const struct cor_row_table *table, const
     }
 }
 
-/* True if the scalar function is faster: for a few numbers, and, without vectors, for COR_ROW_PARTS. */
+/* True if the scalar function is faster: n is small, or the build has no vectors and the kind is COR_ROW_PARTS. */
 COR_KERNEL int one_by_one(const struct cor_row_table *table, size_t n)
 {
     return n < 8 || (LANES == 1 && table->kind == COR_ROW_PARTS);
@@ -294,7 +294,7 @@ COR_KERNEL int one_by_one(const struct cor_row_table *table, size_t n)
 
 /* ---- arrays of doubles ---- */
 
-/* Stores are plain: on a Zen 4, stores past the caches and prefetches make arrays that exceed the caches slower. */
+/* Stores are plain: on a Zen 4, non-temporal stores and prefetches are slower for arrays that exceed the caches. */
 static void loop_doubles(const struct cor_row_call *call, const double *in, double *out, size_t n)
 {
     const struct cor_row_table *const table = call->table;
