@@ -44,9 +44,9 @@ def watch(n_modes, alpha, speed, visit):
 @figure("Data", "collisions of the full dynamics")
 def collisions():
     off = sum(not collision.converged for collision in table.values())
-    reached = f"which {off} of them, mostly chaotic, do not reach" if off else "which all reach"
+    reached = f"{off} of them, mostly chaotic, do not reach it" if off else "All reach it"
     return [CSV_HEAD] + [row_of(*item) for item in table.items()], (
-        f"{len(table)} collisions, each with the tolerance {TOLERANCE:g} on eps, {reached}. They have at most "
+        f"{len(table)} collisions, each with the tolerance {TOLERANCE:g} on eps. {reached}. They have at most "
         f"{SIZES[-1]} modes, like the tables in the library.")
 
 
@@ -69,12 +69,12 @@ def restitution():
     return rows, (
         f"Agrees: eps falls as v grows, and is smaller for nu = 0.9. Here eps(0.1) = {eps[NU, 0.1]:.3f} at nu = 0.33 "
         f"and {eps[0.9, 0.1]:.3f} at 0.9, eps(0.3) = {eps[NU, 0.3]:.3f} and {eps[0.9, 0.3]:.3f}. Their uncertainty is "
-        f"at most {worst:.4f}, less than the size of the points: the largest change if fewer or other modes and walls "
-        f"are extrapolated. The line is the limit itself, all modes at a rigid wall: {hard_wall(NU, 0.1).eps:.5f} and "
-        f"{hard_wall(0.9, 0.1).eps:.5f} at v = 0.1, {hard_wall(NU, 0.3).eps:.5f} and {hard_wall(0.9, 0.3).eps:.5f} at "
-        f"0.3. The distance of the points from it is at most {apart:.1f} times the sum of both uncertainties. Does not "
-        f"agree: the text gives about 0.65 at nu = 0.9, v = 0.3. Nor does eps rise steadily to one as v falls: at nu = "
-        f"0.33 it is {eps[NU, best]:.4f} at v = {best:g} but {eps[NU, least]:.4f} at {least:g} (below).")
+        f"the largest change if the extrapolation uses fewer or other modes and walls. It is at most {worst:.4f}, less "
+        f"than the size of the points. The line is the computed limit, all modes at a rigid wall: "
+        f"{hard_wall(NU, 0.1).eps:.5f} and {hard_wall(0.9, 0.1).eps:.5f} at v = 0.1, {hard_wall(NU, 0.3).eps:.5f} and "
+        f"{hard_wall(0.9, 0.3).eps:.5f} at 0.3. The points differ from it by at most {apart:.1f} times the sum of both "
+        f"uncertainties. Does not agree: the text gives about 0.65 at nu = 0.9, v = 0.3, and a steady rise to one as v "
+        f"falls. Here eps at nu = 0.33 is {eps[NU, best]:.4f} at v = {best:g} but {eps[NU, least]:.4f} at {least:g}.")
 
 
 # ---- the modes ----
@@ -186,13 +186,13 @@ def spectrum():
         of_n.setdefault(mode.n, []).append(mode)
     distance, mode = min((b.omega / a.omega - 1, a) for row in of_n.values() for a, b in zip(row, row[1:]))
     return rows, (
-        f"Agrees with the text: even rows for small l, an irregular mixture for l >> n, more tangential modes than "
+        f"Agrees with the text: smooth rows for small l, an irregular mixture for l >> n, more tangential modes than "
         f"radial ones. The lowest {DISK.count} modes at nu = {NU} reach omega = {DISK.omega[-1]:.3f} and n = "
         f"{max(of_n)}. {DISK.count - len(others)} of them have n = 0; {sum(map(radial, others))} of the others move "
         f"the rim more radially (|C| > |S|), {len(others) - sum(map(radial, others))} more tangentially. For "
         f"{sum(x > 10 or x < 0.1 for x in ratio)} of the {len(ratio)} with l >= 20 n, |C/S| is above 10 or below 1/10. "
-        f"The closest frequencies of one n are l = {mode.l} and {mode.l + 1} of n = {mode.n}: they differ by the "
-        f"fraction {distance:.1e}.")
+        f"The closest frequencies of one n are l = {mode.l} and {mode.l + 1} of n = {mode.n}: their "
+        f"relative difference is {distance:.1e}.")
 
 
 @figure("Fig. 5", "shape of the disk in time")
@@ -239,8 +239,8 @@ def sequence():
         extent.append((max(x) - min(x), 2 * max(y)))
     after = [breadth for frame, (breadth, _) in enumerate(extent) if frame > out.contact_time + 1]
     return rows, (
-        f"Agrees: the oscillations after the collision are visible. v = {speed}, nu = 0.33, alpha = {alpha}, {modes} "
-        f"modes (the caption gives only v), true to scale; a rigid disk would touch at t = 0. The disk is closest at "
+        f"Agrees: the oscillations after the collision are visible. The picture has v = {speed}, nu = 0.33, alpha = "
+        f"{alpha} and {modes} modes, and is true to scale; the caption gives only v. The disk is closest at "
         f"t = {closest[1]:.2f}, with delta = {out.max_compression:.4f}; at t = 3 it is {extent[3][0]:.2f} wide and "
         f"{extent[3][1]:.2f} high. The contact lasts {out.contact_time:.2f}; in the pictures after it the width is "
         f"{min(after):.2f} to {max(after):.2f}.")
@@ -331,13 +331,12 @@ def wall_limit():
                 error = abs(collision.one_minus_eps2 - on_line) / line.at_zero
                 off["line" if rate in WALLS else "soft" if rate < WALLS[0] else "hard"].append(100 * error)
     return rows, (
-        f"Agrees: 1 - eps^2 grows with alpha and is a straight line in 1/alpha, once alpha v is 25. From there to 100, "
-        f"where the lines are drawn through, no point is off by more than {max(off['line']):.2f} % of the limit. "
-        f"Softer walls, down to alpha v = 10, are off by up to {max(off['soft']):.1f} %. At alpha v = 200, still "
-        f"harder, points are off by up to {max(off['hard']):.1f} %: {modes} modes cannot follow such a wall, so the "
-        f"number of modes must grow first. alpha v is 10 to 200; the paper does not state its walls. Dots are "
-        f"the limit of all modes at a rigid wall. The lines end between {min(ends):+.1f} % and {max(ends):+.1f} % from "
-        f"it.")
+        f"Agrees: 1 - eps^2 grows with alpha and is a straight line in 1/alpha for alpha v of 25 and above. The lines "
+        f"are fits from 25 to 100, where no point is off by more than {max(off['line']):.2f} % of the limit. Softer "
+        f"walls, down to alpha v = 10, are off by up to {max(off['soft']):.1f} %. At alpha v = 200 points are off by "
+        f"up to {max(off['hard']):.1f} %: such a wall needs more than {modes} modes. The paper does not state its walls. "
+        f"Dots are the limit of all modes at a rigid wall. The lines end between {min(ends):+.1f} % and "
+        f"{max(ends):+.1f} % from it.")
 
 
 @figure("Fig. 8", "extrapolation to all modes")
@@ -406,8 +405,8 @@ def load():
         f"soft wall pushes before it is touched. At this delta the printed law, (57), is "
         f"{100 * (1 - printed / limit):.1f} % below the law with the centre of mass, and the law of the diameter "
         f"{100 * (1 - diameter / limit):.1f} %. At delta = {large} the load at the hardest wall is "
-        f"{at_large[3] / law(large)[0]:.3f} of the law, which assumes a small contact. Half the number of points "
-        f"changes no load by more than the fraction {coarse_error:.0e}.")
+        f"{at_large[3] / law(large)[0]:.3f} of the law, which assumes a small contact. With half the number of "
+        f"points no load changes by more than a relative {coarse_error:.0e}.")
 
 
 @figure("Fig. 10", "load against compression in a collision")
@@ -463,12 +462,13 @@ def contact():
         f"Agrees: the contact time grows like the root of a logarithm as v falls. tau v/(pi delta_max) tends to 1 "
         f"slowly ({ratio(1e-2):.4f} at v = 1e-2, {ratio(1e-4):.4f} at 1e-4, {ratio(1e-8):.4f} at 1e-8). (61) is good, "
         f"because the terms that it leaves out, b and half the logarithm of its logarithm, nearly cancel at the speeds "
-        f"drawn. Compared with the printed law its tau is off by {tau_off[0]:+.1f} % at v = 0.0001 and by "
+        f"drawn. Compared with the printed law, tau of (61) is off by {tau_off[0]:+.1f} % at v = 0.0001 and by "
         f"{tau_off[1]:+.1f} % at 0.1, its delta_max by {delta_off[0]:+.1f} % and {delta_off[1]:+.1f} %. With the "
         f"centre of mass as datum tau(0.0001) = {tau(1e-4, centre):.4f} instead of the printed law's {tau(1e-4):.4f}; "
-        f"with the diameter it is {tau(1e-4, 'diameter'):.4f}. The law ends at v = {ends[centre]:.4f}, "
-        f"{ends['printed']:.4f} and {ends['diameter']:.4f}. The full dynamics has {SIZES[-1]} modes and alpha = "
-        f"{WALLS[-1]}/v; its contact lasts while the load is above a thousandth of its maximum. It agrees with the law "
+        f"with the diameter it is {tau(1e-4, 'diameter'):.4f}. The law ends at v = {ends[centre]:.4f} "
+        f"(centre of mass), {ends['printed']:.4f} (printed) and {ends['diameter']:.4f} (diameter). The full dynamics "
+        f"has {SIZES[-1]} modes and alpha = {WALLS[-1]}/v. Its contact lasts while the load is above a thousandth of "
+        f"the largest load. The full dynamics agrees with the law "
         f"for the centre of mass: tau(0.01) = {dynamic[0.01].contact_time:.2f}, law {tau(0.01, centre):.2f}, and "
         f"delta_max {100 * (1 - dynamic[0.01].max_compression / delta(0.01, centre)):.1f} % below the law's. It "
         f"departs from the law near the end of the law: tau(0.1) = {dynamic[0.1].contact_time:.2f}, law "
@@ -514,13 +514,13 @@ def rayleigh():
     head = ["nu_%.2f_%s_%s" % (*key, what) for key in series for what in ("1800_modes", "all_modes", "quadrupole")]
     return [",".join(["speed"] + head)] + rows, (
         f"Agrees: the size, and the quadrupole as the mode with the largest energy, "
-        f"{100 * quadrupole[series[0]][top] / whole[series[0]][top]:.0f} % at the maximum, though nothing in the dips. "
-        f"Does not agree: the place of the maximum, near v = 1e-2 in print. The quadrupole's share follows "
+        f"{100 * quadrupole[series[0]][top] / whole[series[0]][top]:.0f} % at the maximum, though not in the dips. "
+        f"Does not agree: the place of the maximum, near v = 1e-2 in print. The quadrupole's energy follows "
         f"cos^2(omega tau/2), so the fraction oscillates as tau grows with -ln v. For the centre of mass, the diameter "
-        f"and the printed datum its largest values at nu = 0.33 are {maxima[NU]}. At nu = 0.9 they are {maxima[0.9]}. "
+        f"and the printed datum the largest values at nu = 0.33 are {maxima[NU]}. At nu = 0.9 they are {maxima[0.9]}. "
         f"The constant b only shifts the curve along ln v. After the maximum come a dip and then a rise, not a fall. "
-        f"Beyond v = {ends}, shaded, perturbation theory fails, and gives up to {beyond:.2f} times the energy of the "
-        f"impact. The modes above the lowest 1800 add at most {largest_tail:.2g} of the fraction, too little to be "
+        f"Beyond v = {ends}, shaded, perturbation theory fails: it gives up to {beyond:.2f} times the energy of "
+        f"the impact. The modes above the lowest 1800 add at most {largest_tail:.2g} of the fraction, too little to be "
         f"seen. The full dynamics, all modes at a rigid wall, agrees in size with the print, but its dip is shallow "
         f"and its rise less steep. At nu = 0.33 it gives {wall[NU][0]:.4f} at v = 0.01 and {wall[NU][1]:.4f} at 0.1; "
         f"Rayleigh, with the centre of mass, has {theory[NU][0]:.4f} and {theory[NU][1]:.2f}. At nu = 0.9 it gives "
@@ -560,10 +560,10 @@ def oscillation():
         "In the full dynamics, too, 1 - eps^2 does not fall steadily with v. At nu = 0.33, with %d modes and a hard "
         "wall, it falls from a maximum of %.4f at v = %.2g by %.0f %% to a minimum at v = %.2g. Then it rises again. "
         "Rayleigh's curve, with the centre of mass, falls from %.4f at v = %.2g by %.0f %% to v = %.2g. Its "
-        "maximum is nearly as high, at half the speed, and its minimum much deeper. Extrapolations are drawn at v = "
-        "%.2g and above, where their uncertainty is at most %.0f %%. At smaller speeds the contact is too narrow for "
-        "1800 modes, and the points of N = 940, 1300 and 1800 do not yet form a line. The black line is the limit "
-        "itself, all modes at a rigid wall: %.5f at v = 0.0023, %.5f at 0.015." %
+        "maximum is nearly as high, but at half the speed, and its minimum is much deeper. Extrapolations are drawn at "
+        "v = %.2g and above, where their uncertainty is at most %.0f %%. At smaller speeds the contact is too narrow for "
+        "1800 modes, and the points of N = 940, 1300 and 1800 do not yet form a line. The black line is the computed "
+        "limit, all modes at a rigid wall: %.5f at v = 0.0023, %.5f at 0.015." %
         (SIZES[-1], *fall(dynamic), *fall(theory), SLOW_SPEEDS[first], 100 * max(uncertain[first:]),
          hard_wall(NU, 0.0023).one_minus_eps2, hard_wall(NU, 0.015).one_minus_eps2))
 
@@ -592,12 +592,12 @@ def rigid_wall():
     few = miss(NU, PAPER_SPEEDS, lambda nu, v: limit_of(nu, v)._replace(one_minus_eps2=size_line(nu, v, FEW).at_zero))
     estimate = max(hard_wall(nu, v).error_estimate for nu in MATERIALS for v in PAPER_SPEEDS)
     return rows, (
-        "cor_disk_hard_wall computes the limit itself, all modes at a rigid wall, to %.0e in 1 - eps^2 at the paper's "
+        "cor_disk_hard_wall computes the limit, all modes at a rigid wall, to %.0e in 1 - eps^2 at the paper's "
         "speeds. At nu = 0.33 the extrapolation from the paper's N = 300 to 940 is off by up to %+.1e, at v = %g "
         "(%+.1f %%). The extrapolation from N = 940 to 1800 is off by up to %+.1e, at v = %g (%+.1f %%), and by more "
-        "than both uncertainties together at %d of %d points. At nu = 0.9 the latter is off by up to %+.1e, at v = %g "
-        "(%+.1f %%), and by more than these uncertainties at %d of %d. At small speeds, in the figure of the "
-        "oscillation, it is off by up to %+.1e, at v = %.2g (%+.0f %%)." %
+        "than both uncertainties together at %d of %d points. At nu = 0.9 this extrapolation is off by up to %+.1e, "
+        "at v = %g (%+.1f %%), and by more than both uncertainties at %d of %d. At the small speeds of the "
+        "oscillation it is off by up to %+.1e, at v = %.2g (%+.0f %%)." %
         (estimate, *few[:3], *miss(NU, PAPER_SPEEDS), *miss(0.9, PAPER_SPEEDS), *miss(NU, SLOW_SPEEDS)[:3]))
 
 
