@@ -111,19 +111,18 @@ void plan_choose(struct plan *plan)
 
 /* ---- output ---- */
 
-/* Prints a cost such as "0", "3.4 ns" or "160 us". */
+/* Prints a cost with two digits, such as "0", "3.4 ns" or "160 us". */
 static void print_cost(char *text, size_t size, double ns)
 {
     static const char *const unit[] = {"ns", "us", "ms", "s"};
     int k = 0;
-    for (; ns >= 995 && k < 3; k++)
+    snprintf(text, size, "%.1e", ns);
+    for (ns = strtod(text, NULL); ns >= 1000 && k < 3; k++)
         ns /= 1000;
-    if (!(ns > 0))
-        snprintf(text, size, "0");
-    else if (ns >= 99.5)
-        snprintf(text, size, "%.0f %s", 10 * round(ns / 10), unit[k]);
+    if (ns > 0)
+        snprintf(text, size, "%g %s", ns, unit[k]);
     else
-        snprintf(text, size, "%.2g %s", ns, unit[k]);
+        snprintf(text, size, "0");
 }
 
 /* Prints an error bound with two digits, rounded up. */

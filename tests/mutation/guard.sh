@@ -11,6 +11,7 @@ disk_bounds)
         "${arb[@]}" -lmpfr -lgmp -lm && exec ./guard
     exit 1
     ;;
+fortran_source) exec python3 -B python/bindings/fortran_source.py --check ;;
 *) exec "tests/hygiene/$1" ;;
 esac
 command -v gappa >/dev/null || exit 0

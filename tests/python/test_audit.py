@@ -416,6 +416,22 @@ def test_long_loop(tmp_path, monkeypatch):
     assert status == 4 and [row["line"] for row in json.loads(out)] == [5, 7]
 
 
+def test_units():
+    """A contact has the same numbers in all units of LAMMPS, whose default steps differ."""
+    rows = []
+    for name, length, mass, time, step in (
+        ("si", 1, 1, 1, 1e-8), ("cgs", 1e-2, 1e-3, 1, 1e-8), ("micro", 1e-6, 1e-15, 1e-6, 2e-6),
+        ("nano", 1e-9, 1e-21, 1e-9, 4.5e-13),
+    ):  # fmt: skip
+        hertz = f"hertz {1e6 * length * time**2 / mass} {1e9 * length * time} tangential linear_nohistory 0 0"
+        deck = f"units {name}\npair_style granular\npair_coeff * * {hertz} damping viscoelastic\n"
+        options = Options("lammps", speeds=(3.0,), radii={"": 1e-4}, densities={"": 2500.0})
+        row = physics.audit_text(deck, "deck", options)[0]
+        rows.append((row.realised, row.duration_s))
+        assert rows[-1] == pytest.approx(rows[0], rel=1e-9) and row.time_step_s / step == pytest.approx(1)
+    assert 0.1 < rows[0][0] < 0.9
+
+
 @pytest.mark.parametrize(
     "kind", ["yade", "lammps", "mfix", "mujoco"] if os.environ.get("COR_TEST_LONG") else ["lammps"]
 )

@@ -139,6 +139,10 @@ TEST(test_pieces)
                 check(error <= allowed * size, "q0 = %a, omega = %g: %g", q0, omega, error / size);
                 check(same_bits(x.cosine[0], y.cosine[0]), "q0 = %a", q0);
             }
+            struct cor_lines far;
+            const double beyond = 4e6 / direct.half_time; /* too large for the reduction of kernel_sincos */
+            cor_spectrum_lines(&direct, 1, &beyond, &far);
+            check(same_bits(far.cosine[0], cos(beyond * direct.half_time)), "omega = %g", beyond);
         }
     }
     free(room);

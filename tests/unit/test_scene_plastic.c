@@ -296,7 +296,8 @@ TEST(wet_contact)
                    1e-14);
     }
     assert_true(cor_wet_eps(0.7, 1, 0) == 0.7 && cor_wet_eps(0.7, 1, 2) == 0 && cor_wet_eps(1, 0, 0) == 1);
-    check_nan(cor_wet_eps(-0.1, 1, 0), cor_wet_eps(NAN, 1, 0), cor_wet_eps(1, NAN, 0), cor_wet_eps(1, 1, -1));
+    check_nan(cor_wet_eps(-0.1, 1, 0), cor_wet_eps(NAN, 1, 0), cor_wet_eps(1, NAN, 0), cor_wet_eps(1, 1, -1),
+              cor_scene_liquid_speed(&wet, 0.1, 1e-6, 1e-5));
 }
 
 TEST(refusals)

@@ -279,9 +279,11 @@ TEST(special)
     EACH (ends, COR_END_LIMITED, COR_BOTH_ENDS)
         refused(&contact, 1, (int)*ends, 12, COR_LEAPFROG);
     refused(&contact, NAN, COR_END_ZERO_OVERLAP, 12, COR_LEAPFROG);
-    contact.plate = 1;
-    refused(&contact, 1, COR_END_ZERO_FORCE, 12, COR_LEAPFROG);
-    contact.plate = 0;
+    struct cor_scene_contact others[4] = {contact, contact, contact, contact};
+    others[0].plate = others[1].plastic = 1;
+    others[1].yield_speed_m_s = others[2].adhesion_j_m2 = others[3].liquid_speed_m_s = 0.1;
+    for (int i = 0; i < 4; i++)
+        refused(&others[i], 1, COR_END_ZERO_FORCE, 12, COR_LEAPFROG);
     assert_int_equal(cor_scene_step_for(&steps, &contact, 1, COR_END_ZERO_OVERLAP, 0, COR_LEAPFROG), COR_FAULT_STEP);
     check(isnan(steps), "steps %g", steps);
     /* damping so strong that the contact has only a few steps */

@@ -137,6 +137,11 @@ TEST(test_a_wrong_request_leaves_the_last_one)
         assert_true(strlen(web_wrong.text) > 20);
         assert_near(web_now.scene.number[COR_SCENE_G_STAR], 3, 0);
     }
+    char longest[2 * WEB_VALUE];
+    snprintf(longest, sizeof longest, "g-star=%0*d", WEB_VALUE - 1, 4);
+    assert_true(web_read(longest));
+    snprintf(longest, sizeof longest, "g-star=%0*d", WEB_VALUE, 4);
+    assert_true(!web_read(longest) && strstr(web_wrong.text, "more than 1535 characters"));
 }
 
 /* Returns the number after a text; NaN: the text is absent. */
@@ -160,6 +165,7 @@ TEST(test_curves)
     double y[2], eps;
     assert_true(web_read("law=hunt-crossley\nrestitution=0.8\nat=1"));
     assert_string_equal(web_curves(), "eps\tzero-overlap\t\n");
+    assert_non_null(strstr(web_summary(6), "\nq,1,1\n"));
     assert_int_equal(web_read(GLASS "restitution=0.9\nat=1\nfor=lammps"), 2);
     assert_string_equal(web_curves(), "zero_overlap\tzero-overlap\t\nzero_force\tzero-force\t\n");
     const char *line = web_models(6);

@@ -292,7 +292,7 @@ class _Audit:
             zeta = model.damping_of_number(model, contact.number, scene, speed)
             self.say_surface(row, self.mujoco(contact, scene, zeta, speed, gravity))
             return
-        if end >= lib.COR_SCENE_ENDS or math.isnan(scene.mass_kg):
+        if end >= lib.COR_SCENE_ENDS:
             return
         pressed, eps = ffi.new("struct cor_scene_contact *", scene[0]), ffi.new("double *")
         pressed.force_n = scene.mass_kg * gravity
