@@ -415,8 +415,8 @@ TEST(test_waves)
     static const struct {
         const char *young, *poisson, *compared;
         double speed, eps;
-    } walls[] = {{"7e10", "0.25", "it is 0.19. A measured dissipation time includes the loss by waves.", 2, 0.9},
-                 {"7e10", "0.25", "it is 0.0002. The waves dissipate more", 2, 0.9999},
+    } walls[] = {{"7e10", "0.25", "gives 0.19. A measured dissipation time includes the waves.", 2, 0.9},
+                 {"7e10", "0.25", "gives 0.0002. This is less", 2, 0.9999},
                  {"2e11", "0.3", "", 0.01, 0.9},
                  {"1e6", "0.49", "", 0.01, 0.9},
                  {"3e9", "0.5", "", 0.01, 0.9},
