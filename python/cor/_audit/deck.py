@@ -11,7 +11,7 @@ from typing import Callable, Dict, List, NamedTuple, Optional, Tuple
 
 NAN = math.nan
 ROLLS = "rolling or twisting friction also acts"
-MAX_BYTES = 1 << 26  # of one file
+MAX_BYTES = 1 << 26  # largest size of a file
 MAX_CONTACTS = 20000
 
 
@@ -115,7 +115,7 @@ class Contact:
     limited: bool = False
     zeta_factor: float = 1.0
     solimp: Optional[Tuple[float, ...]] = None  # MuJoCo: dmin, dmax, width, midpoint, power
-    softness: float = 1.0  # of cor_mujoco_eps
+    softness: float = 1.0  # MuJoCo: an argument of cor_mujoco_eps
     cohesion: Tuple[str, float] = "", 0.0
     luding: Optional[Tuple[float, ...]] = None  # k1, kp, kc, G0 and PhiF of a pair
     unknown: str = ""

@@ -45,9 +45,9 @@ _BY_MASS = ("HOOKE_MASS_VELOCITY", "HOOKE_VISCOELASTIC", "HERTZ_VISCOELASTIC", "
 _BY_ROOT = ("HOOKE_TSUJI", "HERTZ_TSUJI", "COEFF_RESTITUTION")  # damping is proportional to the root of the mass
 _KNOWN = _BY_MASS + _BY_ROOT + ("HOOKE_VELOCITY", "HERTZ_VELOCITY")
 _MIXES_SINCE = 20221103  # earlier, LAMMPS uses damping velocity for every mixed pair
-_MODELS = ("hertz", "hooke", "hertz/stiffness", "hooke/stiffness")  # of LIGGGHTS
+_MODELS = ("hertz", "hooke", "hertz/stiffness", "hooke/stiffness")  # models of LIGGGHTS
 _OLD_MODEL = re.compile(r"gran/(hertz|hooke)(/history|/incremental)?(/energy)?(/stiffness)?")  # before version 3
-# Tangential models whose stiffness follows the contact radius; the model with the force of each old pair style
+# Tangential models whose stiffness follows the contact radius. For each old pair style, the model with its force.
 _TANGENTIAL = ("mindlin", "mindlin/force", "mindlin_rescale", "mindlin_rescale/force")
 _OLD = {"hooke": "linear_nohistory", "hooke/history": "linear_history", "hertz/history": "mindlin"}
 _MIXED = "LAMMPS mixes the tangential forces of two types"
@@ -168,7 +168,7 @@ class Granular(System):
         self.coefficients: Dict[Any, Coefficient] = {}
         self.excluded: List[List[str]] = []
         self.speeds: List[float] = []
-        self.velocities: Dict[str, Tuple[float, ...]] = {}  # of groups
+        self.velocities: Dict[str, Tuple[float, ...]] = {}  # by group
         self.created = 0  # atoms; -1: unknown
         self.is_run, self.is_changed, self.has_unread_atoms = False, True, False
         self.last: List[Contact] = []  # contacts of the last snapshot
@@ -602,7 +602,7 @@ class Granular(System):
         if any(f[2] in c.groups for f in self.has("freeze")):
             return "freeze"
         moved = [f for f in self.fixes.values() if _INTEGRATES.match(f[3]) and f[3] != "nve/noforce"]
-        is_from_restart = c.kind == "file" and self.has_unread_atoms  # then its groups are unknown
+        is_from_restart = c.kind == "file" and self.has_unread_atoms  # its groups are unknown
         is_moved = not moved or is_from_restart or any(f[2] in c.groups or f[2] not in self.group_names for f in moved)
         return "" if is_moved and not any(f[2] in c.groups for f in self.has("nve/noforce|move")) else "fixed"
 

@@ -155,7 +155,7 @@ class Script:
                 i = labels[0] if jump[1] else 0
 
     def found(self, name: str) -> str:
-        """Returns the path of a file of the script. A file outside the script's folder is copied to the same place."""
+        """Returns the path of a file of the script. Copies a file that is outside the script's folder."""
         path = os.path.normpath(os.path.join(self.folder, unquoted(name)))
         original = os.path.normpath(os.path.join(self.source, unquoted(name)))
         if not os.path.exists(path) and os.path.isfile(original):
@@ -394,8 +394,8 @@ class Script:
 def measure(
     command: List[str], folder: str, path: str, end: float, variables: Dict[str, Tuple[str, ...]], todo: List[Collision]
 ) -> Tuple[str, Dict[str, List[int]], str]:
-    """Measures collisions in place of the runs of a script. Returns the program's version, the omitted commands with
-    their lines, and the reason if the script did not reach its end."""
+    """Executes a script and, in place of each of its runs, measures collisions. Returns the program's version, the
+    omitted commands with their lines, and the reason if the script did not reach its end."""
     flags = [word for key, values in variables.items() for word in ("-var", key, *values)]
     source, name = os.path.split(os.path.abspath(path))
     script, reason = Script(command + ["-log", "none", *flags], folder, source, end, todo), ""

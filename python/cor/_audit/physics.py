@@ -33,10 +33,10 @@ _OTHER = {
     "LAMMPS_HOOKE_TSUJI": "LAMMPS_HOOKE_TSUJI_2026",
     "YADE_EN": "YADE_EN_UNTIL_2023",
 }
-_COHESIVE = 600  # most contacts with cohesion that are integrated for a deck
-_PHASES, _PHASES_LEAST, _STEPS_OF_PHASES = 128, 16, 2**20  # cor_scene_step_error: phases, least phases, most steps
-_STEPS_IN_ALL = 2e8  # most steps for a deck, some seconds
-_STEPS_OF_SEARCH, _LEAST_SEARCHED = 2e7, 1e-4  # cor_scene_step_for: steps of a call, least tolerance
+_COHESIVE = 600  # largest number of contacts with cohesion that are integrated for a deck
+_PHASES, _PHASES_LEAST, _STEPS_OF_PHASES = 128, 16, 2**20  # cor_scene_step_error: phases, least phases, step limit
+_STEPS_IN_ALL = 2e8  # largest number of steps for a deck; they take some seconds
+_STEPS_OF_SEARCH, _LEAST_SEARCHED = 2e7, 1e-4  # cor_scene_step_for: steps of a call, least allowed error
 _LINEAR = (Spring.HOOKE, Spring.CHARACTERISTIC, Spring.CONTACT_TIME, Spring.PER_MASS)
 _SIZES = (", least", ", largest")
 _NEVER = 1e5  # m/s, Gazebo's default threshold; no impact is faster
@@ -141,7 +141,7 @@ class _Audit:
         at = 1.0 if math.isnan(speed) else speed
         scene.damping = damping if constant else damping * at ** -lib.cor_scene_speed_exponent(scene)
         if end >= lib.COR_SCENE_ENDS:
-            never = contact.number == 0 or contact.threshold >= _NEVER  # at any speed
+            never = contact.number == 0 or contact.threshold >= _NEVER  # eps is 0 at any speed
             row.realised = 0.0 if never or speed <= contact.threshold else lib.cor_law_eps(model.law, end, damping)
             if contact.threshold > 0:
                 row.realised = NAN if math.isnan(speed) and not never else row.realised

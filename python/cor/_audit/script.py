@@ -17,11 +17,11 @@ MAX_COMMANDS = 400000  # limit for all worlds together
 MAX_SECONDS = 5.0
 MAX_NESTED = 16  # depth of files, as in LAMMPS
 MAX_WORLDS = 64
-MAX_WORDS = 100000  # of one line
+MAX_WORDS = 100000  # largest number of words in a line
 MAX_CONTINUED = 2000  # continuation lines of one command
 MAX_LINE = 1 << 26
 _MARK = "\0"  # encloses the name of an unknown value within a word
-_BLANK = "\1"  # replaces each blank of such a name
+_BLANK = "\1"  # replaces each blank in the name of an unknown value
 
 
 class Unknown(Exception):
@@ -34,7 +34,7 @@ class OutOfBounds(Exception):
 
 class Variable(NamedTuple):
     style: str
-    values: Tuple[str, ...] = ()  # equal: formula; format: variable, format; loop: first, format, last
+    values: Tuple[str, ...] = ()  # style equal: formula; format: variable, format; loop: first, format, last
     at: int = 0
 
 
@@ -284,7 +284,7 @@ class World:
         self.label, self.skip_jump, self.partition, self.depth, self.is_left = "", False, 0, 0, False
         self.evaluated: Set[str] = set()
         self.changes = 0  # number of commands that changed the system
-        self.visited: Dict[Tuple[str, int], Any] = {}  # by unknown condition: changes and variables at the last visit
+        self.visited: Dict[Tuple[str, int], Any] = {}  # place of an `if` -> changes and variables at its last visit
         self.pending: List[str] = []
         self.place = Line("", 0, 0, "")
 

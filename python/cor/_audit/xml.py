@@ -227,7 +227,7 @@ class _Model:
         if not (types[0][0] & types[1][1] or types[1][0] & types[0][1]):
             return False
         if "1" in one.suffix + two.suffix and not "" < one.suffix < two.suffix:
-            return False  # the first copies have the same contact
+            return False  # represented by a contact of first copies
         if {one.type, two.type} <= {"plane", "hfield"}:
             return False
         welds = self.weld[one.body], self.weld[two.body]
@@ -307,7 +307,7 @@ class _Model:
             c.softness = friction**2 * (1 + friction**2) / impratio / (condim - 1)
         if c.softness != 1:
             c.notes.append("The friction changes eps, because MuJoCo's cones of friction are pyramidal here.")
-        if c.solimp[0] == c.solimp[1]:  # another linear spring and dashpot
+        if c.solimp[0] == c.solimp[1]:  # constant impedance: a linear spring and dashpot
             scale = 1 / (c.solimp[0] + c.softness * (1 - c.solimp[0]))
             c.solimp = (c.solimp[0] * scale,) * 2 + c.solimp[2:]
             c.stiffness, c.softness = c.stiffness * scale, 1.0

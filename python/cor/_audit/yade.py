@@ -68,7 +68,7 @@ class Spheres:
     fixed: bool = False
     count: float = math.inf
     clump: bool = False
-    mass: float = 0.0  # of a box
+    mass: float = 0.0  # mass of a box
     axis: Optional[int] = None
 
 
@@ -621,7 +621,7 @@ class _Reader:
                 old.count += body.count
         found = sorted(merged.values(), key=lambda b: kinds.index(b.kind))
         if not any(b.kind == "sphere" for b in found):
-            if self.functors and not script.materials:  # bodies of another file
+            if self.functors and not script.materials:  # the bodies are in another file
                 unread = {"label": "material of another file", "young": NAN, "poisson": NAN, "density": NAN}
                 script.materials.append(Thing(self.functors[0].name.split("_")[1], self.functors[0].line, unread))
             of_walls = [b.material for b in found] if len(script.materials) > 1 else []
