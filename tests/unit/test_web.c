@@ -124,6 +124,7 @@ TEST(test_a_wrong_request_leaves_the_last_one)
                                            {GLASS "g-star=1\nfor=abaqus", "for"},
                                            {GLASS "g-star=1\nviscosity=1", "viscosity"},
                                            {GLASS "g-star=1\nspeed-min=20", "speed-max"},
+                                           {GLASS "g-star=1\nspeed-max=1e-4", "speed-max"},
                                            {GLASS "g-star=1\nsteps=0.5", "steps"},
                                            {GLASS "g-star=1\nadhesion-model=x", "adhesion-model"},
                                            {"poisson=0.25\ng-star=1", "young"},
