@@ -148,7 +148,7 @@ def size_line(nu, speed, sizes, walls=WALLS):
 
 def limit_of(nu, speed):
     """Returns the limit extrapolated from N = 940 and above. uncertainty: the largest change of the limit if the
-    first or the last N or wall is omitted, or if the paper's N = 300 to 940 are used."""
+    first N, last N, first wall or last wall is omitted, or if the paper's N = 300 to 940 are used."""
     best = size_line(nu, speed, LARGE).at_zero
     other = [size_line(nu, speed, LARGE[:-1]), size_line(nu, speed, LARGE[1:]), size_line(nu, speed, LARGE, WALLS[:-1]),
              size_line(nu, speed, LARGE, WALLS[1:]), size_line(nu, speed, FEW)]

@@ -198,7 +198,7 @@ def spectrum():
 @figure("Fig. 5", "shape of the disk in time")
 def sequence():
     """Displacements are (37), at the rim (39), with the amplitudes of the full dynamics. From the last
-    step to the time of a picture the disk moves freely, which neglects the wall's force for less than a step."""
+    step to the time of a picture the disk moves freely, so the wall's force is neglected for less than a step."""
     modes, alpha, speed, frames, steps = 940, 500, 0.2, 10, 12  # one frame per unit of time
     film, closest = [None] * frames, (-2, nan)
 

@@ -28,10 +28,11 @@ struct relaxed_disk {
     double memory[];
 };
 
-/* Return a disk that has not touched the wall yet; NULL without memory (16 points^2 bytes). free() it. The points are
- * equally spaced on the quadrant 0 < phi < pi/2. The error of the sum over them falls faster than any power once the
- * edge of the contact, about alpha^(-2/3) wide, spans a few points. At delta <= 0.3, sampled against twice the points,
- * it is below 1e-12 of the load for alpha = 500 and 192 points, and below 1e-7 for alpha = 20000 and 512 points.
+/* Return a disk that has not touched the wall yet; NULL if memory is short (16 points^2 bytes). Free it with free().
+ * The points are equally spaced on the quadrant 0 < phi < pi/2. The error of the sum over them falls faster than any
+ * power once the edge of the contact, about alpha^(-2/3) wide, spans a few points. At delta <= 0.3, sampled with twice
+ * the points, it is below 1e-12 of the load for alpha = 500 and 192 points, and below 1e-7 for alpha = 20000 and 512
+ * points.
  *
  * The first disk has the lowest n_modes of a table. The second has all modes with n < 2 points, from the static
  * compliance of a disk under tractions cos(n phi), sin(n phi) with its centre of mass held:

@@ -49,8 +49,8 @@ struct cor_body {
     double young_modulus_pa;   /* Y > 0; INFINITY is a rigid body */
     double poisson_ratio;      /* -1 < nu <= 1/2 */
     double dissipation_time_s; /* A >= 0 of (3), finite; from cor_dissipation_time_viscous_s */
-    double radius_m;           /* R > 0; INFINITY is flat */
-    double mass_kg;            /* > 0; INFINITY is fixed */
+    double radius_m;           /* R > 0; INFINITY is a flat wall */
+    double mass_kg;            /* > 0; INFINITY is a fixed body */
 };
 
 /* Returns the mass of a homogeneous sphere, (4/3) pi R^3 times density, kg. Domain: radius and density in range or

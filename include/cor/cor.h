@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* cor computes the coefficient of restitution eps of a collision, the rebound speed over the impact speed. This header
- * includes the headers of the library libcor, which needs libm only, and, if COR_WITH_DISK is defined, of libcor_disk:
+ * includes the headers of the library libcor, which needs only libm. If COR_WITH_DISK is defined, it also includes the
+ * header of libcor_disk:
  *
  *     I have                                              I want                                     header
  *     materials or one measured eps, and a speed, SI      eps, duration, overlap; A; g*              contact.h
@@ -22,8 +23,8 @@
  * bounds the stack.
  * Floating-point environment: no function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW or sets errno, whatever its
  * argument, so that programs may trap these exceptions. FE_UNDERFLOW and FE_INEXACT may be raised. All functions assume
- * rounding to nearest; other rounding modes give no guarantee. If the processor flushes subnormal numbers to zero,
- * results change by a relative 1e-9 at most (floats: 1.2e-7).
+ * rounding to nearest; nothing is guaranteed in other rounding modes. If the processor flushes subnormal numbers to
+ * zero, results change by a relative 1e-9 at most (floats: 1.2e-7).
  * Arrays: a function whose name ends in _array sets y[i] to the bits of function(x[i]) for i < n. If n is 0, the
  * pointers may be NULL. x and y may be the same array, but must not overlap otherwise.
  * Bits: the same input gives the same bits on every processor. The library chooses an instruction set at run time; the

@@ -233,9 +233,9 @@ COR_API int cor_disk_rayleigh_array(const struct cor_disk_modes *modes, size_t n
                                     const double *speed, size_t n, struct cor_disk_rayleigh *out, double *mode_fraction,
                                     int *status);
 
-/* Sums the smallest number of modes with error_estimate below tolerance (fraction + tail), 0 < tolerance < 1. *n_modes,
- * if n_modes is not NULL, becomes that number. The tail is computed from only these modes. Returns a status as above,
- * COR_ERROR_TOLERANCE for a tolerance outside its range, or
+/* Sums the smallest number of modes for which error_estimate is below tolerance times (fraction + tail). 0 < tolerance
+ * < 1. *n_modes, if n_modes is not NULL, becomes that number. The tail is computed from only these modes. Returns a
+ * status as above, COR_ERROR_TOLERANCE for a tolerance outside its range, or
  *     COR_TOLERANCE_NOT_REACHED  the table has too few modes; the results use all of them */
 COR_API int cor_disk_rayleigh_tolerance(const struct cor_disk_modes *modes, enum cor_disk_datum datum, double speed,
                                         double tolerance, struct cor_disk_rayleigh *out, size_t *n_modes);
@@ -387,8 +387,8 @@ struct cor_disk_hard_wall {
 
 /* Computes levels until error_estimate is at most the tolerance. Stops earlier if the lowest n_modes modes, or the
  * budget, do not suffice for one more level. A level needs all modes below its Omega, whose number cor_disk_modes_below
- * returns. A result needs two levels, COR_OK five. 1800 modes suffice for five levels (Omega = 60), with an error of
- * about 1e-4.
+ * returns. A result needs two levels, and COR_OK needs five. 1800 modes suffice for five levels (Omega = 60), with an
+ * error of about 1e-4.
  * Domain: 0 < v <= COR_DISK_HARD_WALL_MAX_SPEED. Equal arguments give equal bits on every instruction set.
  * Returns COR_OK, or, with the best numbers,
  *     COR_TOLERANCE_NOT_REACHED  the modes or the budget do not suffice for five levels and the tolerance

@@ -198,8 +198,8 @@ COR_API void cor_hunt_crossley_max_overlap_array(const double *beta, double elas
 /* double cor_hunt_crossley_duration(double beta, double elastic_exponent), _duration_approach_only,
  * _time_of_max_overlap: times in units of T.
  * Domain: -1 < beta <= inf, 0 <= a < inf. Accuracy: for a = 1 or 3/2 and beta >= 0 tables give
- * COR_HUNT_CROSSLEY_MAX_ULP. For beta < 0 and for every other a <= COR_HUNT_CROSSLEY_MAX_EXPONENT, a quadrature of a
- * few microseconds gives COR_HUNT_CROSSLEY_TIME_MAX_ERROR, a bound on the relative error, for every beta.
+ * COR_HUNT_CROSSLEY_MAX_ULP. Otherwise, for a <= COR_HUNT_CROSSLEY_MAX_EXPONENT, a quadrature of a few microseconds has
+ * a relative error of at most COR_HUNT_CROSSLEY_TIME_MAX_ERROR.
  * Special values: beta = +-0 -> the times of the elastic collision, which are pi and pi/2 for a = 1; +inf -> +inf
  * (duration), 0 (time of the largest overlap); a > COR_HUNT_CROSSLEY_MAX_EXPONENT, outside the domain and
  * NaN -> NaN. */

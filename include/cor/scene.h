@@ -55,8 +55,8 @@ double cor_law_force_max(const struct cor_exponents *exponents, double damping);
 /* ---- spheres that yield, spheres in a liquid ---- */
 
 /* Return three numbers of elastic-plastic spheres (Thornton 1997): eps at x = v/v_y, the impact speed over the yield
- * speed; 1 - eps at x; and the x that has an eps. With r = 1/x and t = r sqrt(5/(6 - r^2)): eps^4 = 108 t/((t + 2) (t^2
- * + 5)^2). eps = 1 for x <= 1. The bounds below are in units in the last place. The bound for eps counts roundings
+ * speed; 1 - eps at x; and x for a given eps. With r = 1/x and t = r sqrt(5/(6 - r^2)): eps^4 = 108 t/((t + 2) (t^2 +
+ * 5)^2). eps = 1 for x <= 1. The bounds below are in units in the last place. The bound for eps counts roundings
  * (docs/theory.md, 21); the others are sampled in tests/unit/test_scene_plastic.c. Special values: x = +inf -> eps 0; x
  * negative or NaN, eps not in [0, 1] -> NaN; eps = 0 -> x = +inf. An x too large for a double is +inf, too. */
 #define COR_ELASTIC_PLASTIC_EPS_MAX_ULP 4.5
@@ -164,7 +164,7 @@ double cor_scene_tabor_number(const struct cor_scene_contact *contact, double ad
  * restitution tangential_eps, 0 < tangential_eps <= 1. At zero overlap k_t/K = (2/7) (pi^2 + ln^2 e_t)/(pi^2 + ln^2
  * eps), where e_t is tangential_eps. The contact must not slip. Accuracy: COR_SCENE_MAX_ERROR. Returns COR_OK. Returns
  * COR_FAULT_RANGE, and sets both results to NaN, for another law, unknown mass or stiffness, a constant force, bodies
- * that never part, or another tangential_eps. */
+ * that never part, or a tangential_eps outside its range. */
 int cor_scene_tangential(double *stiffness_n_m, double *damping_n_s_m, const struct cor_scene_contact *contact,
                          double tangential_eps, int end);
 
@@ -311,10 +311,10 @@ int cor_scene_tangential_scaled(struct cor_tangential *tangential, const struct 
                                 enum cor_tangential_id model_id, double stiffness, double damping_coefficient,
                                 double speed_m_s);
 
-/* An oblique impact. restitution: u'/u, the velocity of the contact point along the surface after over before (the
- * tangential restitution coefficient of the literature is -u'/u). rebound_tangent: tangent of the rebound angle,
- * u'/(eps g). impulse: tangential impulse over m g. regime: a sum of enum cor_oblique_regime. time_step_s: an estimate
- * of the time step with which a simulation gives u'/u within COR_OBLIQUE_STEP_ERROR. It is infinite unless
+/* An oblique impact. restitution: u'/u, the velocity of the contact point along the surface after the impact over
+ * before (the tangential restitution coefficient of the literature is -u'/u). rebound_tangent: tangent of the rebound
+ * angle, u'/(eps g). impulse: tangential impulse over m g. regime: a sum of enum cor_oblique_regime. time_step_s: an
+ * estimate of the time step with which a simulation gives u'/u within COR_OBLIQUE_STEP_ERROR. It is infinite unless
  * damper_in_cap is true and the damping force exceeds the friction limit at the first touch. */
 enum cor_oblique_regime { COR_OBLIQUE_STICKS = 1, COR_OBLIQUE_SLIPS = 2 };
 struct cor_oblique_impact {
@@ -450,7 +450,7 @@ enum cor_fault {
     COR_FAULT_PRESSED,        /* under a constant force the damping is too strong to be integrated */
     COR_FAULT_GRAVITY,        /* gravity needs a wall or a plate: it does not press free bodies together */
     COR_FAULT_ADHESION,       /* adhesion and an adhesion model go together */
-    COR_FAULT_ADHESION_MODEL, /* no adhesion model is given, or it does not have this law */
+    COR_FAULT_ADHESION_MODEL, /* no adhesion model is given, or the model does not have this law */
     COR_FAULT_PRESSED_LAW,    /* gravity or adhesion, with elastic-plastic spheres or a liquid (`number`) */
     COR_FAULT_NO_YIELD,       /* elastic-plastic spheres need a yield stress or a restitution */
     COR_FAULT_YIELD_DAMPING,  /* elastic-plastic spheres do not accept `number` */
@@ -498,9 +498,9 @@ enum cor_equivalence { COR_EQUIVALENT_NONE, COR_EQUIVALENT_ENERGY, COR_EQUIVALEN
 int cor_scene_equivalent(struct cor_scene *spring, struct cor_scene_contact *hertz, struct cor_scene_fault *fault,
                          const struct cor_scene *scene, int equivalence);
 
-/* Rayleigh's time step of the bodies of a scene, s, the smaller of pi R sqrt(rho/G)/(0.1631 nu + 0.8766): the time in
- * which a surface wave travels half around a sphere. Particle codes commonly limit their time step to 0.1 to 0.3 of
- * this time. NaN: a scene without bodies. Accuracy: 1e-14, relative. Source: [LIGGGHTS], fix check/timestep/gran. */
+/* Returns Rayleigh's time step, s: the time pi R sqrt(rho/G)/(0.1631 nu + 0.8766) in which a surface wave travels half
+ * around a sphere, or the smaller time of two spheres. Particle codes commonly limit their step to 0.1 to 0.3 of it.
+ * NaN: a scene without bodies. Accuracy: 1e-14, relative. Source: [LIGGGHTS], fix check/timestep/gran. */
 double cor_scene_rayleigh_step_s(const struct cor_scene *scene);
 
 /* Fills *contacts, and sets *count to 1. Sets it to 2 if a restitution or a duration is given without its end, and the
@@ -510,10 +510,10 @@ double cor_scene_rayleigh_step_s(const struct cor_scene *scene);
 int cor_scene_contacts(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *count, struct cor_scene_fault *fault,
                        const struct cor_scene *scene);
 
-/* The first function sets `damping` from one of DISSIPATION_TIME, G_STAR, DAMPING_COEFFICIENT, BETA, ZETA and
+/* cor_scene_set_damping sets `damping` from one of DISSIPATION_TIME, G_STAR, DAMPING_COEFFICIENT, BETA, ZETA and
  * RESTITUTION. It needs the speed for BETA and RESTITUTION where q is not 0, and the end for RESTITUTION. It returns
- * COR_OK, COR_FAULT_SOLVER, COR_FAULT_NO_DAMPING or the result of the solver. The second returns one of these numbers
- * except RESTITUTION; BETA is at 1 m/s. NaN: the law has no such quantity, or a number that it needs is not known. */
+ * COR_OK, COR_FAULT_SOLVER, COR_FAULT_NO_DAMPING or the result of the solver. cor_scene_damping returns a number except
+ * RESTITUTION; BETA is at 1 m/s. NaN: the law has no such quantity, or a needed number is not known. */
 int cor_scene_set_damping(struct cor_scene_contact *contact, int number, double value, double speed_m_s, int end);
 double cor_scene_damping(const struct cor_scene_contact *contact, int number);
 
@@ -686,7 +686,7 @@ struct cor_material {
     const char *name;
     struct cor_body body; /* smallest ball, or wall with infinite radius and mass; unknown dissipation time: NaN */
     double radius_max_m;  /* radius of the largest ball, of the same density; NaN: all balls have one radius */
-    const char *made_of;  /* the material that gives the elasticity, and an unknown dissipation time; NULL: none */
+    const char *made_of;  /* gives the elasticity, and the dissipation time if `body` has none; NULL: no material */
 };
 
 /* A restitution measured between the smallest balls of materials number a and b (from 0), or between a ball and a wall;

@@ -240,7 +240,7 @@ static double course_maximum(const double f[MOMENTS])
     return c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * c[4])));
 }
 
-/* Returns the point between the middle value, 0, and the next one, 1, at which the polynomial passes `level`. */
+/* Returns the place between 0 (middle value) and 1 (next value) at which the polynomial passes `level`. */
 static double course_crossing(const double f[MOMENTS], double level)
 {
     double c[MOMENTS], low = 0, high = 1;

@@ -256,7 +256,8 @@ static void runs_restart(struct runs *runs, double h)
     runs->h = h;
 }
 
-/* Starts again with 1 + growth times the angles, or the largest number. Returns 0 if that number is in use already. */
+/* Multiplies the number of angles by 1 + growth, up to phi_limit, and starts again. Returns 0 if it is phi_limit
+ * already. */
 static int runs_restart_finer(struct cor_motion *m, struct runs *runs, double growth, double h)
 {
     if (m->phi >= m->phi_limit)
@@ -458,7 +459,7 @@ static int runs_advance(struct cor_motion *m, struct runs *runs, int averages)
 }
 
 /* Starts again with more angles if their measured error exceeds its share of the tolerance. If this error decreases
- * like the quadrature error, the new number reduces it to half the share. The last three steps are repeated. */
+ * like the quadrature error, the new number reduces it to half the share. The last three runs are repeated. */
 static int runs_improve_angles(struct cor_motion *m, struct runs *runs)
 {
     const struct cor_collision_run *const last = &runs->run[runs->levels - 1];
@@ -470,7 +471,7 @@ static int runs_improve_angles(struct cor_motion *m, struct runs *runs)
                               runs->run[runs->levels > 3 ? runs->levels - 3 : 0].h);
 }
 
-/* Makes runs until the error is small enough or cannot become small enough. */
+/* Makes runs until the error is small enough, or cannot be made small enough. */
 static void runs_settle(struct cor_motion *m, struct runs *runs, struct cor_disk_collision *out,
                         const struct cor_disk_collision_detail *detail)
 {

@@ -42,8 +42,8 @@ enum {
 
 /* Steps between two scans of all angles. Steps between scans evaluate the window only. Chosen. */
 #define COR_TUNING_SCAN_INTERVAL 8
-/* Between full scans, only angles whose pressure exceeds this times the peak are evaluated. Chosen: during the contact
- * no pressure grows by 10^12 relative to the peak between two scans. */
+/* Between full scans, only angles whose pressure exceeds this fraction of the peak are evaluated. Chosen: during the
+ * contact no pressure grows by 10^12 relative to the peak between two scans. */
 #define COR_TUNING_WINDOW_EDGE 1e-26
 /* If a scan finds more than this fraction of the load at an angle outside the window, the run is repeated with full
  * scans. Derived: 100 such angles equal the round-off of a load. */
@@ -100,8 +100,8 @@ enum {
 /* Relative change of v that measures the amplification of errors. Derived: the change is 2^13 ulp, so round-off is
  * negligible, and a collision that amplifies by 10^9 still responds linearly. */
 #define COR_TUNING_PERTURBATION 0x1p-40
-/* Two runs differ by at least this number times the amplification and the square of the first run's stiffness. Fitted:
- * 1e-3 in calm collisions, 1e-6 near chaos. */
+/* Two runs differ by at least this number times the amplification times the square of the first run's stiffness.
+ * Fitted: 1e-3 in calm collisions, 1e-6 near chaos. */
 #define COR_TUNING_LEAST_SENSITIVITY 1e-7
 /* Factors in the error of eps due to round-off (cor_collision_other_errors). The random walk grows like sqrt(steps).
  * The steady drift grows like the steps, because a rounded rotation repeats its error in every step. Fitted. */

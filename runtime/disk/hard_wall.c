@@ -13,8 +13,8 @@
 
 enum { MAX_LEVELS = COR_DISK_HARD_WALL_MAX_LEVELS, LEAST_LEVELS = 2 };
 
-/* Steps and spacings for the tolerance COARSE_TOLERANCE; smaller ones multiply both by a fineness from FINEST to 1.
- * Fitted: at fineness 1 the noise in 1 - eps^2 is at most 5e-7 in nine of ten levels, sampled at 200 random scenes. */
+/* Steps and spacings for COARSE_TOLERANCE. For smaller tolerances a fineness from FINEST to 1 multiplies both. Fitted:
+ * at fineness 1 the noise in 1 - eps^2 is at most 5e-7 in nine of ten levels, sampled at 200 random scenes. */
 #define COARSE_TOLERANCE 4e-6
 #define FINEST 0.4
 #define TURN 0.8         /* Omega h */

@@ -60,7 +60,7 @@ struct cor_hard_wall_loops {
      * COR_HARD_WALL_PANEL. */
     void (*cosines)(const struct cor_hard_wall_angles *angles, size_t count, const double *factor, size_t points,
                     double *result);
-    /* Return sum x_i y_i, and subtract factor x_i from y_i, i < n. n is a multiple of COR_LANES. */
+    /* dot returns sum x_i y_i. subtract sets y_i to y_i - factor x_i, i < n. n is a multiple of COR_LANES. */
     double (*dot)(size_t n, const double *x, const double *y);
     void (*subtract)(size_t n, double factor, const double *x, double *y);
 };
@@ -145,7 +145,7 @@ struct cor_hard_wall_result {
     double one_minus_eps2, contact_time, max_compression;
     double energy_drift; /* energy after minus energy before, relative to (pi/2) v^2 */
     size_t steps, pivotings;
-    double work; /* spent, even if the level gave up */
+    double work; /* also set if the level gave up */
 };
 
 /* Returns the bytes of workspace for a level of the lowest `modes` modes, a multiple of COR_ALIGNMENT. */

@@ -61,7 +61,7 @@ static double orders_above(double N, double kappa)
     return 2 + 0.35 * (DOUBLE_BITS + START_BITS) / acosh(N / kappa);
 }
 
-/* Series serve kappa >= NEAR N, recurrences serve smaller kappa. */
+/* Series are used for kappa >= NEAR N, recurrences for smaller kappa. */
 #define NEAR 0.8
 
 /* Returns the order at which the recurrence to N = n + 1 starts for arguments up to kappa. */
@@ -135,7 +135,7 @@ static void set_amplitudes(struct cor_disk_mode *mode, const struct cor_mode_poi
  * sign that it has at omega = 0, because it is at most -(1 + nu)(n(n-1)/2 - 5 omega^2). */
 long cor_mode_orders(double omega)
 {
-    /* n - 1 exceeds the rounded product x, so n (n - 1) > x^2 + x. x covers the rounding errors of x^2 below 2^49. */
+    /* n - 1 exceeds the rounded product x, so n (n - 1) > x^2 + x. The term x exceeds the rounding errors of x^2. */
     return (long)(omega * sqrt(10.0)) + 2;
 }
 
@@ -237,7 +237,7 @@ struct search {
     const struct cor_mode_material *material;
     const struct cor_mode_loops *loops;
     struct recurrences wave[2];
-    double *memory, *place, *below, *guess; /* place: frequencies; below: roots below each; guess: by Halley */
+    double *memory, *place, *below, *guess; /* place: frequencies; below: roots below each; guess: Halley's */
     long places, room, first, n;            /* first: the first place at which roots of n are counted */
     struct group *group;
 };

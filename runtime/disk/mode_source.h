@@ -56,8 +56,8 @@ struct cor_mode_loops {
 
 COR_TABLES(struct cor_mode_loops, cor_mode, cor_mode_set)
 
-/* Returns an n for which no mode of n or above is below omega: omega_nl^2 >= n (n - 1)/10 for every n >= 2, l and nu,
- * (11.4). */
+/* Returns an n such that all modes of this n and of larger n are at omega or above: omega_nl^2 >= n (n - 1)/10 for
+ * every n >= 2, l and nu, (11.4). */
 long cor_mode_orders(double omega);
 
 /* Returns the number of modes below omega, without the translation n = 1, omega = 0. The number may be wrong by one if

@@ -6,8 +6,8 @@
 #include "cor/disk.h"
 #include "runtime/number/pair.h"
 
-/* Returns q0 = 2 ln(limit/v) >= 0 of an impact speed v > 0, with an error of 1 ulp arbitrarily close to the limit of
- * the law; NaN beyond it. */
+/* Returns q0 = 2 ln(limit/v) >= 0 of an impact speed v > 0, with an error of 1 ulp, even next to the limit of the law;
+ * NaN beyond it. */
 double cor_disk_depth(double speed, double nu, enum cor_disk_datum datum);
 
 /* Return ln(limit/x) of a positive compression or speed x as the parts of cor_log_ratio_parts, with an absolute error

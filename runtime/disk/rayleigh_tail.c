@@ -116,7 +116,6 @@ static double surface_speed(double nu)
     return sqrt(0.5 * (low + high) / (2 * (1 + nu)));
 }
 
-/* Replaces values by Newton's divided differences. */
 static void divide_differences(const double *node, double *value)
 {
     for (int order = 1; order < COR_SURFACE_FITTED; order++)

@@ -13,7 +13,7 @@
 #include "runtime/table/law.h"
 #include "runtime/table/row_loops.h"
 
-/* Each table serves the scalar and the array function. The functions ..._beyond serve the arguments for which a table
+/* The scalar and the array function use the same tables. The functions ..._beyond are for arguments for which a table
  * has no row. */
 struct cor_closed_form {
     struct cor_row_table eps, loss, damping_of_eps, damping_of_loss;

@@ -148,8 +148,8 @@ COR_KERNEL struct cor_inline_pair cor_ratio_over_omega(double zeta, struct cor_i
     return cor_ratio_over_root(numerator, cor_ratio_omega_square(zeta));
 }
 
-/* Returns L, limited to 1400, where eps is 0. Up to there 1 - zeta^2 exceeds 2^-18, so its error of 2^-104 is
- * negligible. */
+/* Returns L, but at most 1400, because eps is 0 there. For smaller L, 1 - zeta^2 exceeds 2^-18, so its error of 2^-104
+ * is negligible. */
 COR_KERNEL struct cor_inline_pair cor_ratio_overlap_near(double zeta)
 {
     const struct cor_inline_pair square = cor_inline_product(zeta, zeta);

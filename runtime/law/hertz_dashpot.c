@@ -19,8 +19,8 @@ COR_INLINE const double *first_row(struct cor_inline_law_table table)
     return table.kind ? table.rows(0) : NULL;
 }
 
-/* Returns the table for the loops. If the function is beta times a row, the table begins at a beta > 0. Where the rows
- * near 0 are in a cube root of beta, the table omits them, and the scalar function evaluates them. */
+/* Returns the table for the loops. If the function is beta times a row, the table begins at a beta > 0. If the variable
+ * of the rows near 0 is a cube root of beta, the table omits them, and the scalar function evaluates them. */
 COR_INLINE struct cor_row_table table_of_quantity(struct cor_inline_law_quantity q, enum cor_row_value value)
 {
     const int has_near = q.near.root == 1, has_below = has_near && q.below.kind != 0;
@@ -45,7 +45,7 @@ COR_INLINE struct cor_row_table table_of_quantity(struct cor_inline_law_quantity
 }
 
 static const struct cor_row_table beta_rows_zero_overlap = DASHPOT_INVERSE(beta_zero_overlap, BETA_ZERO_OVERLAP),
-                                  /* this table omits the rows in a cube root, which serve eps >= 1/2 */
+                                  /* this table omits the rows for eps >= 1/2, whose variable is a cube root */
     beta_rows_zero_force = COR_ROW_TABLE_OF_OCTAVES(cor_rows_hertz_dashpot_beta_zero_force,
                                                     COR_ROWS_HERTZ_DASHPOT_BETA_ZERO_FORCE, COR_ROW_SUM);
 

@@ -93,7 +93,7 @@ COR_INLINE struct cor_hc_speeds cor_hc_speeds_pumped_near(double b)
     return speeds;
 }
 
-/* Returns z - ln(1 + z) as a pair, for z > -1 away from 0. */
+/* Returns z - ln(1 + z) as a pair, for z > -1 that is not near 0. */
 COR_INLINE struct cor_inline_pair cor_hc_energy(double z)
 {
     return cor_pair_plus(cor_pair(z, 0), cor_kernel_minus_log(cor_pair_two_sum(1, z)));
@@ -188,7 +188,7 @@ COR_KERNEL struct cor_inline_pair cor_hc_eps_of_square_loss(struct cor_inline_pa
     return cor_pair_root(square);
 }
 
-/* Returns eps as a pair, -1 < beta < 0 or 1 < beta < inf: sqrt(2 f)/|beta| away from 0. Above 2^500 f is beta. */
+/* Returns eps for -1 < beta < 0 and 1 < beta < inf: sqrt(2 f)/|beta|, except near beta = 0. Above 2^500 f is beta. */
 COR_INLINE struct cor_inline_pair cor_hc_eps_approach_pair(double beta)
 {
     if (fabs(beta) < COR_HC_APPROACH_LEAST)

@@ -44,7 +44,7 @@ static double tsuji_at_time_of_max_overlap(double zeta)
     return isinf(zeta) ? 0 : tsuji_far(zeta, cor_rows_tsuji_far_time_of_max_overlap(0));
 }
 
-/* Returns the value from the rows in zeta^(1/5). The first row also serves zeta = 0. */
+/* Returns the value from the rows in zeta^(1/5). The first row also contains zeta = 0. */
 static double tsuji_weak(struct cor_inline_grid grid, const double *(*rows)(int), double zeta)
 {
     return tsuji_row(grid, rows, zeta < TSUJI_LEAST ? cor_pair(0, 0) : cor_inline_fifth_root_parts(zeta));

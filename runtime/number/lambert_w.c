@@ -67,7 +67,7 @@ struct cor_inline_pair cor_lambert_t_pair(struct cor_inline_pair q)
     /* y = 1 + t, and the next y is y (1 + e). With r = q - (t - ln(1 + t)), e solves t e + e - ln(1 + e) = r. The
      * fourth-order step of Fritsch, Shafer and Crowley (1973) reduces e from 0.6 % to 5e-12, and a step of Newton's
      * method then reduces it to 2^-78. y - 1 and, in two parts, q - t are exact. The rounding error is half an ulp of
-     * ln(y), which (1 + t)/t amplifies in t. */
+     * ln(y). In t it is larger by the factor (1 + t)/t. */
     double y = start_of(q.hi, p);
     double u = y - 1;
     double r = (q.hi - u) + log(y);

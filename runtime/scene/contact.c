@@ -323,8 +323,8 @@ static int is_full(const struct cor_scene_contact *contact, double speed_m_s)
     return does_yield(contact, speed_m_s) || contact->adhesion_j_m2 > 0 || contact->force_n > 0;
 }
 
-/* Computes the collision of a dry contact in SI units; unknown results are NaN. Sets `force_max` only for a plate and
- * if is_full is true. */
+/* Computes the collision of a dry contact in SI units; unknown results are NaN. Sets `force_max` only for a plate or if
+ * is_full is true. */
 static int dry_impact(struct cor_full_impact *impact, const struct cor_scene_contact *contact, double speed_m_s)
 {
     static const struct cor_full_impact none = {{NAN, NAN}, {NAN, NAN}, NAN, NAN};

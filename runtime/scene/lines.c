@@ -1151,7 +1151,7 @@ static void put_own_maps(struct text *t, const struct task *task)
     }
 }
 
-/* Prints all models that have the contact. If no model has it, returns 0, and the refusal is the reason of the first
+/* Prints all models that have the contact. If no model has it, returns 0 and refuses with the reason of the first
  * model. */
 static int put_all(struct text *t, struct task *task)
 {
@@ -1284,7 +1284,6 @@ static int find_simulator(struct task *task)
     return 0;
 }
 
-/* Checks that the simulator supports the requested friction. */
 static int check_friction(struct task *task)
 {
     const struct cor_simulator_request *const r = task->request;
@@ -1565,7 +1564,7 @@ static int start_contact(struct task *own, struct task *task, size_t i, size_t j
 }
 
 /* Finds the numbers of a model for all contacts. *shortest: the contact with the smallest time step, or with an unknown
- * one (NaN). Returns the rank of the model, or -1 if it is unsuitable. */
+ * time step (NaN). Returns the rank of the model, or -1 if it is unsuitable. */
 static int fill_contacts(struct task *task, const struct cor_simulator_model *model, struct block *shortest)
 {
     const size_t types = task->request->material_count, balls = count_balls(task->request);

@@ -64,7 +64,7 @@ COR_INLINE int cor_model_has_version(const struct cor_simulator_model *model, lo
     return version == 0 || (version >= model->since && (model->until == 0 || version <= model->until));
 }
 
-/* The first is true if the model has the law of the contact, the second if it can realise eps at one speed. */
+/* _has_law: 1 if the model has the law of the contact. _has_one_eps: 1 if it can realise eps at one speed. */
 int cor_simulator_has_law(const struct cor_simulator_model *model, const struct cor_scene_contact *contact);
 int cor_simulator_has_one_eps(const struct cor_simulator_model *model, const struct cor_scene_contact *contact);
 

@@ -172,7 +172,7 @@ static int stepped_init(struct stepped *m, const struct cor_scene_contact *conta
 
 /* ---- all phases ---- */
 
-/* Moves `low` to the last phase of its pattern, and `high`, which has another pattern, to just above it. */
+/* Moves `low` to the last phase of its pattern, and `high`, which has another pattern, to just above that phase. */
 static void halve_phases(struct bounce *low, struct bounce *high, const struct stepped *m)
 {
     double width;
