@@ -18,7 +18,7 @@ struct search_function {
     double (*value)(double);
     enum search_shape shape;
     double max_ulp;
-    int law, end, quantity; /* select the exact value; the program defines their meaning */
+    int law, end, quantity; /* each program defines these numbers, which select the exact value */
     double exponent;
     uint64_t share; /* tests 1/share of the random points; 0: all */
 };

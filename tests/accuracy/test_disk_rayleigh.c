@@ -140,7 +140,7 @@ static void compare_tails(const struct cor_disk_modes *many, const struct cor_di
                   table->nu, errors[n - 1], errors[n / 2], ratios[0], ratios[n / 2], worst_any);
 }
 
-/* The library's two tables; with COR_TEST_MULTIPLIER also 14 other nu, with the larger bound for any speed. */
+/* Tests the library's two tables. COR_TEST_MULTIPLIER adds 14 other nu, for which the bound is larger. */
 TEST(test_tails)
 {
     static const long percent[] = {33, 90, -90, -75, -50, -25, 0, 20, 25, 40, 50, 60, 70, 80, 95, 99};

@@ -39,7 +39,7 @@ static long double force_of(long double w, long double v, const void *of)
            f->unit / (f->mass * f->speed);
 }
 
-/* Integrates an impact; without zero_overlap only up to zero force, because strong damping makes zero overlap late. */
+/* Integrates an impact. zero_overlap: until zero overlap, which strong damping delays; false: until zero force */
 static struct cor_scene_impact integrate(const struct law_of_force *f, bool zero_overlap)
 {
     const struct motion m = {.d = ROOT, .force = force_of, .of = f, .at_zero_force = !zero_overlap};
@@ -303,7 +303,7 @@ TEST(other_laws)
     const struct cor_scene_impact impact = scene_impact(&plate, 1);
     assert_true(isnan(impact.eps[COR_END_ZERO_FORCE]) && isnan(impact.duration_s[COR_END_ZERO_FORCE]));
     check_near(cor_scene_force_max_n(&plate, 1), plate.stiffness * pow(impact.max_overlap_m, 1.5), 1e-13);
-    /* the damping for a restitution, of a law that needs enclosed collisions; without a solver this is refused */
+    /* for a law that needs enclosed collisions, a restitution is refused without a solver */
     struct cor_scene_contact power = {.law = {2, 1, 1}, .mass_kg = 1e-3, .stiffness = 1e5, .solver = contact_enclosed};
     assert_int_equal(cor_scene_set_damping(&power, COR_SCENE_RESTITUTION, 0.3, 0.5, COR_END_ZERO_FORCE), 0);
     check_near(scene_eps(&power, 0.5, COR_END_ZERO_FORCE), 0.3, 1e-14);
@@ -430,7 +430,7 @@ TEST(the_time_step_is_for_all_speeds)
         double speed[SPEEDS], least = INFINITY;
         for (int i = 0; i < SPEEDS; i++)
             speed[i] = random_log(&draw, 1e-3, 10);
-        speed[2] = 20; /* the shortest contacts, neither first nor last */
+        speed[2] = 20; /* the fastest impact, with the shortest contact, is in the middle of the list */
         for (int i = 0; i < SPEEDS * ends; i++) {
             const struct cor_scene_impact impact = scene_impact(&contacts.contact[i / SPEEDS], speed[i % SPEEDS]);
             for (int end = 0; end < COR_SCENE_ENDS; end++)

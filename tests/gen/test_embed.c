@@ -140,8 +140,8 @@ static bool check_proof(struct embed_form *f, const struct embed_scene *s)
     return raised;
 }
 
-/* Checks all forms of a scene. Proves a third of the forms of a sphere's scene, another third in every turn; for
- * another law only the cheapest form, if `proved`. Returns the number of families that have a form. */
+/* Checks all forms of a scene. proved: also proves some of them. For a sphere these are a third of the forms, another
+ * third in every turn. For other laws it is the cheapest form. Returns the number of families that have a form. */
 static int check_scene(struct embed_request *request, bool proved)
 {
     struct found w;
@@ -310,8 +310,8 @@ TEST(test_constant)
     }
 }
 
-/* Tests own laws: proofs of the forms, a table against values of SciPy 1.10's PchipInterpolator, and refused ranges.
- * tests/python/test_own_law.py compares the headers with formulas. */
+/* Tests laws of the user, eps(v). Proves the forms, compares a table with SciPy 1.10's PchipInterpolator, and tests
+ * refused ranges. tests/python/test_own_law.py compares the headers with formulas. */
 TEST(test_own_laws)
 {
     static const char rows[] = "eps,x,speed_m_s\n# a plateau, a peak\n0.9,1,0.01\n0.8,1,0.05\n0.8,1,0.2\n0.85,1,0.7\n"

@@ -189,8 +189,8 @@ TEST(test_gap)
 
 /* ---- rounding ---- */
 
-/* Counts by hand for the speed x from 1/2 to 16, in units of 2^-53. Products, sums, the quotient and the roots are each
- * rounded once. */
+/* The bounds agree with counts by hand, in units of 2^-53, for the speed x from 1/2 to 16. Products, sums, the quotient
+ * and the roots are each rounded once. */
 TEST(test_counts)
 {
     const double x = 16, x4 = x * x * x * x;

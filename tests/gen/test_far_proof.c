@@ -127,7 +127,7 @@ TEST(test_formulas)
     }
 }
 
-/* Proves the inverse, and refuses a wrong coefficient. Its error is the sum of the omitted terms at eps = 2^-23. */
+/* Proves the inverse, whose error is the sum of the omitted terms at eps = 2^-23. Refuses a wrong coefficient. */
 TEST(test_inverse)
 {
     double c[INTERPOLANT_FAR_INVERSE + 1];
@@ -148,7 +148,7 @@ TEST(test_inverse)
     }
 }
 
-/* The duration at zero overlap needs collisions that take seconds: tested in long runs, and in `corgen tables`. */
+/* The duration at zero overlap needs collisions that take seconds. Only long runs and `corgen tables` test it. */
 TEST(test_duration)
 {
     if (!few_or_all(0, 1))

@@ -94,7 +94,7 @@ TEST(test_tasks)
 enum { ROWS = 40000, FAILURE = 7 };
 
 static struct crowd {
-    slong value[ROWS], next, stop_at; /* the next task to hand back, and the last one */
+    slong value[ROWS], next, stop_at; /* the next task to hand back, and the task to stop at */
     slong slow, long_from;            /* a task that takes 300 ms, and the first that takes 10 ms */
     atomic_int begun;                 /* tasks of 10 ms that began */
     int ticks;

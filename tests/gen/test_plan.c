@@ -166,7 +166,7 @@ TEST(test_spheres)
     m = named(&plan, "library");
     for (slong i = 0; i <= last; i++)
         assert_true(fabs(cor_contact_eps_zero_force(&contact, plan.speed[i]) / plan.truth[i] - 1) <= m->error[i]);
-    assert_true(m->worst < 1e-14 && m->cost == (4.4 + 4 * 2.2) / 5); /* mean cost of a call and of numbers in a loop */
+    assert_true(m->worst < 1e-14 && m->cost == (4.4 + 4 * 2.2) / 5); /* a call costs 4.4, a number in a loop 2.2 */
     /* `elsewhere`, the error that corgen embed found between the points, decides too */
     struct plan_model *written = &plan.model[plan.chosen];
     const double found = written->elsewhere;
@@ -396,7 +396,7 @@ TEST(test_contact_time)
         const double hard = collided(1800, 60 / speed, speed, PLAN_CONTACT_TIME);
         const double harder = collided(1800, 100 / speed, speed, PLAN_CONTACT_TIME);
         const double limit = harder + (harder - hard) * 60 / (100 - 60);
-        /* `limit` counts the contact until 1/1000 of the largest load, a rigid wall until the last touch */
+        /* the contact ends at 1/1000 of the largest load for `limit`, at a rigid wall with the last touch */
         check(fabs(limit / plan.truth[i] - 1) <= 0.015, "tau(%g) = %g, from two walls %g", speed, plan.truth[i], limit);
         check(fabs(at_rigid_wall(3e-6, speed).contact_time / plan.truth[i] - 1) <= plan.uncertainty[i],
               "tau(%g) = %g, uncertain by %.2g", speed, plan.truth[i], plan.uncertainty[i]);

@@ -36,7 +36,7 @@ static bool agrees(const arb_t x, const char *text)
     const slong decimals = (slong)strlen(strchr(text, '.') + 1);
     assert_int_equal(arb_set_str(y, text, BITS), 0);
     LET(y, BITS, "abs(y - x)*10^decimals - 1", y, x, decimals);
-    assert_true(arb_is_nonpositive(y) || arb_is_positive(y)); /* the ball decides */
+    assert_true(arb_is_nonpositive(y) || arb_is_positive(y)); /* the ball must be narrow enough to decide */
     return arb_is_nonpositive(y);
 }
 

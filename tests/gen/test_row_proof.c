@@ -78,7 +78,7 @@ static void motion_event(double complex y[3], double complex beta, int event)
     double complex start[3] = {0, 1, 0};
     for (int j = 0; j < 3; j++)
         y[j] = start[j];
-    do { /* the real event, roughly */
+    do { /* roughly finds the event for the real part of beta */
         motion_step(y, creal(beta), 0.002);
         s += 0.002;
     } while (event == 0 ? creal(y[1]) > 0 : event == 1 ? creal(creal(beta) * y[1] + y[0] * y[0]) > 0 : creal(y[0]) > 0);
@@ -402,7 +402,7 @@ TEST(test_creep_rows)
         double *const c = p.value + row * (p.degree + 2);
         const double sampled = p.bits[row];
         p.bits[row] = row_proof_bits(proof, &p, row, c);
-        /* sampled errors below 2^-60 are not meaningful: the polynomial used for them is off by 4e-18 */
+        /* sampled errors are relative to an interpolant that is off by 4e-18, so below 2^-60 they mean nothing */
         check(p.bits[row] >= fmin(sampled, 60) - 2, "row %ld: %g bits proved, %g sampled", (long)row, p.bits[row],
               sampled);
         assert_row_guarded(&p, row, c);

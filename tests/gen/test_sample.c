@@ -181,7 +181,7 @@ TEST(no_smaller_table)
     }
 }
 
-/* A law whose collisions are enclosed, with durations; and constant eps, for which two points are enough */
+/* Durations of a law that needs enclosed collisions. A constant eps, for which two points are enough. */
 TEST(other_laws)
 {
     struct cor_scene_contact contact = contact_of((struct cor_exponents){2, 1, 1}, COR_SCENE_G_STAR, 0.3);

@@ -69,7 +69,6 @@ TEST(test_lists)
     values_clear(&values);
 }
 
-/* The maximal number of values, and one more. */
 TEST(test_longest_list)
 {
     static const struct values_rule many = {"many", {"1", "1e7", true, true, true, "a number from 1 to 1e7"}, true};
@@ -154,7 +153,6 @@ TEST(test_product)
     }
     fclose(none);
     sweep_clear(&sweep);
-    /* the maximal number of rows, and one more */
     for (size_t more = 0; more < 2; more++) {
         sweep = (struct sweep){.hard_wall = true, .speed.count = SWEEP_MAX_ROWS + more, .poisson.count = 1};
         assert_int_equal(sweep_count(&sweep), more ? STATUS_USAGE : STATUS_OK);
@@ -336,7 +334,7 @@ static size_t put_rows(char bytes[MOST], const size_t *row, size_t n, size_t cut
     return size;
 }
 
-/* Only the right next row is accepted: no changed byte, no swapped, omitted or repeated row, none without a check */
+/* Any row except the right next one is refused, and so is a changed byte or a missing check. */
 TEST(test_journal_changed)
 {
     char bytes[MOST];
@@ -364,7 +362,7 @@ TEST(test_journal_changed)
 TEST(test_journal_shared)
 {
     struct journal journal;
-    /* a disk that is full for a while, within a line: the next run completes it */
+    /* for a while the disk is full in the middle of a line; the next run completes the line */
     struct rlimit before;
     assert_int_equal(getrlimit(RLIMIT_FSIZE, &before), 0);
     const struct rlimit limit = {whole_size - 20, before.rlim_max};

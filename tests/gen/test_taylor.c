@@ -18,7 +18,7 @@ static void taylor_start(struct taylor *y, const struct cor_exponents *law, slon
     assert_true(taylor_choose_step(y));
 }
 
-/* The error of a short polynomial relative to a long one is at most its remainder, which is not much too large. */
+/* The remainder bounds the error of a short polynomial relative to a long one, and is not much too large. */
 TEST(test_remainder)
 {
     static const char *const laws[][2] = {{"3/2", "1/2"}, {"1", "0"}, {"3/2", "3/2"}, {"2", "1/3"}};

@@ -190,7 +190,7 @@ static double step_error(double low, double high, const library &n)
         const ball r = v * e + e2 * W, b = 2 * v * v + ball(4) / 3 * v * r;
         const ball divisor = v * (b + 2 * r);
         const ball missed = e2 * e2 * (v * v * V + W * W * (ball(1) + 4 * v / ball(3))) / divisor;
-        /* error of r, from q.lo, from log and from two roundings; below, its effect on the step */
+        /* error of r, from q.lo, log and two roundings; times `derivative` it is an error of the step */
         const ball residual = ball(u) * (1.1 * q + (2 * n.log) * log(start) + q + v + ball(1));
         const ball N = r * (b + r),
                    dN = 4 * v * v + (ball(16) / 3 * v + ball(2)) * r - 2 * v * v - (ball(8) / 3 * v) * r;
@@ -359,7 +359,7 @@ static double rounded(double units)
     return (units + (units > 1 ? 1 : 0.5)) * (1 + 1e-9);
 }
 
-/* Returns the second rounding error of a subnormal result: the argument, or its square, is below 4 2^-1022. */
+/* Returns the second rounding error of a subnormal result. Results are normal up to q = `end`. */
 static double subnormal(double q, double end)
 {
     return q > end ? 0.5 : 0;
@@ -484,7 +484,7 @@ static double row_defect(const double *c, double node, int octave, double half, 
     return sum.above() / t_least * (1 + 1e-9);
 }
 
-/* Adds the errors of the load by cor_inline_row_product. c_0 times both halves of the compression is exact. The other
+/* Adds the errors of a load from cor_inline_row_product. c_0 times both halves of the compression is exact. The other
  * terms are at most `share` of c_0. Each has 12 roundings, and the rounding of t counts as at most 10 more. */
 static void sum_over_rows(void)
 {
@@ -511,7 +511,7 @@ static void sum_over_rows(void)
     bound_report("load of a compression, rows", load, COR_DISK_LAW_MAX_ULP, 0);
 }
 
-/* Functions of q itself: the constant c of 1/(c + q) or c + q, the power of q, and the power of the argument */
+/* Functions of q itself: a power of constant + q, times the power 1 + square of the argument */
 static const struct {
     const char *name;
     double constant, power;
@@ -552,8 +552,8 @@ static void sum_over_q(double limit)
     }
 }
 
-/* Tests doubles next to t = 1/2 and 1 with the linked library. Next to these powers of two the sums above exceed 1 ulp
- * before the last rounding. */
+/* Tests doubles next to t = 1/2 and 1 with the linked library. Next to these powers of two, the errors that
+ * sum_over_t adds exceed 1 ulp before the last rounding. */
 static void check_borders(void)
 {
     enum { STEPS = 24 };

@@ -497,7 +497,7 @@ static std::string power_of_two(int k)
 }
 
 /* Writes goals: the rounded result of the last operation, a sum, is within `ulp` ulp of the exact value. Each file
- * assumes that the exact value is in one binade, up to 2^-55, and that the sum is below, in or above this binade. */
+ * assumes that the exact value is in one binade, and that the sum is below, in or above this binade. */
 static void write_goals(const std::string &name, gappa &g, term result, ranges &known, number ulp)
 {
     const node n = of(result);
@@ -516,7 +516,7 @@ static void write_goals(const std::string &name, gappa &g, term result, ranges &
     for (int k = first - 1; k <= last - 1; k++) {
         const std::string bound = " in [0, " + hex(std::ldexp(ulp, k - 52)) + "]";
         const std::string low = power_of_two(k), high = power_of_two(k + 1);
-        /* wider by one part in 2^55 */
+        /* the binade, widened by one part in 2^55 */
         const std::string binade = exact + " in [" + std::to_string((1L << 55) - 1) + "b" + std::to_string(k - 55) +
                                    ", " + std::to_string((1L << 55) + 1) + "b" + std::to_string(k + 1 - 55) + "]";
         if (whole) {
@@ -762,7 +762,7 @@ static std::string product_error(gappa &g, term hi, term lo)
 /* The relative error of mu = 1/beta/(root root), from two roots and three operations */
 static const number mu_error = (2 * COR_PROOF_CBRT_ULP + 2) * 0x1p-52;
 
-/* Writes the goal for the three orders of a tail, where U is in a binade and MU = exp(-5/3 U). */
+/* Writes the goal for a tail up to MU^2, where U is in a binade and MU = exp(-5/3 U). */
 static void write_far_binade(const tail &f, interval range, int index)
 {
     start();

@@ -3,8 +3,8 @@
  * the head. The seed of Halley's step depends only on the upper 32 bits of x. For each of their values the program
  * evaluates both ends of the interval of x and requires 3.99e-4. Within the interval, x changes by one part in 2^20 and
  * r by a fifth of that. This changes the quotient by less than 1e-6, because Halley's error has a slope below 0.01 in
- * x. Without an option the program tests five exponents, because the seeds then repeat up to one part in 2^20. --all
- * tests the exponents -1000 to 1000. */
+ * x. The seeds of exponents that differ by five agree up to one part in 2^20, so the program tests five exponents.
+ * --all tests the exponents -1000 to 999. */
 #include "runtime/number/fifth_root.h"
 
 #include <stdio.h>
@@ -19,7 +19,7 @@ static double quotient(double x)
 int main(int argc, char **argv)
 {
     const int all = argc > 1 && strcmp(argv[1], "--all") == 0, first = all ? -1000 : 0, last = all ? 1000 : 5;
-    const uint64_t stride = all ? 16 : 1; /* --all: every 16th seed of other exponents */
+    const uint64_t stride = all ? 16 : 1; /* every 16th seed, except for the exponents 0 to 4 */
     double worst = 0, at = 0;
     for (int e = first; e < last; e++) {
         const uint64_t start = cor_inline_bits(cor_inline_power_of_two(e)) >> 32;

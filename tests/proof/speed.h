@@ -14,7 +14,7 @@ static const number eps_ulp = 0.96, far_root_ulp = 0.9 + 4.1e-17 * 0x1p52, durat
 /* Errors of the rounded x^(1/5), and of its pair before this rounding */
 static const number fifth_root = 1.42, root_pair = 0.41;
 
-/* Covers products of errors, errors of pairs (2^-70), and the change of kappa between neighbours (below 2e-9) */
+/* Bounds products of errors, errors of pairs (2^-70), and the change of kappa between neighbours (below 2e-9) */
 static const number small = 0.001;
 
 /* kappa = |d ln(eps)/d ln(beta)| >= 1/2 for beta >= 2, x = beta^5 */
@@ -58,7 +58,7 @@ static void check_rows_at_speed(const evaluator &f, const char *file)
     }
 }
 
-/* Checks the other ways to compute eps, from the argument x onward. */
+/* Checks the other ways to compute eps, each for beta^5 from x onward. */
 static void check_eps_sums(void)
 {
     const struct {

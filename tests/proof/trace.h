@@ -236,7 +236,7 @@ struct Bits {
     }
 };
 
-/* Returns the result of an operation on two constants, or of one that gives bits without a named meaning. */
+/* Returns the result of an operation. It is constant if both operands are, otherwise its bits have no named meaning. */
 inline Bits mixed(word value, Bits x, Bits y)
 {
     const Bits &one = x.what == Bits::NOTHING ? y : x;

@@ -12,7 +12,7 @@ static long double phase_time(long double zeta)
     return square > 0 ? acosl(zeta) / sqrtl(square) : acoshl(zeta) / sqrtl(-square);
 }
 
-/* Returns atan2(2 zeta om, 1 + 2 zeta^2)/om. Well above 1 it is a logarithm, since the argument of atanh is near 1. */
+/* Returns atan2(2 zeta om, 1 + 2 zeta^2)/om. Well above zeta = 1, the argument of atanh would be too near 1. */
 static long double limited_phase_time(long double zeta)
 {
     const long double square = (1 - zeta) * (1 + zeta), om = sqrtl(fabsl(square)), below = 1 + 2 * zeta * zeta;

@@ -62,7 +62,7 @@ static inline long double ode_try(const struct ode *o, const long double *y, lon
     return worst / (o->error > 0 ? o->error : 1e-18L);
 }
 
-/* Makes the longest step up to `most` within the error, from y to `next`. Returns its length. */
+/* Makes the longest step from y to `next` within the error. most: its maximal length. Returns its length. */
 static inline long double ode_step(struct ode *o, const long double *y, long double most, long double *next)
 {
     const long double power = -1.0L / (2 * ODE_ROWS - 1);
@@ -84,8 +84,8 @@ static inline void ode_advance(struct ode *o, long double *y, long double length
         left -= ode_step(o, y, left, next);
 }
 
-/* Makes a step, or only its part until the first of some positive values falls to 0 or just below. Returns the index of
- * this value (the least index if several fall together), or -1. */
+/* Makes a step, which ends early where the first of some positive values falls to 0 or just below. Returns the index of
+ * this value (the least index if several fall together), or -1 after a whole step. */
 static inline int ode_until(struct ode *o, long double *y, ode_value *const *value, int values)
 {
     const size_t size = sizeof *y * (size_t)o->n;
@@ -134,7 +134,7 @@ struct motion {
     long double (*force)(long double w, long double v, const void *of);
     const void *of;
     int at_zero_force; /* the motion ends at zero force; otherwise it may have no end */
-    long double error; /* error per step; 0 means 1e-18; larger if the force is a double */
+    long double error; /* error per step; 0 means 1e-18, which is too small for a force in doubles */
 };
 
 static inline long double motion_power(long double x, int n)

@@ -197,8 +197,8 @@ void law_check_random(const struct law_functions *f, size_t count)
     print_worst(&c, "random");
 }
 
-/* Returns a random border between tables: a power of two (rows for eps near 1), 8 (middle), or beta_c or beta_c - 2^k
- * (zero overlap). In the tails it is exp(u), where u is a whole eighth of an octave. */
+/* Returns a random border between tables. Rows for eps near 1 end at powers of two, the middle rows at 8, and rows at
+ * zero overlap at beta_c and beta_c - 2^k. Rows of tails end at exp(u), where u is a whole eighth of an octave. */
 static double border(struct law_case *c, struct random_state *r, size_t i)
 {
     switch ((i + 3) % 4) { /* starts with a border in beta_c - beta, so that short runs test it */

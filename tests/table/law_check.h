@@ -41,7 +41,7 @@ struct law_functions {
 /* Fail the test if a function misses its bound. The random checks also print the worst errors found. */
 void law_check_at(const struct law_functions *f, const double *beta, size_t n);
 void law_check_random(const struct law_functions *f, size_t points);
-void law_check_borders(const struct law_functions *f, size_t points); /* tests this number of random borders */
+void law_check_borders(const struct law_functions *f, size_t points); /* points: number of random borders */
 void law_check_special(const struct law_functions *f);
 
 /* Checks e -> beta -> e for all magnitudes of e and of 1 - e. */

@@ -130,7 +130,7 @@ static inline struct random_state random_start(void)
     return random_seeded(check_seed());
 }
 
-/* The state of random numbers; each test function starts it again, so tests are independent */
+/* State of the random numbers. Each test function restarts it, so tests are independent. */
 static struct random_state draw;
 
 static inline void draw_begin(void)

@@ -174,7 +174,7 @@ static struct cor_sphere_contact contact(struct bit_source *source, int by_hand)
         drawn.effective_radius_m = any_number(source);
         drawn.elastic_constant_n_m15 = any_number(source);
         drawn.dissipation_time_s = any_number(source);
-        /* half of such a number may be subnormal */
+        /* the lower half of such a number may be subnormal */
         drawn.beta_per_root = draw_below(source, 4) ? draw_size(source, 1e-307, 1e-303) : any_number(source);
         drawn.scale = any_number(source);
         drawn.beta5_per_speed = any_number(source);
@@ -216,7 +216,7 @@ static void disk_draw(struct arguments *a, struct bit_source *source, size_t i)
     a->tolerance[i] = draw_below(source, 4) ? draw_size(source, 1e-6, 1) : any_number(source);
 }
 
-/* Copies a table of the library and damages it by entries of other modes, or by numbers of no mode. */
+/* Copies a table of the library and damages the copy: changes numbers of some modes, or copies a mode over another. */
 static void harm_modes(struct cor_disk_mode *mode, struct bit_source *source)
 {
     memcpy(mode, cor_disk_modes_nu033.mode, PUBLIC_MODES * sizeof *mode);
@@ -337,7 +337,7 @@ int public_is_part(const struct public_function *function, size_t j, size_t n)
         const size_t n = a->n;                                                                                         \
         y[n] = 7;                                                                                                      \
         function given;                                                                                                \
-        if (!(y[n] > 6 && y[n] < 8)) /* write beyond the end */                                                        \
+        if (!(y[n] > 6 && y[n] < 8)) /* the function wrote too far */                                                  \
             abort();                                                                                                   \
         for (size_t i = 0; i < n; i++)                                                                                 \
             results_put(r, (double)y[i]);                                                                              \

@@ -47,7 +47,7 @@ static double negligible_position(const struct disk *disk)
     return fmin(0, (log(disk->effort->tolerance * disk->alpha * disk->speed * disk->speed) - MARGIN) / disk->alpha);
 }
 
-/* Bounds the displacement of the rim by free modes, or with `speed` its velocity, as if all amplitudes had one sign. */
+/* Bounds the displacement of the rim by free modes, as if all amplitudes had one sign. speed: bounds its velocity */
 static double swing(const struct disk *disk, int speed)
 {
     double sum = 0;
@@ -143,7 +143,7 @@ static void follow(struct disk *disk, double time, double h)
                 integrate_energies(disk, t, disk->integral, disk->average);
         } else if (level > 0 && isnan(disk->start)) {
             disk->start = time + t;
-            if (disk->average != NULL) /* removes the energies before the contact */
+            if (disk->average != NULL) /* subtracts the energies before the contact */
                 integrate_energies(disk, t, disk->integral, disk->integral);
             for (size_t i = 0; disk->average != NULL && i < disk->n; i++)
                 disk->integral[i] = -disk->integral[i];

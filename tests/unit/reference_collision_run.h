@@ -85,7 +85,7 @@ static void NAME(place_points)(const struct disk *disk, const struct NAME(series
     }
 }
 
-/* Computes x_k at the active points, without the shape of the disk. */
+/* Computes alpha k x_k, or alpha x_0 for k = 0, at the active points. x excludes cos(phi) - 1. */
 static void NAME(rim)(const struct disk *disk, const struct NAME(series) * s, int k)
 {
     const REAL *const position = s->position + (size_t)k * (1 + disk->n);

@@ -13,7 +13,7 @@ enum { SCENES = 4 };
 
 struct scene_arguments {
     struct cor_scene scene;
-    struct cor_scene_contact contact; /* the contact of the scene, or filled at random */
+    struct cor_scene_contact contact; /* the contact of the scene, or random numbers */
     double x[4], steps, tolerance;
     const struct cor_simulator_model *model;
     int end, number;

@@ -257,7 +257,7 @@ TEST(wrong_inputs)
 
 TEST(status_texts)
 {
-    /* a characteristic word of the text of each status, in their order, with | between them */
+    /* for each status, in order, a characteristic word of its text */
     char words[] =
         "No error|NULL|Young's modulus of|Poisson's|dissipation|radius of|mass of|radii|masses|Young's moduli|"
         "characteristic|double|of a disk|datum|cor_disk_speed_limit|sorted by|tolerance must|opened|"
@@ -297,7 +297,7 @@ TEST(dissipation_time)
     assert_true(cor_dissipation_time_s(0, 0, 1e9, 0.25) == 0);
     assert_true(cor_dissipation_time_s(0, 1e200, 1e9, 0.25) > 0); /* the square in the formula does not overflow */
     assert_true(isfinite(cor_dissipation_time_s(0, 1e200, 1e9, 0.25)));
-    assert_true(cor_dissipation_time_s(3e-200, 1e-200, 1e9, 1e-200) == 0); /* nor does 1/nu^2 */
+    assert_true(cor_dissipation_time_s(3e-200, 1e-200, 1e9, 1e-200) == 0); /* 1/nu^2 does not overflow */
     const double bad[][4] = {{1, 2, 1e9, 0},           {1, 2, 1e9, -0.0},        {1, 2, 1e9, -1},
                              {1, 2, 1e9, 0.51},        {1, 2, 0, 0.25},          {1, 2, -1, 0.25},
                              {-1, 2, 1e9, 0.25},       {1, -2, 1e9, 0.25},       {NAN, 2, 1e9, 0.25},
@@ -391,14 +391,14 @@ TEST(extreme_contacts)
                   exponent, eps, by_beta);
         }
     }
-    /* init itself cannot represent the power */
+    /* beta_per_root^5 is already out of range in cor_sphere_contact_init */
     const struct cor_body soft = {1e-150, 0.3, 1e-10, 1e-3, 1e-3};
     const struct cor_sphere_contact extreme = contact_of(soft, soft);
     assert_true(isnan(extreme.beta5_per_speed) && extreme.beta_per_root > 0);
     assert_true(cor_contact_eps_zero_force(&extreme, 1) == 1);
 }
 
-/* Compares with long doubles, from the materials, and with functions of beta */
+/* Functions of contacts agree with functions of beta, scaled in long double by the numbers of the material. */
 TEST(dimensions_against_long_double)
 {
     for (size_t i = 0; i < points(3000); i++) {

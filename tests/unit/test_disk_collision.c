@@ -381,11 +381,10 @@ TEST(moments)
         same_results(&out, &silent, "observed and not");
         const double energy = pi / 2 * diary.speed * diary.speed;
         assert_int_equal(diary.count, out.steps);
-        /* before the contact */
         assert_true(diary.first.time < 0 && fabs(diary.first.velocity / diary.speed - 1) < 1e-6);
         assert_true(fabs((diary.first.position + 1) / (diary.speed * diary.first.time) - 1) < 1e-6);
         assert_true(diary.first.wall_energy < scene[k].tolerance * energy);
-        /* the last moment is after the contact, in the last run; the results are extrapolated from several runs */
+        /* the last moment is after the contact. It is from the last run; the results are extrapolated from several. */
         assert_true(diary.last.wall_energy < scene[k].tolerance * energy);
         double off = fabs(diary.last.velocity / -diary.speed - out.eps);
         for (size_t i = 0; i < diary.n; i++)
@@ -656,7 +655,7 @@ TEST(refusals)
                                         {INT_MAX, 0, 9, 1, 1},
                                         {COR_DISK_MODES_MAX_N + 1, 0, 9, 1, 1},
                                         {2, 0, some[3].omega, 1, 1}};
-    for (size_t i = 0; i + 1 < 2 * COUNT_OF(bad); i++) { /* each as mode 5, then as mode 1, except the last */
+    for (size_t i = 0; i + 1 < 2 * COUNT_OF(bad); i++) { /* each as mode 5 and mode 1, the last as mode 5 */
         some[i % 2 ? 0 : 4] = bad[i / 2];
         refused(&mine, i % 2 ? 1 : 5, &good, 0.1, COR_ERROR_MODES);
         some[0] = modes->mode[0];

@@ -103,7 +103,7 @@ static void scene_judge(const struct scene *s, struct tally *tally)
         judge_numbers(s, status, &out, &reference, tally);
 }
 
-/* Judges a call that returned COR_OK, and one with another tolerance, by a third with a hundredth of the tolerance. */
+/* Judges a call that returned COR_OK, and a call with another tolerance, by a call with a much smaller tolerance. */
 static void scene_judge_by_tighter(const struct scene *s, struct tally *tally)
 {
     struct scene other = *s, tighter = *s;
@@ -234,7 +234,7 @@ TEST(known)
 TEST(known_in_turn)
 {
     leave_to_turn(2, 3);
-    scenes_known(KNOWN - LONG_ONLY - IN_TURN, KNOWN - LONG_ONLY - (points(2) < 2)); /* few points: not the longest */
+    scenes_known(KNOWN - LONG_ONLY - IN_TURN, KNOWN - LONG_ONLY - (points(2) < 2)); /* few points omit the longest */
 }
 
 /* ---- the amplification of errors ---- */

@@ -288,7 +288,7 @@ TEST(energies)
     assert_true(isnan(out.contact_time));
 }
 
-/* ---- the error by the step ---- */
+/* ---- the error of the step ---- */
 
 /* Sets movements of runs that converge like ratio^k. Returns the remaining error. */
 static double remainder_of(struct cor_collision_evidence *evidence, int runs, double first, double ratio)
@@ -313,7 +313,7 @@ TEST(step_error)
             /* two runs show no ratio, so the error assumes a ratio up to 2/3 */
             if (runs > 2 || ratio < 0.6)
                 check(error >= left * (1 - 1e-12), "%d runs, ratio %g: %g, not %g", runs, ratio, error, left);
-            /* the error is at least this part of the last movement, even for faster convergence */
+            /* however fast the runs converge, the error is at least this multiple of the last movement */
             check(error >= (runs == 2   ? 1.9
                             : runs == 3 ? 0.6
                                         : 0.33) *
@@ -385,8 +385,8 @@ TEST(other_errors)
     assert_true(cor_collision_lasting_error(&large) == 0.5 && cor_collision_total_error(&large) == 1);
 }
 
-/* The error of the angles is the error of the quadrature times an amplification: a thousandth of a bound, a measured
- * factor, or at least 0.1. A run with other angles can replace this error. */
+/* The error of the angles is the error of the quadrature times an amplification. The amplification is measured, or is a
+ * thousandth of its bound, but at least 0.1. A run with other angles can replace this error. */
 TEST(angles_error)
 {
     struct stage stage;

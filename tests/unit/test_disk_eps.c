@@ -112,7 +112,7 @@ static long double neville(const long double value[4], long double t)
     return p[0];
 }
 
-/* Returns the four values of a cell on its first or `last` side in nu or, if `across`, in x. */
+/* Returns the four values on a side of a cell. across: the side is in x, otherwise in nu. last: the second side */
 static void values_on_side(const struct cell *of, int across, int last, long double value[4])
 {
     for (int k = 0; k < 4; k++)
@@ -128,8 +128,8 @@ static const struct cell *cell_beyond(const struct cell *at, int across, int las
     return ends ? NULL : cell_of(x, y);
 }
 
-/* Joins the polynomials by Neville's interpolation. On a side next to smaller cells, the polynomial of these cells
- * counts. On a side in nu it replaces the cell's values; on a side in x the difference is interpolated, with zeros. */
+/* Joins the polynomials by Neville's interpolation. On a side next to a smaller cell, the polynomial of the smaller
+ * cell is right. It replaces the values on a side in nu. On a side in x, the difference and zeros are interpolated. */
 static long double joined(const struct cell *at, long double x, long double y, long double *uncertainty)
 {
     const long double x_in = (x - at->x) / at->side, y_in = (y - at->nu) / at->side;
@@ -339,7 +339,7 @@ TEST(test_domain)
 
 /* ---- other known facts ---- */
 
-/* Collisions of 1800 modes lose less than the limit. Walls of alpha and 2 alpha, extrapolated, approach it. */
+/* Collisions of 1800 modes lose less than the limit. The loss extrapolated from alpha and 2 alpha approaches it. */
 TEST(test_collisions)
 {
     static const double speeds[] = {0.03, 0.1, 0.3};

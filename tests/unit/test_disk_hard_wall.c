@@ -51,7 +51,7 @@ static void same_results(const struct cor_disk_hard_wall *x, const struct cor_di
     check(memcmp(x, y, sizeof *x) == 0, "%s: 1 - eps^2 = %a and %a", what, x->one_minus_eps2, y->one_minus_eps2);
 }
 
-/* True for sanitizers, which need each statement once: the other scenes run the same code. */
+/* True for sanitizers, for which one scene is enough, because the other scenes run the same code. */
 static int for_memory_only(void)
 {
     return points(10) < 2;
@@ -225,7 +225,7 @@ TEST(levels_that_agree_by_chance)
         for (size_t i = 0; i < 2; i++) {
             const struct cor_disk_hard_wall out = wall_collide(scene[i].nu, levels, scene[i].speed, 1e-6);
             assert_true(out.omega_levels == levels && out.error_estimate > 1e-6);
-            /* two levels show no earlier change: the error may be 1.5 times the estimate */
+            /* two levels show no earlier change, so the error may be 1.5 times the estimate */
             check(fabs(out.one_minus_eps2 - scene[i].one_minus_eps2) <= (levels > 2 ? 1 : 1.5) * out.error_estimate,
                   "%zu levels: %.6f +- %.1e", levels, out.one_minus_eps2, out.error_estimate);
         }
@@ -377,7 +377,7 @@ TEST(details)
         }
         const double watched = w.contact_energy / w.contact_time / energy;
         check(fabs(mean / watched - 1) < 1e-2, "mean energy %g, watched %g", mean, watched);
-        /* `left` is from the highest level, not extrapolated, but within the estimate */
+        /* `left` is from the highest level, without extrapolation */
         check(fabs(left - out.one_minus_eps2) < 3e-3 * out.one_minus_eps2 + 3e-4, "%g left, 1 - eps^2 = %g", left,
               out.one_minus_eps2);
         check(fabs(w.last.velocity / (speed * sqrt(1 - left)) + 1) < 1e-4, "velocity %g", w.last.velocity);
@@ -445,7 +445,7 @@ TEST(refusals)
     mode[1700].n = COR_HARD_WALL_MAX_N + 1;
     assert_int_equal(cor_disk_hard_wall(&wrong, 1800, &good, 0.1, &out), COR_ERROR_MODES);
     mode[1700] = modes->mode[1700];
-    mode[1799].omega = 1000; /* a table whose mode moves at no level */
+    mode[1799].omega = 1000; /* at every level this mode is too fast to move */
     for (int i = 0; i < 2; i++) {
         mode[1799].n = COR_DISK_MODES_MAX_N + i;
         struct cor_disk_hard_wall high;
@@ -462,7 +462,6 @@ TEST(refusals)
     const size_t two = cor_disk_modes_below(0.33, first_omega(1) * (1 + 1e-12)) + 1;
     assert_int_equal(cor_disk_hard_wall(modes, two, &good, 0.1, &out), COR_TOLERANCE_NOT_REACHED);
     assert_true(out.omega_levels == 2 && fabs(out.one_minus_eps2 - 0.1030893) <= out.error_estimate);
-    /* a wall that is not touched */
     EACH (still, 0, -0.0, -1, -INFINITY) {
         assert_int_equal(cor_disk_hard_wall(modes, 1800, &good, *still, &out), COR_WALL_NOT_TOUCHED);
         assert_true(isnan(out.one_minus_eps2) && isnan(out.eps));
@@ -501,7 +500,7 @@ TEST(parts_of_the_estimate)
         check(estimate >= (3 * change[0] + noise + unseen) * (1 - 1e-9), "v = %g, %zu levels: %g, changed by %g", speed,
               levels, estimate, change[0]);
     }
-    /* the second last change decides here; below, it is the usual error at Omega = 240 */
+    /* here the second last change decides, in the loop the usual error at Omega = 240 */
     double estimate = estimate_and_changes(0.1285, 0.06194, tolerance, 8, change);
     check(relative_error(estimate, change[1] + noise + UNSEEN / pow(first_omega(7), 2)) < 1e-9, "%.17g", estimate);
     EACH (tolerances, tolerance, 3e-6) { /* a tolerance above 1e-6 adds noise */

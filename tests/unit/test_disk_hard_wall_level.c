@@ -107,8 +107,8 @@ TEST(in_pieces)
     check(fabs(level.one_minus_eps2 - reference) < 2e-5, "%.9f, not %.9f", level.one_minus_eps2, reference);
 }
 
-/* Successive contacts of any pieces: all forces push, no angle is inside the wall, and every angle with a force touches
- * it. */
+/* In successive contacts of one or more pieces, all forces push, no angle is inside the wall, and every angle with a
+ * force touches the wall. */
 TEST(contacts)
 {
     enum { POINTS = COR_HARD_WALL_PANEL, NYQUIST = 2 * POINTS };
@@ -222,7 +222,7 @@ TEST(budget)
             settings.most_work = 0.5 * whole.work;
             const double half = level_of(&modes, *speeds, &settings, COR_TOLERANCE_NOT_REACHED).work / whole.work;
             check(half > 0.5 && half < 0.52, "%.4f of the work", half);
-            assert_true(!of_steps || whole.work == (double)whole.steps); /* work in steps */
+            assert_true(!of_steps || whole.work == (double)whole.steps);
             settings.most_work = 1.01 * whole.work;
             level_of(&modes, *speeds, &settings, COR_OK);
             settings.most_work = 0;

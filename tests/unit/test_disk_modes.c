@@ -194,7 +194,7 @@ TEST(first_line)
 TEST(harmed_lines)
 {
     static const struct {
-        int after; /* number of good lines before */
+        int after; /* number of good lines before the harmed one */
         const char *line[14];
     } harmed[] = {
         {0, {"cor-disk-modes 1 x"}},

@@ -41,7 +41,6 @@ TEST(derivative_of_the_modulus)
     }
 }
 
-/* The result is the formula in long double, rounded. */
 TEST(rounding)
 {
     for (size_t i = 0; i < points(100000); i++) {

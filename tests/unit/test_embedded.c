@@ -7,7 +7,7 @@
 #include "cor_sphere.h"
 #include "embedded.h"
 
-/* Returns eps at beta^5 = x: by the library with beta_per_root 1 or, if x is not a speed in range, by the header. */
+/* Returns eps at beta^5 = x from a contact with beta_per_root 1. If x > 0 is not a valid speed, uses the header. */
 static double contact_eps(int end, double x)
 {
     struct cor_sphere_contact c;
@@ -48,7 +48,7 @@ static int is_close(double library, double other)
 {
     if (same_number(library, other))
         return 1;
-    if (allowed > 0 && library == 0 && other == 0) /* -fno-signed-zeros */
+    if (allowed > 0 && library == 0 && other == 0) /* -fno-signed-zeros permits this */
         return 1;
     return isfinite(library) && isfinite(other) && library != 0 && ulp_error(other, (long double)library) <= allowed;
 }

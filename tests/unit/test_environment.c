@@ -47,7 +47,7 @@ static const struct public_function *any_function(size_t k)
 enum { WITHOUT_SUBNORMALS = 1 };
 static size_t set_count;
 static struct results *expected;  /* results of function k for set i, at k set_count + i */
-static unsigned char *takes_long; /* 1: function k is too slow for every mode */
+static unsigned char *takes_long; /* 1: this call is too slow to repeat */
 
 static int setup(void **state)
 {
@@ -102,8 +102,8 @@ static int is_sane(const struct public_function *f, double x, double before)
 
 enum { REFUSED = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW };
 
-/* Calls the function while subnormal numbers count as 0. Compares each result with the default environment, or with
- * arguments without subnormal numbers. */
+/* Calls the function while subnormal numbers count as 0. Each result must be close to the result in the default
+ * environment, for the same arguments or for arguments whose subnormal numbers are replaced by 0. */
 static void call_again(size_t k, size_t i)
 {
     const struct public_function *const f = any_function(k);
@@ -124,7 +124,7 @@ static void call_again(size_t k, size_t i)
         f->call(&flushed, &of_zeros);
     }
     assert_int_equal(r.count, before->count);
-    /* not for a text; with subnormal arguments only for functions of spheres and laws */
+    /* compares no texts, and results for subnormal arguments only in functions of spheres and laws */
     const int compares = strcmp(f->name, "cor_simulator_lines") != 0 &&
                          (i % 2 == WITHOUT_SUBNORMALS || strncmp(f->name, "cor_sphere_", 11) == 0 ||
                           strncmp(f->name, "cor_law_", 8) == 0 || strncmp(f->name, "cor_inline_", 11) == 0);

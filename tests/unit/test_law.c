@@ -125,7 +125,7 @@ TEST(exponentials_of_pairs)
     }
 }
 
-/* The stated error of -ln(x 2^k): both halves of x count. */
+/* The stated error of -ln(x 2^k), where x is a pair */
 TEST(logarithms_of_pairs)
 {
     for (size_t i = 0; i < points(20000); i++) {
@@ -166,7 +166,6 @@ static double cost_of(enum cor_law law, int end, double e)
                                                                        : 8;
 }
 
-/* Random places where rows and series meet */
 TEST(back_at_random)
 {
     for (size_t i = 0; i < points(20000); i++) {
@@ -478,7 +477,7 @@ static void oblique_ratios(long double ratio[2], long double a, long double kapp
     long double y[OBLIQUE + 1] = {powl((a + 1) / 2, 1 / (a + 1)), 0, 1, 0, 0, 1, 0, 1, 1, 0, first};
     struct ode o = {.slopes = oblique_slopes, .of = a_kappa, .n = OBLIQUE + 1, .longest = 0.1L};
     ode_advance(&o, y, first);
-    /* combines both solutions so that s or f is 0 at first contact, where the odd one is minus its value at the end */
+    /* s or f must be 0 at first contact. There the even solution is as at the end, the odd one has the other sign. */
     ratio[0] = (y[2] * y[5] + y[4] * y[3]) / (y[2] * y[5] - y[4] * y[3]);
     ratio[1] = (y[8] * y[7] + y[6] * y[9]) / (y[8] * y[7] - y[6] * y[9]);
 }

@@ -68,7 +68,7 @@ TEST(linear_beta)
               "beta of loss 2^%d", k);
 }
 
-/* Beyond the other rows, a row contains the duration times eps^fading. */
+/* Returns a constant row of 3/4 for the duration times eps^fading. */
 static const double *rows_of_3_4(int row)
 {
     static const double three_quarters[16] = {0.75};
@@ -113,7 +113,7 @@ TEST(falling_beta)
     }
 }
 
-/* The sum of two scaled pairs obeys both exponents, and omits a summand that is 200 octaves smaller. */
+/* The sum of two scaled pairs is right for any exponents. A summand that is 200 octaves smaller is omitted. */
 TEST(sums_of_scaled_pairs)
 {
     for (size_t i = 0; i < points(2000); i++) {

@@ -31,7 +31,7 @@ typedef void eps_array(const struct cor_sphere_contact *contact, const double *s
 struct loop {
     const char *name;
     const struct cor_law_function *law;
-    int floats; /* array of a law */
+    int floats; /* 1: calls law->arrayf, not law->array */
     contact_array *of_speed;
     double (*one)(const struct cor_sphere_contact *contact, double speed);
     eps_array *of_eps;

@@ -58,7 +58,7 @@ TEST(refused)
     assert_true(isnan(c.beta_per_root) && isnan(c.scale));
     assert_int_equal(cor_plate_contact_init(&c, &good.sphere, NULL), COR_ERROR_NULL);
     static const struct {
-        size_t number; /* in struct scene */
+        size_t number; /* offset in struct scene */
         double value;
         int status;
     } wrong[] = {{offsetof(struct scene, plate.thickness_m), 0, COR_ERROR_THICKNESS},

@@ -23,7 +23,6 @@ TEST(forces)
     const struct cor_exponents linear = cor_law_exponents[COR_LAW_LINEAR], tsuji = cor_law_exponents[COR_LAW_TSUJI],
                                crossley = cor_law_exponents[COR_LAW_HUNT_CROSSLEY],
                                sphere = cor_law_exponents[COR_LAW_VISCOELASTIC];
-    /* zeta = 0: an elastic collision */
     check_near(cor_law_force_max(&linear, 0), 1, 1e-15);
     check_near(cor_law_force_max(&tsuji, 0), pow(1.25, 0.6), 1e-15);
     check_near(cor_law_force_max(&crossley, 0), pow(1.25, 0.6), 1e-15);

@@ -35,7 +35,7 @@ static long double first_radius(const struct cor_scene_contact *s)
     return cbrtl(2 * pi * (long double)s->adhesion_j_m2 * R * R / modulus);
 }
 
-/* Returns the contact radius of the end, where the derivative of the overlap or of the force by the radius is 0. */
+/* Returns the contact radius of the end, where d overlap/d radius = 0 (COR_JKR_TAIL) or d force/d radius = 0. */
 static long double last_radius(const struct cor_scene_contact *s, int end)
 {
     return first_radius(s) * powl(end == COR_JKR_TAIL ? 0.25L : 0.75L, 2 / 3.0L);

@@ -102,7 +102,6 @@ TEST(walls)
           "\nfix cor_wall all wall/gran model hertz/stiffness tangential off primitive type 2 zplane 0 limitForce "
           "on\n");
     found(text_for("chrono", NULL, &scene, 1), "no model of Chrono has lines for a wall");
-    /* a linear spring at a wall */
     scene = scene_without_numbers(COR_LAW_LINEAR);
     scene.wall = 1;
     scene_give(scene, {COR_SCENE_STIFFNESS, 1e5}, {COR_SCENE_EFFECTIVE_MASS, 2e-3}, {COR_SCENE_RESTITUTION, 0.5});
@@ -229,7 +228,7 @@ TEST(versions)
     found(text_for("lammps", "new", &scene, 1), "refused: 'new' is not a version of LAMMPS");
 }
 
-/* Each pair of types has the damping that gives the right mean eps at this time step, in its own number of steps. */
+/* Each pair of types has the damping that gives the right mean eps for the number of steps in its contact. */
 TEST(corrected_for_a_step)
 {
     const double step = 5e-5, speed = 0.7, kn = 4.0 / 3 * young / (2 * (1 - poisson * poisson));
@@ -275,14 +274,14 @@ TEST(corrected_for_a_step)
 }
 
 enum { CONTACTS = 7 };
-/* Body i with body j, or with a wall of its material; the pair comes first */
+/* Indices of two bodies; 1: the second is a wall of that body's material. The pair of both bodies comes first. */
 static const int between[CONTACTS][3] = {{0, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 0, 1}, {0, 1, 1}, {1, 0, 1}, {1, 1, 1}};
 static const int of_body[] = {COR_SCENE_YOUNG, COR_SCENE_POISSON, COR_SCENE_RADIUS, COR_SCENE_DENSITY,
                               COR_SCENE_DISSIPATION_TIME};
 enum { OF_BODY = COUNT_OF(of_body) };
 
-/* Returns two bodies that differ in one number, or in all (`effect` OF_BODY). Only `damped` ones have dissipation
- * times. */
+/* Returns two bodies. effect: index of the only number in which they differ; OF_BODY: they differ in all numbers.
+ * damped: the bodies have dissipation times */
 static struct cor_scene unlike(double number[2][OF_BODY], size_t effect, int damped)
 {
     struct cor_scene scene = scene_without_numbers(damped ? COR_LAW_VISCOELASTIC : COR_LAW_TSUJI);

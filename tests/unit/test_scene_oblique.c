@@ -178,7 +178,7 @@ static long double reference_restitution(struct reference *r, long double tangen
                                              force_left,     speed_left, creep_below, creep_above};
     struct ode o = {.slopes = reference_slopes, .of = r, .n = 4, .h = 1e-4L};
     const int d = r->law.denominator, a = r->law.elastic, b = r->law.damping;
-    const long double u = 1e-8L, early[] = {u, 1, tangent, 0}; /* just after the touch; they determine the first mode */
+    const long double u = 1e-8L, early[] = {u, 1, tangent, 0}; /* just after the touch, to find the first mode */
     const long double first = r->kappa * power(u, r->p + d) * tangent / (remembers_force(r) ? 1 + r->p / (double)d : 1);
     long double y[4] = {0, 1, tangent, 0};
     r->side = r->sign = 1;
@@ -195,7 +195,7 @@ static long double reference_restitution(struct reference *r, long double tangen
         }
     }
     for (int k = 0; k < STEPS; k++) {
-        o.longest = y[1] < 0 ? fminl(longest, 0.1L * y[0] + 1e-4L) : longest; /* because the last slip may be short */
+        o.longest = y[1] < 0 ? fminl(longest, 0.1L * y[0] + 1e-4L) : longest; /* the last slip may be short */
         int found = ode_until(&o, y, value, VALUES);
         const long double rounding = 1e-15L * r->cap * fabsl(normal_force(y, r));
         for (int i = ABOVE; i <= SLIP && found < 0; i++) /* also finds an event whose value was 0 at the start of the
@@ -264,7 +264,7 @@ static void compare(const struct impact *i)
     const int status = cor_scene_oblique(&oblique, &c, &t, i->mu, 1, i->tangent, i->end);
     if (status == COR_OK && !(oblique.eps >= 1e-3)) /* COR_OBLIQUE_ERROR does not hold for such eps */
         return;
-    /* Only one of these steps must agree: a short slip can be missed, and roundings may begin a wrong mode. */
+    /* One of these steps must agree. The others may miss a short slip, or begin a wrong mode because of rounding. */
     static const long double steps[][2] = {{0.02L, 1e-9L}, {0.02L, 1e-7L}, {2e-4L, 1e-8L}};
     double other = NAN;
     for (size_t k = 0; k < COUNT_OF(steps) && !(fabs(oblique.restitution - other) < COR_OBLIQUE_ERROR); k++)
@@ -280,7 +280,7 @@ static void compare(const struct impact *i)
 TEST(against_another_method)
 {
     static const struct impact rare[] = {
-        /* a damper without friction limit holds w between slip and stick; in one case the limit becomes negative */
+        /* a damper outside the limit keeps w between slip and stick; in row 2 the friction limit becomes negative */
         {COR_LAW_HERTZ_DASHPOT, 1, COR_REMEMBERS_FORCE, 0, 0, 0.05, 0, 4, 0.7, 0.32, 1.8},
         {2, 0, 3, 0, 0, 0.031626973606115716, 0, 1.3718264680914363, 0.083633820266818537, 0.11072672221065727,
          1.2509808058731937},
@@ -400,7 +400,7 @@ static double simulated(const struct cor_scene_contact *c, const struct cor_tang
     return w / tangent;
 }
 
-/* The time step for a damper that fills the cap at the first touch */
+/* The time step for a damper that reaches the friction limit at the first touch */
 TEST(needed_step)
 {
     struct cor_oblique_impact o;

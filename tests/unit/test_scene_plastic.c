@@ -67,7 +67,7 @@ TEST(onset_and_limits)
 struct spheres {
     long double modulus, radius, mass, yield_pressure; /* E*, R, m, p_y */
     long double yield_overlap, yield_force;
-    long double larger, rest; /* unloading: its radius and the remaining overlap; 0: loading */
+    long double larger, rest; /* radius and remaining overlap of the unloading; 0 while loading */
 };
 
 static long double hertz(long double modulus, long double radius, long double overlap)
@@ -145,7 +145,7 @@ TEST(piecewise_contact)
             run(short_of_yield, &t, y, h);
         run(motion_speed, &t, y, later);
         const long double overlap = y[0], force = contact_force(&t, overlap), radius = sqrtl(s.radius * overlap);
-        if (*ratios > 1) { /* unloads as Hertz's contact of equal force and radius */
+        if (*ratios > 1) { /* the unloading follows Hertz's law with equal force and radius */
             t.larger = 4 * s.modulus * radius * radius * radius / (3 * force);
             t.rest = overlap - radius * radius / t.larger;
         }
@@ -240,7 +240,7 @@ static double through_liquid(double v, double drag_over_mass, double from, doubl
     const double factor = pow(to / from, 1.0 / steps);
     double h = from;
     for (int i = 0; i < steps && v > 0; i++, h *= factor) {
-        const double width = fabs(h * factor - h);              /* the distance of this step */
+        const double width = fabs(h * factor - h);
         const double half = v - drag_over_mass / h * width / 2; /* dv/d(distance) = -(drag/m)/h for every v */
         v = half - drag_over_mass / (h * factor) * width / 2;
     }
@@ -326,7 +326,6 @@ TEST(refusals)
         check(cor_scene_contacts(contacts, &count, &fault, &scene) == cases[i].fault, "case %zu: %d", i, fault.fault);
         assert_int_equal(count, 0);
     }
-    /* a liquid needs bodies and different gaps */
     struct cor_scene steel = scene_of_steel();
     scene_give(steel, {COR_SCENE_LIQUID_VISCOSITY, 1}, {COR_SCENE_GAP_OUTER, 0.1}, {COR_SCENE_GAP_INNER, 0.1});
     assert_int_equal(cor_scene_contacts(contacts, &count, &fault, &steel), COR_FAULT_GAPS);

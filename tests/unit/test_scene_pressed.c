@@ -93,7 +93,6 @@ TEST(limits)
     for (int law = 0; law < COR_LAW_PLATE; law++) {
         if (!law_is_complete(law))
             continue;
-        /* without damping no energy is lost */
         struct cor_scene_contact c = scaled_contact(&cor_law_exponents[law], 0, 0.7);
         for (int end = 0; end < COR_SCENE_ENDS; end++)
             check_near(scene_impact(&c, 1).eps[end], 1, 1e-14);

@@ -89,7 +89,7 @@ static void check_mean(const char *what, double eps, double scatter, const struc
           "%s: mean %.9g, not %.9g; scatter %.6g, not %.6g", what, eps, other->eps, scatter, s);
 }
 
-/* Half of the cases are damped weakly. The other half is also corrected. A third of all has a constant force. */
+/* About half of the cases test the correction, the others weak damping. Up to a third have a constant force. */
 TEST(another_route)
 {
     enum { TRIES = 120, OTHER_PHASES = 601 };

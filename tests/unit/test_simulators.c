@@ -153,7 +153,7 @@ static double yade_damping(double en)
     return low * low;
 }
 
-/* The damping force for the number n: factor n m^mass K^stiffness R^radius g^speed x^b v, by the simulator's source */
+/* The damping force in the simulator's source for the number n: factor n m^mass K^stiffness R^radius g^speed x^b v */
 static const struct damper {
     enum cor_simulator_model_id id;
     double factor, mass, stiffness, radius, speed, b;
@@ -209,7 +209,8 @@ struct scaled_pair {
     double damping, b, time; /* damping and b of the damping force with x^b v */
 };
 
-/* Returns the force for the end of contact: damped during the approach only, or damping at most the spring's force. */
+/* Returns the force. COR_END_APPROACH_ONLY: it is damped only during the approach. COR_END_LIMITED: the damping force
+ * is at most the spring's force. */
 static long double scaled_force(long double w, long double v, const void *of)
 {
     const struct scaled_pair *const p = of;
@@ -305,7 +306,7 @@ TEST(units)
     }
 }
 
-/* Every id has one row, complete for a reader; a simulator with lines has comments. */
+/* Every id has one row, in which no text is missing. A simulator with lines has comments. */
 TEST(rows_are_whole)
 {
     int rows = 0, found[COR_SIMULATOR_MODELS] = {0};

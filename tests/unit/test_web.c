@@ -152,7 +152,7 @@ static double number_after(const char *text, const char *before)
     return at ? strtod(at + strlen(before), NULL) : (double)NAN;
 }
 
-/* Returns the realised eps of a line of web_models, behind number, name, version, law and end. */
+/* Returns the realised eps, which follows number, name, version, law and end in a line of web_models. */
 static double realised(const char *line)
 {
     for (int k = 0; k < 5; k++)
