@@ -338,5 +338,9 @@ def test_pictures(tmp_path, capfd):
         for path in paths:
             result.plot(path)
         assert paths[0].read_bytes().startswith(begin) and paths[0].read_bytes() == paths[1].read_bytes()
+    eps = 0.8 + 0.02 * np.random.default_rng(1).standard_normal(25)
+    apexes = cor.fit({"h_m": np.cumprod(np.append(1, eps**2))}, law="constant")
+    bars = apexes.plot().axes[0].containers[0][2][0].get_segments()
+    assert min(bar[1, 1] - bar[0, 1] for bar in bars) / 2 > 0.99 * apexes.find(group="")[1].sigma[1] > 0.01
     assert cor_fit(capfd, file, "--law", "constant", "--plot", tmp_path / "c.svg")[0] == 0
     assert b">constant<" in (tmp_path / "c.svg").read_bytes()
