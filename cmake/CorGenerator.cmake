@@ -24,7 +24,7 @@ if(FLINT_FOUND)
   set(tables ${cor_with_tables_objects} ${cor_disk_with_tables_objects} $<TARGET_OBJECTS:cor_scene_with_tables>)
   file(GLOB COR_GENERATOR_SOURCES RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gen/*/*.c)
   list(REMOVE_ITEM COR_GENERATOR_SOURCES gen/cli/main.c)
-  if(COR_BOOTSTRAP) # without the sources that call the library with its tables
+  if(COR_BOOTSTRAP) # omits sources that call functions with tables
     set(tables)
     list(FILTER COR_GENERATOR_SOURCES EXCLUDE REGEX "^gen/(contact|embed|plan|cli/(contact|embed|plan|sample)\\.c)")
   endif()

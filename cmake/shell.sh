@@ -126,7 +126,7 @@ msvc_reads() {
         -isystem "$(clang -print-resource-dir)/include" -isystem /usr/share/mingw-w64/include "$1"
 }
 
-# turn_of N: prints the part, 0 to N - 1, of a long test that a short run does (tests/run --turn K): K modulo N.
+# turn_of N: prints K modulo N for tests/run --turn K. A short run does only this part, of N, of a long test.
 turn_of() {
     echo $((${COR_TEST_TURN:-0} % $1))
 }

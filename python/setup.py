@@ -54,7 +54,7 @@ DECLARED = Declarations(INCLUDE / "cor")
 
 
 def cmake_list(name: str, file: str = "CorArraySets.cmake") -> List[str]:
-    """Returns the words of set(<name> ...) in a file of cmake/; the second of two choices."""
+    """Returns the words of set(<name> ...) in a file of cmake/. Of $<IF:...> it uses the second choice."""
     text = (ROOT / "cmake" / file).read_text(encoding="utf-8")
     found = re.search(rf"^\s*set\({name} (.*)\)$", text, re.M)
     if not found:

@@ -2,7 +2,7 @@
 # Runs the examples of a page and compares the output with the page. Needs tests/count.sh, and the variables corgen,
 # work (a directory) and, for C, library (libcor.a).
 #
-#         $ corgen ...         a command of corgen, cor or cc, its output indented below it; a line may end in \
+#         $ corgen ...         a command of corgen, cor or cc; \ continues it; its output is indented below it
 #     ```c                     a program, after a line <!-- NAME.c -->, or lines that replace the loop in the
 #     ```                      page's first program; its output, if shown, is the next indented block
 #

@@ -34,7 +34,7 @@ static void clear_text(void)
 static void put_number(double x, int digits)
 {
     if (isnan(x))
-        put("nan"); /* without its sign */
+        put("nan"); /* printf may add a sign */
     else
         put("%.*g", digits, x);
 }

@@ -8,7 +8,7 @@ const MATERIALS = JSON.parse($("materials-known").textContent), TERMS = new Map(
 const SHOWN = 4, TEXT_DIGITS = 6, CSV_DIGITS = 12, POINTS = 121, KEPT = 5;
 const FIRST = "restitution=0.9&at=1&speed=0.1";
 const OWN = ["label", "points", "materials"]; // options that the module does not have
-const COLUMNS = ["young", "poisson", "density", "radius", "restitution", "at"]; // of materials, after the name
+const COLUMNS = ["young", "poisson", "density", "radius", "restitution", "at"]; // columns of a material, after its name
 const PREFIXES = { n: -9, u: -6, "\u00b5": -6, "\u03bc": -6, m: -3, c: -2, k: 3, M: 6, G: 9 };
 
 let cor, units; // the module; units by option
@@ -23,7 +23,7 @@ const plainUnit = (text) => text.replace(/\s+/g, "").replace(/\u00b2/g, "^2").re
     .replace(/([a-z])([23])/g, "$1^$2");
 const refusal = (text, option, choices = []) => Object.assign(new cor.CorError(text, option), { choices });
 
-// Returns the decimal exponent of a unit in the option's unit, or NaN.
+// Returns n if the suffix means 10^n of the option's unit; NaN for other suffixes.
 function exponentOf(suffix, unit) {
     const given = plainUnit(suffix), base = plainUnit(unit), special = { "g/cm^3 in kg/m^3": 3, "% in ": -2 };
     if (given === base || given === "")
@@ -77,7 +77,7 @@ const pointsOf = (text) => text.split("\n").map((line) => line.trim()).filter((l
     return point;
 });
 
-// Returns the lines for several materials. An empty cell and the radius of a wall are not numbers.
+// Returns the lines for several materials. A cell without a digit, such as the radius of a wall, is NaN.
 function blockOf(text) {
     const rows = text.replace(/\0/g, " ").trim().split("\n").map((line) => line.split(";").map((cell) => cell.trim()));
     if (rows.length > 8)
@@ -96,7 +96,7 @@ function element(name, text, more = {}) {
     return Object.assign(document.createElement(name), { textContent: text, ...more });
 }
 
-// Makes label, input, unit and the place of a message of an element with data-field.
+// Fills an element with data-field: label, input, and the text that converted() returns.
 function makeField(place) {
     const { field: id, list, word, lines, empty = "" } = place.dataset, label = place.textContent, unit = unitOf(id);
     const inline = place.tagName === "SPAN", full = unit === "" ? label : `${label}, ${unit}`;
@@ -162,8 +162,8 @@ function stateOf(input) {
         : `${fields.get(input.id).label} ${input.value} ${/[a-z%]$/i.test(input.value) ? "" : unitOf(input.id)}`.trim();
 }
 
-// Returns the text next to a field: its number in SI units if it has a unit, a percent sign or a comma, otherwise its
-// unit unless the label has it.
+// Returns the text next to a field. An input with a unit, a percent sign or a comma is converted to SI units. Otherwise
+// the text is the unit, or "" if the label contains the unit.
 function converted(name) {
     const { input, word, inline } = fields.get(name);
     if (word || !/[a-z%,\u00b5\u03bc]/i.test(input.value.replace(/\de[-+]?\d/gi, "")))
@@ -276,7 +276,7 @@ function answers() {
     return [...found];
 }
 
-// Shows eps for each speed, in large letters for the first one; for both ends only if their digits differ.
+// Shows eps for each speed, the first one in large letters. Shows both ends only if their digits differ.
 function showAnswer() {
     const lines = answers().flatMap(([speed, ends], line) => {
         const known = ends.filter(({ eps }) => eps !== "nan"), same = known.every(({ eps }) => eps === known[0].eps);

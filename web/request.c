@@ -128,11 +128,10 @@ static int read_simulator(struct web_request *r, const char *text)
 
 static int read_option(struct web_request *r, const char *name, const char *value)
 {
-    /* these must be above 0, like the number COR_SCENE_AT of a scene */
     const struct {
         const char *name;
         double *value;
-        int like;
+        int like; /* the number of a scene that has the same range */
     } own[] = {{"steps", &r->steps, COR_SCENE_AT},
                {"speed-min", &r->speed_min_m_s, COR_SCENE_AT},
                {"speed-max", &r->speed_max_m_s, COR_SCENE_AT},

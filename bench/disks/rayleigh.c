@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Measures Rayleigh's energy: each of 1800 modes at low to high speeds, then all modes together, error against time.
+/* Measures the time and error of Rayleigh's energy: of each of 1800 modes at low to high speeds, then of all modes.
  * The reference for a mode is its integral on the real axis in long double. The reference for all modes is a sum over
  * many more modes, with its tail. */
 #include <math.h>
@@ -43,8 +43,8 @@ static long double response(const struct cor_disk_mode *mode, long double fracti
     return fraction * square * square / ((long double)mode->c * mode->c);
 }
 
-/* Returns the largest relative error of the modes' fractions. Omits modes near a zero of the cosine in their integral,
- * whose response() is below 1/100 of the largest response of 25 neighbours on each side. */
+/* Returns the largest relative error of the modes' fractions. Omits a mode if its response() is below
+ * 1/100 of the largest response of 25 neighbours on each side: the cosine in its integral is near a zero. */
 static double worst_error(const struct cor_disk_mode *mode, const double *fraction, const long double *reference)
 {
     double worst = 0;

@@ -82,8 +82,8 @@ static double worst_error(const struct truth *truth, const struct scene *scene, 
 
 /* Arguments of the methods: the speeds of a scene and the beta of each speed. Index: enum input */
 struct inputs {
-    double *random[2]; /* SCALARS numbers; arrays use the first IN_CACHE */
-    double *even[2];   /* COLLISIONS */
+    double *random[2]; /* SCALARS numbers; array methods use only IN_CACHE of them */
+    double *even[2];   /* COLLISIONS numbers */
     float *single[2];  /* the random numbers in float */
     double *out;
 };
@@ -194,7 +194,7 @@ static size_t large_elements(void)
     return (size_t)bytes / sizeof(double);
 }
 
-/* Measures eps from a speed by the library, and plain copies, on arrays larger than the cache. */
+/* Measures the methods with the flag LARGE on arrays larger than the cache. */
 static void measure_large(FILE *const csv[2], const struct methods *methods, const struct scene *scene)
 {
     static struct task tasks[METHODS_MAX];

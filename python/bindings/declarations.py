@@ -105,7 +105,7 @@ class Declarations:
         self.constants: Dict[str, Constant] = {}
         self.objects: Dict[str, Object] = {}
         self.types: List[str] = []  # structs and enums as C text, in order
-        self.modules: Dict[str, str] = {}  # of each header: itself, or the header that includes it, if not cor.h
+        self.modules: Dict[str, str] = {}  # header -> name of the header in cor.h that includes it, or its own
         self._include = include
         self._read("cor.h", "version")
 
@@ -192,7 +192,7 @@ def parameter(text: str) -> Parameter:
 
 
 def _fields(text: str) -> List[Parameter]:
-    """Parses fields: int n, l to two; double *q, *q_dot to two; a function pointer to one."""
+    """Parses fields. "int n, l" and "double *q, *q_dot" have two fields, a function pointer has one."""
     if "(" in text:
         return [parameter(text)]
     first, *others = text.split(",")
@@ -205,7 +205,7 @@ def _declared(field: Parameter) -> str:
 
 
 def _with_comments(body: str, separator: str) -> Iterator[Tuple[str, str]]:
-    """Yields the parts of a struct or enum body, each with its comment: after it on its line, otherwise before it."""
+    """Yields the parts of a struct or enum body, with their comments, which follow on the line or precede."""
     part = rf"((?:/\*.*?\*/|\([^()]*\)|[^{separator}])*)(?:{separator}|$)(?:[ \t]*(/\*.*?\*/))?"
     for found in re.finditer(part, body, re.S):
         comments = _COMMENT.findall(found[1] + (found[2] or ""))

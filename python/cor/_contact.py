@@ -74,7 +74,7 @@ class Contact:
         damping     dissipation_time, viscosity and bulk_viscosity, g_star, restitution and at, damping_coefficient,
                     beta and at, or zeta
         law         a name of cor.law.laws(), "plate" or "elastic-plastic"; or the exponents elastic and damping of
-                    x'' + beta x^damping x' + x^elastic = 0, as "3/2"
+                    x'' + beta x^damping x' + x^elastic = 0, such as "3/2"
         effects     gravity; adhesion and adhesion_model ("dmt", "jkr"); yield_stress; viscosity_liquid, gap_outer,
                     gap_inner
         end         the end of contact at which restitution or duration was measured and eps is computed:
@@ -203,7 +203,7 @@ class Contact:
         raise_text(text)
 
     def _one(self) -> Any:
-        """Returns the contact in C. Raises ValueError for two, which an eps measured at an unknown end allows."""
+        """Returns the contact in C. Raises ValueError if there are two, because eps was measured at an unknown end."""
         if self._count > 1:
             raise ValueError(f"end: the end of the measured contact is missing; allowed: {', '.join(self.ends)}")
         return self._contacts[0]

@@ -171,7 +171,7 @@ def lines(
     elif contact is not None or set(scene) - {"law", "elastic", "damping", "end"} or not np.size(speeds):
         raise TypeError("materials: give only speeds, law, elastic, damping and end, and no contact")
     else:
-        made = Contact(restitution=0.5, at=1.0, **scene)  # for its law and end; numbers are unset
+        made = Contact(restitution=0.5, at=1.0, **scene)  # supplies law and end; its numbers are reset
         made._scene.number = [math.nan] * lib.COR_SCENE_NUMBERS
         kept = _many(request, materials, pairs)  # noqa: F841
     _positive(time_step=time_step, steps=steps, step_tolerance=step_tolerance)

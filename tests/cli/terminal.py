@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""terminal.py CORGEN [SEED]: progress of four slow commands on a terminal, or of all for the seed "all". The first line
-appears within a second, and later lines about once a second or more often, also between rows. Ctrl-C leaves no file."""
+"""terminal.py CORGEN [SEED]: tests progress on a terminal: of four slow commands, or of all if SEED is "all". The first
+line appears within a second, and later lines at least about once a second, also between rows. Ctrl-C leaves no file."""
 import os
 import pty
 import random

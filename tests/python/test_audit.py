@@ -295,7 +295,7 @@ def test_template_words(tmp_path):
 
 
 def test_walls_and_lines(tmp_path):
-    """A facet or a wall needs another number than two spheres. The replacement line is for the contacts that exist."""
+    """A facet or a wall needs a different number than two spheres. The line to write suits the contacts of the deck."""
     cases = {
         "O.bodies.append([sphere((0,0,0),.01),facet(((0,0,0),(1,0,0),(0,1,0)))])\n": {"facet": (0.5, 0.645895)},
         "O.bodies.append([sphere((0,0,0),.01),sphere((0,0,1),.01),wall(0,2)])\n": {
@@ -398,7 +398,7 @@ def test_hostile(tmp_path):
 @pytest.mark.parametrize("key", ["solref", "solimp", "solmix", "priority", "condim", "contype", "size", "density"])
 @pytest.mark.parametrize("wrong", ["{0} 1", "{1}"])
 def test_attributes_that_are_not_numbers(tmp_path, key, wrong):
-    """MuJoCo refuses such an attribute of either geom or in defaults, even if the other geom has a number."""
+    """MuJoCo refuses an attribute that is not a number, even if the other geom has a number."""
     text = f'{key}="{wrong.format("high", "1 x" if key in ("solref", "solimp", "size") else "nan")}"'
     for geoms in ((text, ""), ("", text)):
         floor, ball = (f'<geom type="{t}" {g}/>' for t, g in zip(("plane", "sphere"), geoms))
@@ -436,7 +436,7 @@ def test_units():
     "kind", ["yade", "lammps", "mfix", "mujoco"] if os.environ.get("COR_TEST_LONG") else ["lammps"]
 )
 def test_million_lines(tmp_path, kind):
-    """A million lines take at most ten seconds of a processor and 500 MB, in a separate process."""
+    """A million lines take at most ten CPU seconds and 500 MB, in a separate process."""
     line = {"yade": "x = 1\n", "lammps": "thermo 1\n", "mfix": "KN = 1\n", "mujoco": "<geom/>\n"}[kind]
     ends = {"mujoco": ("<mujoco><worldbody>\n", "</worldbody></mujoco>")}.get(kind, ("", ""))
     path = write(tmp_path, "long", ends[0] + line * 10**6 + ends[1])

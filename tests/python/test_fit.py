@@ -208,8 +208,8 @@ def test_gravity_follows_from_a_drop_height():
 
 
 def trajectory_q(name, theta, data, ratio):
-    """Computes Q with the determinants by dense matrices of the whole trajectory. The first time and flight of each
-    drop and the scatter of eps change all later times."""
+    """Computes Q and its determinants by dense matrices of the trajectory. The first time and flight of each drop
+    and the scatter of eps change all later times."""
     total, logs, n, record = 0.0, 0.0, 0, data.record
     for first, end in zip(record.start, record.start[1:]):
         t = record.time_s[first:end]
@@ -282,8 +282,7 @@ def test_a_grid_has_the_same_minimum_and_intervals(name, given):
 
 @pytest.mark.parametrize("kind", ["times", "drop height", "apexes"])
 def test_an_error_of_a_number_moves_its_bounces(kind):
-    """In exact data with drag, an error of one time or height changes the weighted residuals c r by the coefficients of
-    this number."""
+    """In exact data with drag, an error of one time or height changes c r of a bounce by the error's coefficient."""
     kappa, theta = 0.03, np.array([-0.1, -0.05])
     speed, time, at, apexes = likelihood.impact_of_drop(np.array([1.0]), G, kappa), 0.0, [], [1.0]
     for _ in range(5):
@@ -520,7 +519,7 @@ def test_commands_give_the_fit(bodies):
         assert made == pytest.approx(result.predict([0.5, 2.0], model.title).eps, rel=2e-6), command
         seen += 1
     assert seen >= 12
-    speed = np.linspace(1, 3, 12)  # eps grows so slowly that it is 1 beyond all speeds
+    speed = np.linspace(1, 3, 12)  # eps is 1 only at a speed above all doubles
     rising = cor.fit(points(speed, 0.8 * speed**1e-4 + 1e-6 * np.sin(9 * speed)), law="power-law").command()
     assert rising.endswith("--speed-min 1 --speed-max 3 --tolerance 1e-6")
     assert subprocess.run([CORGEN, *result.command("viscoelastic").split()[1:]], stdout=subprocess.PIPE).returncode == 0

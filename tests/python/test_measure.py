@@ -72,7 +72,7 @@ def rows_of(deck, options):
 
 @pytest.mark.parametrize("deck", DECKS, ids=lambda deck: deck.name)
 def test_paste_back(deck, tmp_path):
-    """An offered line, put into its place, gives the requested e; so does the program."""
+    """With an offered line in its place, the audit computes the requested e, and a long test measures it."""
     options = options_of(deck)
     try:
         found = [row for row in rows_of(deck, options) if row.instead]

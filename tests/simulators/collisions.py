@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Compares collisions in simulators with corgen: in LAMMPS, which can end contacts at both ends, in YADE, which ends
-them at zero force, in LIGGGHTS, and by REBOUND's callback. docs/simulators.md has the equations.
+"""Compares collisions in LAMMPS, YADE, LIGGGHTS and REBOUND's callback with corgen. In LAMMPS contacts can end at both
+ends, in YADE they end at zero force. docs/simulators.md has the equations.
 
     tests/simulators/collisions.py [--long]    CORGEN, LMP, LIGGGHTS and YADE name the programs
 """
@@ -106,7 +106,7 @@ def eps_of(rows, power):
 
 
 def steps_of(duration, speed, steps=(8e-5, 4e-5, 2e-5)):
-    """Returns numbers of steps in a contact, for steps in units of T = (m/K)^(2/5) g^(-1/5)."""
+    """Returns how many of each of these steps are in a contact. The unit of steps is T = (m/K)^(2/5) g^(-1/5)."""
     return [int(duration * (K / MEFF)**0.4 * float(speed)**0.2 / step) for step in steps]
 
 
@@ -575,7 +575,7 @@ def main():
                 luding(host, work)
             if host == "yade":
                 tests = [yade_constant, yade_step_by_step, yade_table]
-                if "--long" not in sys.argv:  # one of them, a different one in every turn
+                if "--long" not in sys.argv:  # each turn tests one of them
                     tests = [tests[int(os.environ.get("COR_TEST_TURN", "0")) % len(tests)]]
                 for test in tests + [yade_gravity]:
                     test(work)

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The functions of the browser's module, compiled by the compiler at hand, for tests/web/module.mjs:
  *     native COUNT FOLDER
- * writes COUNT arguments into FOLDER/x and the results of each function into FOLDER/NAME, as doubles, and prints these
- * names: x, LAW,END,QUANTITY or the name of a function of hunt_crossley. */
+ * writes COUNT arguments into FOLDER/x and the results of each function into FOLDER/NAME, as doubles. It prints the
+ * names of these files. NAME is LAW,END,QUANTITY, or a function of hunt_crossley. */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -53,7 +53,7 @@ int main(int argc, char **argv)
         if (!web_law_function(law, end, quantity, y))
             continue;
         snprintf(name, sizeof name, "%s,%s,%s", web_name(0, law), web_name(1, end), web_name(2, quantity));
-        const size_t some = law == COR_LAW_HUNT_CROSSLEY ? n / 20 : n; /* its times take 10 us each */
+        const size_t some = law == COR_LAW_HUNT_CROSSLEY ? n / 20 : n; /* its durations take 10 us each */
         web_law(law, end, quantity, x, y, some);
         written(argv[2], name, y, some);
     }

@@ -101,8 +101,8 @@ def _pilot(sample: Sample, setup: Setup) -> Tuple[Problem, Floats]:
 
 
 def _set_limits(e: Estimate) -> None:
-    """Set logarithms and ends of intervals at an end of the range to -inf or inf. A coordinate whose 68 % interval is
-    the whole range is not determined."""
+    """If a logarithm is at an end of its range, set it and the interval's end there to -inf or inf. A coordinate whose
+    68 % interval is the whole range is not determined."""
     p = e.problem
     determined = []
     for j, kind in enumerate(p.kinds):
@@ -116,7 +116,7 @@ def _set_limits(e: Estimate) -> None:
                     near = np.abs(e.intervals[j] - end) < 1e-6
                     e.intervals[j] = np.where(near, infinity, e.intervals[j])
                     e.intervals[j, :, 0 if infinity < 0 else 1] = infinity
-    if not all(determined) and len(determined) > 1:  # nor are coordinates tied to an undetermined one
+    if not all(determined) and len(determined) > 1:  # coordinates tied to an undetermined one are undetermined
         covariance = covariance_of(p, finite_theta(e))
         size = np.sqrt(np.diag(covariance))
         tied = np.abs(covariance / np.outer(size, size)) > 1 - 1e-6
@@ -172,7 +172,7 @@ class Comparison:
     too_many_parameters: int = 0  # models omitted because the points are too few
 
     def best(self) -> Optional[Tuple[Model, Estimate]]:
-        """Among the models that fit, with an AIC less than NEAR above the least, return the simplest one."""
+        """Of the models that fit, return the simplest one whose AIC is within NEAR of the least."""
         fitting = [fit for fit in self.fits if not math.isnan(fit[1].p_value) and fit[1].fits]
         near = [fit for fit in fitting if fit[1].aic < fitting[0][1].aic + NEAR]
         return min(near, key=lambda fit: fit[1].parameters) if near else None
@@ -210,12 +210,13 @@ def compare(
 
 class Outlier(NamedTuple):
     line: int
-    distance: float  # unit: sigma of the errors without outliers; above 0: eps is too large, or a time is late
+    distance: float  # in sigma of the errors without outliers; positive if eps is too large or a time is late
 
 
 def distances(e: Estimate) -> Tuple[Ints, Floats]:
-    """Return the lines and their distances from the curve in standard deviations. For a point: (eps - eps(v))/s. For a
-    time or a height: the estimate of its own error from the bounces that it affects, over the estimate's deviation."""
+    """Return the lines and their distances from the curve in standard deviations. The distance of a point is
+    (eps - eps(v))/s. The error of a time or a height is estimated from the bounces that it affects. Its distance is
+    this estimate over the estimate's deviation."""
     p, sample, n = e.problem, e.problem.sample, e.problem.size
     theta = finite_theta(e)
     if not sample.is_chain:
@@ -246,7 +247,7 @@ def distances(e: Estimate) -> Tuple[Ints, Floats]:
 def _distance_of(e: Estimate, line: int) -> float:
     lines, found = distances(e)
     mine = found[lines == line]
-    return float(mine[np.argmax(np.abs(mine))]) if mine.size else 0.0  # each bounce of the line needs another one
+    return float(mine[np.argmax(np.abs(mine))]) if mine.size else 0.0  # 0: its bounces also need another omitted line
 
 
 def _squares(e: Estimate) -> float:
@@ -259,7 +260,8 @@ def find_outliers(data: Data, sample: Sample, models: Sequence[Model], setup: Se
     The farthest line is removed while n normal errors would reach its distance with a probability below 1/20, up to
     MAX_OUTLIERS lines and a fourth of the points. A removed line has the probability of Student's t, or of the normal
     distribution if errors are given, times the number of lines. While this is SIGNIFICANCE or more for some lines, the
-    nearest one is restored. Given errors that are too small for the other points are first scaled to chi^2 = n - k."""
+    nearest one is restored. If given errors are too small for the other points, they are first scaled to
+    chi^2 = n - k."""
     if sample.size > MANY:
         return []
     special = scipy("special")
@@ -286,7 +288,7 @@ def find_outliers(data: Data, sample: Sample, models: Sequence[Model], setup: Se
         if here.size * special.erfc(abs(found[k]) / math.sqrt(2)) > 0.05:
             break
         left_out.append(Outlier(int(lines[k]), float(found[k])))
-        if rest().size < 3 * sample.size // 4:  # too many points would be removed: keep the last one
+        if rest().size < 3 * sample.size // 4:  # too many points are removed: restore the last line
             left_out.pop()
             break
     count = sample.numbers
@@ -301,7 +303,7 @@ def find_outliers(data: Data, sample: Sample, models: Sequence[Model], setup: Se
             f = estimate(curve, rest(put_back=outlier.line), plain, False, e)
             assert f is not None
             distance = _distance_of(replace(e, problem=_on(e.problem, f.problem.sample)), outlier.line)
-            if sample.is_chain:  # e's lambda, fitted without these bounces, may be off: compare with f's
+            if sample.is_chain:  # e was fitted without these bounces; if smaller, use the distance in f
                 other = _distance_of(f, outlier.line)
                 other *= math.sqrt((f.problem.freedom - 1) / max(f.problem.freedom - other**2, 1e-9))
                 distance = other if abs(other) < abs(distance) else distance

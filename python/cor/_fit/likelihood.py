@@ -27,9 +27,9 @@ from .models import Curve
 HUBER = 1.345
 LEAST_RESIDUAL = float(np.finfo(float).eps)  # smaller residuals are raised to this value, so that AIC is finite
 SLOPE_STEP = 1e-4  # in ln v
-STEEPEST = 5.0  # limit of eps + d eps/d ln v in a_k, because first order fails where eps drops to 0
+STEEPEST = 5.0  # bound on |eps + d eps/d ln v| in a_k; first order fails where eps drops to 0
 LOG_RATIO = (math.log(1e-10), math.log(1e8))  # range of ln(lambda times the mean square of c)
-MANY = 20000  # bounces; more are reduced to a basis of curves
+MANY = 20000  # with more bounces: class Reduced, and no search for outliers
 
 
 @lru_cache(maxsize=None)
@@ -117,7 +117,7 @@ class Flights(NamedTuple):
     log_speed: Floats
     eps: Floats
     weight: Floats  # c
-    gain: Floats  # a divided by eps + d eps/d ln v
+    gain: Floats  # a/(eps + d eps/d ln v)
     order: Ints  # order of the speeds; equal speeds in the order of the file
 
 
@@ -248,7 +248,7 @@ class Problem:
         self.freedom = self.size - self.parameters
         self.scatters = sample.scatters  # True: lambda is free
         self.scale, self.log_ratio = 1.0, LOG_RATIO[0]
-        self.plain = False  # True: without the covariance and Huber's function, for starts
+        self.plain = False  # True for starts: no covariance, and no Huber's function
         self.mean_square = float(np.mean(flights.weight**2))
 
     def like(self, curve: Curve) -> "Problem":
@@ -331,7 +331,7 @@ class Problem:
         return z if self.sample.has_sigma else z / self.scale
 
     def residuals(self, theta: Floats) -> Any:
-        """Return z, or in the robust fit sign(z) sqrt(rho(z)) with Huber's rho, linear beyond HUBER."""
+        """Return z. In the robust fit, return sign(z) sqrt(rho(z)); Huber's rho is linear beyond HUBER."""
         z = self.z(theta)
         if not self.robust or self.plain:
             return z
@@ -354,7 +354,8 @@ class Problem:
 
     def set_noise(self, theta: Floats) -> None:
         """Set the least scale and its lambda. Errors of times and scatter of bounces may both explain the data, so each
-        local minimum of a scan is refined. A median has many minima by chance; only the lowest is refined."""
+        local minimum of a scan is refined. In the robust fit, the scale is a median. A median has many minima by
+        chance, so only the lowest one is refined."""
         parts = self.parts(theta)
         if not self.scatters:
             self.scale = float(self.scale_of(parts[0]))
@@ -416,7 +417,7 @@ class Reduced(Problem):
         low, high = float(x.min()), float(x.max())
         step = (high - low) / (KNOTS - 1) or 1.0
         knots = low + step * np.arange(KNOTS)
-        cell = np.clip(((x - low) / step).astype(int), 1, KNOTS - 3) - 1  # the first of four knots
+        cell = np.clip(((x - low) / step).astype(int), 1, KNOTS - 3) - 1  # index of the first of four knots
         t, rows = (x - knots[cell]) / step, np.zeros((KNOTS, self.size))
         shapes = [(1 - t) * (2 - t) * (3 - t) / 6, t * (2 - t) * (3 - t) / 2, t * (t - 1) * (3 - t) / 2]
         shapes.append(t * (t - 1) * (t - 2) / 6)

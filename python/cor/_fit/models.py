@@ -37,7 +37,7 @@ class Curve:
     ranges: Tuple[Range, ...]
     start: str  # "lines", "scan", "grid" or "given"
     dry: Optional["Curve"] = None  # the curve without adhesion or liquid
-    given: Tuple[float, ...] = ()  # the start of a user's function
+    given: Tuple[float, ...] = ()  # start values of a user's function
 
 
 # ---- curves of one coordinate ----
@@ -233,7 +233,7 @@ WithBodies = Callable[[Bodies], Optional[Parameter]]
 
 @dataclass(frozen=True)
 class Model:
-    """A curve with the parameters of a law. with_bodies makes a parameter in place of plain[replaced], if it can."""
+    """A curve with the parameters of a law. If bodies are known, with_bodies may return a new plain[replaced]."""
 
     name: str
     end: str  # "zero-overlap", "zero-force" or "both"

@@ -13,7 +13,7 @@ from .data import MAX_BEYOND, MAX_FLIGHT_RATIO, Apexes, Data, DataError, Floats,
 from .track import find_bounces
 
 MAX_ROWS, MAX_COLUMNS, MAX_LINE, BLOCK, SHOWN = 1000000, 256, 65536, 1 << 22, 40
-MAX_ABOVE, MAX_GAP = 50, 5  # most rows above the names; most successive rows of a track without a height
+MAX_ABOVE, MAX_GAP = 50, 5  # rows above the names; successive rows of a track without a height
 WAVEFORM_ROWS = 100  # this number of equal steps means samples, not bounces
 
 # ---- names of columns ----
@@ -460,7 +460,7 @@ def _heights(table: Table, ball: Ints, _start: Ints) -> Heights:
 
 
 def _times(table: Table, ball: Ints, start: Ints) -> Times:
-    """Return the drops of measured times. Intervals are added up from 0 to times."""
+    """Return the drops of measured times. Times of intervals are their sums, from 0 in each drop."""
     key = "t" if table.has("t") else "interval"
     time, first = table.numbers(key), start[:-1]
     row = np.arange(len(time))
@@ -498,7 +498,7 @@ def _times(table: Table, ball: Ints, start: Ints) -> Times:
 def _refuse_waveform(table: Table, key: str, flight: Floats) -> None:
     """Refuse time steps that are equal up to rounding. Such data are samples of a sound or of a force."""
     step = float(np.median(flight)) if len(flight) >= WAVEFORM_ROWS else np.nan
-    is_rounded = step > 0 and np.unique(np.round(flight / step, 3)).size <= 3  # such as 0.02, 0.02, 0.03 ms
+    is_rounded = step > 0 and np.unique(np.round(flight / step, 3)).size <= 3  # steps of 0.02, 0.02, 0.03 ms
     if is_rounded or np.mean(np.abs(flight - step) <= 0.1 * step) > 0.9 if len(flight) else False:
         why = (
             f"{len(flight)} steps of {step:.4g} s are a recorded waveform, sampled at {1 / step:.5g} Hz, and not times"

@@ -293,7 +293,7 @@ class Result:
     # ---- commands and pictures ----
 
     def command(self, model: Optional[str] = None, *, end: Optional[str] = None, group: str = "") -> Optional[str]:
-        """Return the corgen embed command that writes eps of the fit as a header; None if the model has none.
+        """Return the corgen embed command that writes eps of the fit as a header; None if no such command exists.
 
         Its fitted numbers have 6 digits, which changes eps by at most 2e-6; further digits depend on the machine."""
         chosen, e = self.find(model, end, group)

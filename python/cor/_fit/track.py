@@ -8,8 +8,8 @@ import numpy as np
 from .data import Floats, Ints
 from .likelihood import scipy
 
-LEAST_SAMPLES = 4  # of a flight
-FREE_BEND, FREE_SKEW = 8, 12  # least samples for a flight's own quadratic and cubic term (drag)
+LEAST_SAMPLES = 4  # samples of a flight
+FREE_BEND, FREE_SKEW = 8, 12  # samples from which a flight has its own quadratic, cubic term (drag)
 ALLOWED = "a track of at least three bounces with heights that grow upward, 4 samples or more in each flight"
 
 
@@ -64,7 +64,7 @@ def find_bounces(time: Floats, height: Floats) -> Bounces:
     lowest = lowest[: len(flights) + 1]
     meet, ground = [], []
     for k in range(1, len(flights)):
-        shift = np.poly1d([1.0, time[lowest[k]] - time[lowest[k - 1]]])  # time of flight k - 1 at a time of flight k
+        shift = np.poly1d([1.0, time[lowest[k]] - time[lowest[k - 1]]])  # maps a time in flight k to flight k - 1
         at = _crossing(flights[k - 1](shift), flights[k], 0.0)
         meet.append(time[lowest[k]] + at)
         ground.append(float(flights[k](at)))

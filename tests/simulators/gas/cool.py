@@ -145,8 +145,7 @@ class Gas:
         return [float(x) for x in re.search(r"^loss \S+ (\S+) (\S+) (\S+)$", text, re.M).groups()]
 
     def step_error(self, state, steps):
-        """Returns 1 - eps^2 of contacts with the time step and damping of the gas in this state, divided by the
-        exact value, minus 1."""
+        """Returns the relative error of 1 - eps^2 of contacts with the gas's time step and damping in this state."""
         impact = impact_of(state.temperature)
         loss = self.pairs(impact, self.step(state.temperature, steps),
                           float(self.damping) * self.factor(state.temperature, steps))[0]
@@ -248,8 +247,7 @@ def judge_limit(predictor, states):
 
 
 def judge_steps(gas):
-    """Compares the bias and scatter of eps, and the correction, that corgen states for a step with 40 pairs in
-    LAMMPS."""
+    """For one time step, compares corgen's bias, scatter and correction of eps with 40 pairs in LAMMPS."""
     time, impact = dissipation_time("--restitution", "0.5", "--at", "0.1"), "0.1"
     step = "%.12g" % (gas.step(SPEED**2 / 16, COARSE))
     row = contact_at(time, impact, "--time-step", step, "--step-corrected")

@@ -119,8 +119,8 @@ static void moments_add(struct collision_moments *sum, const struct gas *gas, do
     const double G = g * g / 2, eps = gas->eps(&gas->contact, g * v_T);
     const double turned = turning(cor_contact_beta(&gas->contact, g * v_T)) * 2 / (g * g) * overlap(gas, g * v_T);
     const double loss = gas->loss * (1 - eps) * (1 + eps) * (1 - turned);
-    /* Means at a given g, with s = S_2(c_1^2) + S_2(c_2^2): S is the mean of s, SX of s (c_1^2 + c_2^2), and SC of s
-     * times the squared normal velocity of the centre of mass. */
+    /* Means at a given g, with s = S_2(c_1^2) + S_2(c_2^2). S: mean of s. SX: mean of s (c_1^2 + c_2^2). SC: mean of
+     * s C^2, where C is the normal velocity of the centre of mass. */
     const double S = 3.0 / 16 + G * (-3.0 / 4 + G / 4);
     const double SX = -13.0 / 32 + G * (1.0 / 16 + G * (-1.0 / 8 + G / 4));
     const double SC = -9.0 / 64 + G * (3.0 / 16 + G / 16);

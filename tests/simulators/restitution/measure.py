@@ -147,8 +147,8 @@ def ends_of(law, e, end, wall):
 
 
 def pasted_cases(host, law, wall):
-    """Yields cases with the whole text of corgen, and with each alternative in its comments; at a wall and with
-    --end for few restitutions."""
+    """Yields cases with the whole text of corgen, and with each alternative in the comments of the text. At a wall and
+    with --end, only the restitutions FEW are used."""
     seen = set()
     for e in RESTITUTIONS:
         for end in ((None, "zero-overlap", "zero-force") if e in FEW else (None, )):
@@ -175,7 +175,7 @@ def cases_of(host, laws=LAWS, walls=(False, True)):
     for law in laws:
         for wall in walls:
             cases += pasted_cases(host, law, wall)
-        # The lines for e = 0.7 exist for every model; their number is replaced by e.
+        # Every model has lines for e = 0.7. The number in these lines is replaced by e.
         for block in blocks_of("" if SHORT else text_for(host, law, "0.7")):
             lines = block.lines
             for e in RESTITUTIONS:
@@ -250,8 +250,8 @@ BULLET_FLAGS = ["-DBT_USE_DOUBLE_PRECISION", "-I/usr/include/bullet", "-lBulletD
 
 
 def callback_lines(lines, work):
-    """Returns the lines of the contact callback, and the calls that comments among these lines contain. Runs the
-    command that writes the header, which the lines name."""
+    """Returns the lines of the contact callback, and the calls in comments among these lines. Runs the command
+    in these lines, which writes the header."""
     command = next(line for line in lines if "corgen embed" in line)
     subprocess.run([CORGEN] + command.split("corgen ")[1].split(), cwd=work, check=True, capture_output=True)
     calls = [re.sub(r"^// ((once|each body): )?", "", line) for line in lines if line.startswith("// ")]
