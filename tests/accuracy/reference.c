@@ -129,7 +129,7 @@ static void motion_expand(void)
         arb_div_si(m.w + n + 1, m.v + n, 2 * (n + 1), m.bits);
         arb_div_si(m.s + n + 1, m.w + n, n + 1, m.bits);
     }
-    /* log2 of the sizes of f and w. Near a zero of f its term mu^2 w^2 counts, near a zero of w the speed. */
+    /* log2 of the sizes of f and w. Near a zero of f, its term mu^2 w^2 is the size; near a zero of w, the speed is. */
     const double scale_f = fmax(log2_size(m.f), log2_size(m.square) + 2 * log2_size(m.mu));
     const double scale_w = fmax(log2_size(m.w), log2_size(m.v));
     arb_set_d(m.step, exp2(fmin(step_log2(m.f, scale_f), step_log2(m.w, scale_w))));
@@ -160,7 +160,7 @@ static bool negative_at_end(arb_srcptr component)
  * steps. */
 static void motion_zero(arb_t sigma, arb_srcptr component)
 {
-    enum { HALVINGS = 12, NEWTON = 5 }; /* Newton's method doubles the 12 bits from the halvings 5 times */
+    enum { HALVINGS = 12, NEWTON = 5 }; /* halvings give 12 bits, which Newton's method doubles 5 times */
     LOCAL(arb, low, high, middle, y, slope);
     arb_set(high, m.step);
     for (int i = 0; i < HALVINGS; i++) {

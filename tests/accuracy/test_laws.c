@@ -52,7 +52,7 @@ static long double ratio(enum cor_end end, bool loss, long double zeta)
 }
 
 /* Constants: half of the elastic duration, and Tsuji's largest overlap at zeta = 0. The limit of Tsuji's duration with
- * limited damping is (5/8)^(2/5) times the integral of (1 - X^(5/2))^(-1/2) from 0 to 1, by Gamma functions. */
+ * limited damping is (5/8)^(2/5) times the integral of (1 - X^(5/2))^(-1/2) from 0 to 1, in Gamma functions. */
 #define PI acosl(-1)
 #define TSUJI_MOST expl(0.4L * logl(1.25L))
 #define HALF (TSUJI_MOST * sqrtl(PI) * tgammal(1.4L) / tgammal(0.9L))
@@ -86,7 +86,7 @@ static long double tsuji_exact(enum cor_end end, enum cor_quantity quantity, dou
     return reference_tsuji_time(end, zeta) + (end == COR_END_APPROACH_ONLY ? HALF * expl(l / 5) : 0);
 }
 
-/* Returns the largest overlap or a time of the linear dashpot or of Tsuji's damping, for any zeta >= 0. */
+/* Returns f->quantity, the largest overlap or a time, of f->law, linear or Tsuji, for any zeta >= 0. */
 static long double ratio_exact(const struct search_function *f, double zeta)
 {
     const enum cor_quantity quantity = (enum cor_quantity)f->quantity;

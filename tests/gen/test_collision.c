@@ -317,7 +317,7 @@ TEST(test_forgetting)
                  {"3/2", "1", 10, 1},    {"2", "2", 20, 2},  {"3/2", "1/3", 4, 0.5}};
     LOCAL(arb, v, beta, x);
     LOCAL(collision, c);
-    /* the last case, P = 41, takes a second: long runs only */
+    /* the last case, P = 41, takes a second, so only long runs test it */
     const size_t count = COUNT_OF(cases) - (points(1) > 1 ? 0 : 1);
     for (size_t i = 0; i < count; i++) {
         const struct cor_exponents law = law_of(cases[i].a, cases[i].b);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Writes the table of collisions with a rigid wall again, and computes some of the collisions again. */
-#include "tables/limits.c" /* for its cells; must precede cmocka.h, which defines a macro fail */
+#include "tables/limits.c" /* defines the cells; must precede cmocka.h, which defines a macro fail */
 
 #include "check.h"
 

@@ -76,7 +76,7 @@ static bool arc_holds(double angle, double radius, int depth)
                                                  arc_holds(angle + radius / 2, radius / 2, depth + 1));
 }
 
-/* J is real on the real axis, so the upper half is enough. COR_TEST_MULTIPLIER=160 covers all arcs and the whole
+/* J is real on the real axis, so the upper half is enough. COR_TEST_MULTIPLIER=160 tests all arcs and the whole
  * inside, in some minutes. */
 TEST(bound_on_the_ellipse)
 {

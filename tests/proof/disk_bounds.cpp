@@ -270,8 +270,8 @@ static ball plus_error(const ball &x, const ball &y, const ball &sum)
     return ball(1.001 * u * u) * (2 * size(x) + 2 * size(y) + size(sum));
 }
 
-/* Returns the relative error of pair_exp(x) for x between low and high, |x| < 2. It comes from s = exp(x/512) - 1 by
- * Horner's rule in pairs, from s -> 2 s + s^2 nine times, and from 1 + s. */
+/* Returns the relative error of pair_exp(x) for x between low and high, |x| < 2. The errors are from s = exp(x/512) - 1
+ * by Horner's rule in pairs, from s -> 2 s + s^2, nine times, and from 1 + s. */
 static double exp_error(double low, double high)
 {
     const ball x = from_to(ball(low), ball(high)), r = size(x) / ball(512);
@@ -539,7 +539,7 @@ static void sum_over_q(double limit)
                 const double relative = fabs(f.power) * q / (f.constant + low) * (1 + 2 * q / (f.constant + low)) +
                                         4 * COR_PROOF_PAIRS + 0x1p-72;
                 double units = relative / u;
-                if (f.factor != 0 && high < 1) { /* takes the ulp from the range of values */
+                if (f.factor != 0 && high < 1) { /* finds the ulp from the range of values */
                     const double power_low = std::pow(low, f.power), power_high = std::pow(high, f.power);
                     const double least = f.factor * exp(-(1 + f.square) * high) * std::min(power_low, power_high);
                     const double most = f.factor * exp(-(1 + f.square) * low) * std::max(power_low, power_high);

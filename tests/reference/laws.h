@@ -17,9 +17,9 @@ long double reference_hunt_crossley_eps(long double beta);
 long double reference_hunt_crossley_approach_loss(long double beta);
 long double reference_hunt_crossley_approach_eps(long double beta);
 
-/* Returns the time of the largest overlap (COR_END_APPROACH_ONLY) or the duration at another end for Tsuji's damping,
- * zeta > 0, with a relative error below 1e-17. At zero overlap zeta must be below 0.999. Uses double exponential
- * quadrature of exp(zeta s/5) (sin(om s)/om)^(-1/5). */
+/* Returns the duration for Tsuji's damping, zeta > 0, or for COR_END_APPROACH_ONLY the time of the largest overlap. The
+ * relative error is below 1e-17. At zero overlap zeta must be below 0.999. Uses double exponential quadrature of
+ * exp(zeta s/5) (sin(om s)/om)^(-1/5). */
 long double reference_tsuji_time(enum cor_end end, long double zeta);
 
 /* Return the time of the largest overlap and the duration for Hunt and Crossley's law, -1 < beta < inf, not 0, elastic

@@ -188,7 +188,7 @@ void law_check_random(const struct law_functions *f, size_t count)
         case 2:
             beta = pow(10, random_uniform(&r, 0, LARGEST_LOG10));
             break;
-        default: /* a beta below the threshold, if any, otherwise up to 8 */
+        default: /* a beta below the threshold, or below 8 without a threshold */
             beta = c.threshold < HUGE_VAL ? c.threshold * (1 - pow(2, random_uniform(&r, -45, -0.2)))
                                           : random_log(&r, 0.02, 8);
         }

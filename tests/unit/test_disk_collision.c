@@ -419,8 +419,8 @@ TEST(moments_within_a_budget)
 
 /* ---- hard cases ---- */
 
-/* In a chaotic collision, the steps change the third digit of eps. The estimate covers this, and energy is
- * conserved. */
+/* In a chaotic collision, the steps change the third digit of eps. The estimate includes this change, and energy
+ * is conserved. */
 TEST(chaotic)
 {
     if (points(2) < 2)

@@ -129,7 +129,7 @@ TEST(kick)
         COR_CLEAR_DOUBLES(m->size.cells, m->p);
         stage.now.depth = random_uniform(&draw, -1, 0.5) / p.alpha;
         stage.now.v = 0;
-        cor_collision_drift(m, 0, &stage.now); /* turns each mode by omega h at a fixed time, and sums the modes */
+        cor_collision_drift(m, 0, &stage.now); /* over the time 0: turns each mode by omega h, and sums the modes */
         y[0] = stage.now.depth;
         for (size_t i = 0; i < p.modes; i++)
             y[1 + i] = m->q[m->place[i]] / sqrtl(mass * (long double)m->mode[i].omega);
@@ -327,13 +327,13 @@ TEST(step_error)
     remainder_of(&evidence, 6, 1e-3, 0.1);
     evidence.movement[5] = 1e-15;
     assert_true(cor_collision_step_error(&soft, &evidence, 0) > 3e-10);
-    /* slow convergence of earlier runs counts, too */
+    /* slow convergence of earlier runs also raises the error */
     remainder_of(&evidence, 5, 1e-3, 0.4);
     evidence.movement[4] = 0.1 * evidence.movement[3];
     assert_true(cor_collision_step_error(&soft, &evidence, 0) > 0.6 * evidence.movement[4]);
 }
 
-/* At a hard wall, which begins at alpha v = 24, movements that are small by chance count less. */
+/* At a hard wall, which begins at alpha v = 24, movements that are small by chance have less effect. */
 TEST(hard_wall_step_error)
 {
     struct cor_collision_evidence evidence;

@@ -28,7 +28,7 @@ static int cells;
 static const struct cell *cell_at[ROWS * COLUMNS];
 static const struct cor_disk_limit_piece *piece_at[ROWS * COLUMNS];
 
-/* Sets the values of a cell at the places that are in a piece. They are whole numbers and agree with other pieces. */
+/* Sets the values of a cell at the places that are in a piece. The values are whole numbers that other pieces share. */
 static void values_of_piece(struct cell *of, const struct cor_disk_limit_piece *piece)
 {
     for (int k = 0; k < COR_DISK_LIMIT_POINTS; k++) {
@@ -271,7 +271,7 @@ TEST(test_uncertainty)
     print_worst("off the grid");
 }
 
-/* At a border with smaller cells, and up to a third of a side from it, the uncertainty covers the error.
+/* At a border with smaller cells, and up to a third of a side from it, the uncertainty is at least the error.
  * COR_TEST_MULTIPLIER=250: 500 places. */
 TEST(test_uncertainty_at_borders)
 {

@@ -510,7 +510,7 @@ TEST(parts_of_the_estimate)
         check(relative_error(estimate, usual + more) < 1e-9, "%.17g, not %.17g", estimate, usual + more);
     }
     /* a point contact adds an error of 3e-8 */
-    for (size_t levels = 5; levels <= 7; levels++) { /* the largest weighted change counts */
+    for (size_t levels = 5; levels <= 7; levels++) { /* the largest weighted change is used */
         estimate = estimate_and_changes(0.33, 1e-8, tolerance, levels, change);
         const double most = fmax(fmax(3 * change[0], change[1]), 0.3 * change[2]),
                      expected = most + noise + UNSEEN / pow(first_omega(levels - 1), 2) + 3e-8;

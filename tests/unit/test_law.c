@@ -154,7 +154,7 @@ static void check_back(enum cor_law law, int end, int of_loss, double e, double 
 
 /* Returns the allowed error of eps -> damping -> eps, in units of eps; L = -ln(eps). A small eps is a power of the
  * damping, so rounding the damping costs no more than two roundings of eps. At zero overlap, rounding a damping ratio
- * costs L (1 + L^2/pi^2) = |d ln(eps)/d ln(zeta)|. Close to the dashpot's beta_c the rounding of beta counts. */
+ * costs L (1 + L^2/pi^2) = |d ln(eps)/d ln(zeta)|. Close to the dashpot's beta_c the rounding of beta matters. */
 static double cost_of(enum cor_law law, int end, double e)
 {
     const double l = -log(e);

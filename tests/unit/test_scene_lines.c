@@ -536,7 +536,7 @@ TEST(speeds_in_any_order)
         steps = 0;
         is_near(found(text, " --speed-min "), low, 1e-5);
         is_near(found(text, " --speed-max "), high, 1e-5);
-        /* a simulator without the law gives eps at one speed */
+        /* a simulator without the law realises eps at one speed only */
         const struct cor_scene_contact contact = scene_contact(&scene, COR_END_ZERO_FORCE);
         const double eps = scene_eps(&contact, low, COR_END_ZERO_FORCE);
         const char *const at = found(text_for("mfix", NULL, &scene, low), "realises eps = ");

@@ -276,7 +276,7 @@ static void compare(const struct impact *i)
           i->tangent, oblique.restitution, other);
 }
 
-/* 500 impacts of every model, law and end, many of them next to a boundary between stick and slip */
+/* Impacts of every model, law and end, many of them next to a boundary between stick and slip */
 TEST(against_another_method)
 {
     static const struct impact rare[] = {

@@ -131,7 +131,7 @@ TEST(piecewise_contact)
     check_near(COR_YIELD_FACTOR, sqrtl(powl(pi_long, 5) / 30), 1e-15);
     check_near(cor_scene_yield_stress(&contact, (double)onset), 1e9L, 1e-14);
     draw_begin();
-    for (int i = 0; i < 100; i++) { /* any yield speed, also above the contact's */
+    for (int i = 0; i < 100; i++) { /* yield speeds below and above the contact's own one */
         const double speed = (double)onset * random_log(&draw, 1e-6, 1e6);
         check_near(cor_scene_yield_speed(&contact, cor_scene_yield_stress(&contact, speed)), speed, 2e-14);
     }

@@ -240,7 +240,7 @@ TEST(pressed)
         check(fabs(e.bias) < (integrator == COR_VERLET_FULL_STEP ? 1e3 / steps : 2) / steps,
               "law %d end %d integrator %d, %g steps: bias %g", k % 5, end, integrator, steps, e.bias);
         const double slow = stays * random_uniform(&r, 0.3, 0.8);
-        /* with enough steps, each changes the speed by at most half of the allowed change */
+        /* with enough steps, no step changes the speed by more than half of the allowed change */
         const double many =
             fmax(steps, contact.force_n * cor_scene_elastic_duration_s(&contact, slow) / (contact.mass_kg * slow));
         e = error_of(&contact, slow, end, many, integrator);
