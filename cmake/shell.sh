@@ -126,7 +126,7 @@ msvc_reads() {
         -isystem "$(clang -print-resource-dir)/include" -isystem /usr/share/mingw-w64/include "$1"
 }
 
-# turn_of N: prints K modulo N for tests/run --turn K. A short run does only this part, of N, of a long test.
+# turn_of N: prints K modulo N for tests/run --turn K. Of a long test with N parts, a short run does this part.
 turn_of() {
     echo $((${COR_TEST_TURN:-0} % $1))
 }
@@ -137,7 +137,7 @@ some_in_turn() {
 }
 
 # builds_whole CC [--long]: true if a test run builds everything with this compiler: always with gcc, with others in
-# extended runs and in every fifth turn. In that turn tests/hygiene/run only runs valgrind.
+# extended runs and in every fifth turn. In that turn tests/hygiene/run runs only valgrind.
 builds_whole() {
     [ "$1" = gcc ] || [ "${2-}" = --long ] || [ "$(turn_of 5)" -eq 2 ]
 }

@@ -30,7 +30,7 @@ sys.path.insert(0, str(HERE))
 from bindings import cffi_source, python_source  # noqa: E402
 from bindings.declarations import Declarations  # noqa: E402
 
-PLAIN_FLAGS = ["-O2", "-DNDEBUG", "-DCOR_ROWS_SHARED", "-std=c99", "-fvisibility=hidden"]  # as cmake/CorDefaults.cmake
+PLAIN_FLAGS = ["-O2", "-DNDEBUG", "-DCOR_ROWS_SHARED", "-std=c99", "-fvisibility=hidden"]  # of cmake/CorDefaults.cmake
 PLAIN_FLAGS += ["-ffp-contract=off"] + ["-fexcess-precision=fast"] * (platform.machine() == "s390x")
 
 

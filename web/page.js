@@ -13,7 +13,7 @@ const PREFIXES = { n: -9, u: -6, "\u00b5": -6, "\u03bc": -6, m: -3, c: -2, k: 3,
 
 let cor, units; // the module; units by option
 const fields = new Map(); // by option: { input, label, list, word }
-let kept = [], past = [], settled = ""; // addresses: of other curves; for undo; the present one
+let kept = [], past = [], settled = ""; // addresses of other curves, addresses for undo, the present address
 let drawn = null, telling; // the picture's curves and scales; the timer that removes a message
 
 // ---- from text to numbers in SI units ----
@@ -96,7 +96,7 @@ function element(name, text, more = {}) {
     return Object.assign(document.createElement(name), { textContent: text, ...more });
 }
 
-// Fills an element with data-field: label, input, and the text that converted() returns.
+// Fills an element that has data-field with a label, an input and the text of converted().
 function makeField(place) {
     const { field: id, list, word, lines, empty = "" } = place.dataset, label = place.textContent, unit = unitOf(id);
     const inline = place.tagName === "SPAN", full = unit === "" ? label : `${label}, ${unit}`;

@@ -43,8 +43,8 @@ static long double response(const struct cor_disk_mode *mode, long double fracti
     return fraction * square * square / ((long double)mode->c * mode->c);
 }
 
-/* Returns the largest relative error of the modes' fractions. Omits a mode if its response() is below
- * 1/100 of the largest response of 25 neighbours on each side: the cosine in its integral is near a zero. */
+/* Returns the largest relative error of the modes' fractions. Omits a mode if the cosine in its integral is
+ * near a zero. Its response() is then below 1/100 of the largest response of 25 neighbours on each side. */
 static double worst_error(const struct cor_disk_mode *mode, const double *fraction, const long double *reference)
 {
     double worst = 0;

@@ -205,7 +205,7 @@ def _declared(field: Parameter) -> str:
 
 
 def _with_comments(body: str, separator: str) -> Iterator[Tuple[str, str]]:
-    """Yields the parts of a struct or enum body, with their comments, which follow on the line or precede."""
+    """Yields each part of a struct or enum body with its comment, which is before it or after it on its line."""
     part = rf"((?:/\*.*?\*/|\([^()]*\)|[^{separator}])*)(?:{separator}|$)(?:[ \t]*(/\*.*?\*/))?"
     for found in re.finditer(part, body, re.S):
         comments = _COMMENT.findall(found[1] + (found[2] or ""))

@@ -287,7 +287,7 @@ def test_off_centre(tmp_path):
 
 
 def test_template_words(tmp_path):
-    """A template word without a value is a remark that changes the status."""
+    """A template word without a value causes a remark, which changes the status."""
     for word, status in (("1e-5", 0), ("{{STEP}}", 4)):
         text = VISCOUS.format(f"O.dt={word}\n").replace("en=0.5", "en=1")
         found, out, _ = run("audit", write(tmp_path, "a.py", text))
@@ -417,7 +417,7 @@ def test_long_loop(tmp_path, monkeypatch):
 
 
 def test_units():
-    """A contact has the same numbers in all units of LAMMPS, whose default steps differ."""
+    """A contact has the same numbers in all units of LAMMPS. The default steps of the units differ."""
     rows = []
     for name, length, mass, time, step in (
         ("si", 1, 1, 1, 1e-8), ("cgs", 1e-2, 1e-3, 1, 1e-8), ("micro", 1e-6, 1e-15, 1e-6, 2e-6),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Computes volumes of bodies that are no spheres, and how easily an impact off the centre turns them."""
+"""Computes volumes of bodies other than spheres, and how easily an impact off the centre turns them."""
 
 import math
 from typing import Optional, Sequence, Tuple

@@ -98,8 +98,8 @@ class Contact:
     [start, end) of repair.text that contain e. gravity: acceleration that presses a sphere against a wall.
     global_damping: the fraction by which YADE increases forces against the motion and decreases forces along it.
     losses: sentences about losses outside contacts. cohesion: LIGGGHTS's sjkr or sjkr2, and its energy density. notes:
-    sentences for the advice. unknown: reason why eps is not computed. refused: the simulator's
-    error, with which it stops."""
+    sentences for the advice. unknown: reason why eps is not computed. refused: the error
+    with which the simulator stops."""
 
     file: str
     line: int

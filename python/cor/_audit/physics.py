@@ -474,7 +474,7 @@ class _Audit:
         self.add_oblique(row, contact, scene, speed, end)
 
     def off_centre(self, row: Row, contact: Contact, model: Any, scene: Any, speed: float) -> Optional[float]:
-        """Returns the smallest eps at one point of contact of bodies that are no spheres: they also turn, so that less
+        """Returns the smallest eps at one point of contact of bodies other than spheres. They also turn, so that less
         mass moves than the mass that sets the damping. NaN if the shape is unknown; None for spheres."""
         shares = [(_inverse_mass(b, row.size), b.lever[contact.bodies[1].wall]) for b in contact.bodies]
         if all(lever == 0 for _, lever in shares):

@@ -449,7 +449,7 @@ def read_mercurydpm(text: str, name: str, options: Options) -> Deck:
 
 
 def _mercury_species(deck: Deck, plain: str, alias: Dict[str, str]) -> None:
-    """Names the bodies of mixed species, and removes contacts of species that no particle or no wall has. Refuses
+    """Names the bodies of mixed species, and removes contacts that no particles or walls can have. Refuses
     species with other forces."""
     kinds = dict(re.findall(r"\b(\w+)\s*=\s*[\w.>-]*copyAndAddObject\(\s*(\w+Species)\b", plain))
     kinds.update((name, kind) for kind, name in re.findall(r"\b(\w+Species)\s*\*\s*(\w+)", plain))

@@ -649,7 +649,7 @@ class _Reader:
                     self.contact(one, two)
         for c, materials in self.owners:
             if self.mixed & materials:
-                c.slots = ()  # the same number belongs to other contacts, too: propose no new one
+                c.slots = ()  # other contacts share the number, so no new one is proposed
         for functor in self.functors:
             self.strange_matches(functor)
 

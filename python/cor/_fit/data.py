@@ -50,7 +50,7 @@ class Times:
     line: Ints
     start: Ints
     height_m: Floats  # for each drop, the height above the ground from which the ball fell; nan: unknown
-    ball: Ints  # of each drop
+    ball: Ints  # for each drop: index in Data.balls
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ class Apexes:
     sigma_m: Optional[Floats]
     line: Ints
     start: Ints
-    ball: Ints  # of each drop
+    ball: Ints  # for each drop: index in Data.balls
 
 
 @dataclass(frozen=True)

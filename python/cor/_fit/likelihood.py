@@ -141,7 +141,7 @@ class Sample:
         return made
 
     def _keep(self, kept: Any) -> None:
-        """Keep the bounces of a mask. A new drop begins after each omitted bounce."""
+        """Keep only the bounces that a mask selects. A new drop begins after each omitted bounce."""
         left_out = np.cumsum(~kept)[kept]
         begins = self.begins[kept]
         if begins.size:
