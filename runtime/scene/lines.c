@@ -874,28 +874,28 @@ static int needs_mass(const struct block *block, const struct task *task)
 /* States which number depends on the mass, and how to change it for other masses. */
 static void put_mass(struct text *t, const struct block *block, const struct task *task)
 {
-    const char *const parameter = block->model->parameter;
     const int whole = block->model->mass == COR_MASS_IN_LINES, wall = task->request->scene->wall;
-    const int differ = task->types == 2 && !wall;
     const double factor = mass_factor(block, task, 2), square = mass_factor(block, task, 4);
     const int known = isgreater(factor, 0) && isgreater(square, 0);
     const double power = known ? log2(factor) : (double)NAN;
-    char name[SENTENCE], power_text[NUMBER + 40] = "";
-    snprintf(name, sizeof name, "%.*s", whole ? SENTENCE - 1 : (int)strcspn(parameter, ","),
-             whole ? "the last argument, twice their effective mass" : parameter);
+    char name[NUMBER * 2], reason[NUMBER * 4];
     if (block->model->law == COR_LAW_IMPULSE)
         return;
     if (!needs_mass(block, task)) {
         put_comment(t, "Holds for every mass.");
         return;
     }
-    if (!whole && known && fabs(log2(square) - 2 * power) < 1e-6)
-        snprintf(power_text, sizeof power_text, " is proportional to m^%s", number_text(power, 3).text);
-    put_comment(t, "For this %s only, effective mass m = %s kg: %s%s. %s", wall ? "mass at the wall" : "pair of masses",
-                TEXT(task->contact[PAIR][0].mass_kg), name, power_text,
-                differ ? "Each pair of types has its own number."
-                : wall ? "If masses differ, each group of one mass needs its own wall."
-                       : "If masses differ, each pair of types needs its own number.");
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(block->model->parameter, ","), block->model->parameter);
+    if (whole)
+        snprintf(reason, sizeof reason, "the last argument is 2 m");
+    else if (known && fabs(log2(square) - 2 * power) < 1e-6)
+        snprintf(reason, sizeof reason, "%s is proportional to m^%s", name, number_text(power, 3).text);
+    else
+        snprintf(reason, sizeof reason, "%s depends on m", name);
+    put_comment(t, "Right only for the effective mass m = %s kg: %s. %s", TEXT(task->contact[PAIR][0].mass_kg), reason,
+                task->types == 2 && !wall ? "Each pair of types has its own number."
+                : wall                    ? "If masses differ, each group of one mass needs its own wall."
+                                          : "If masses differ, each pair of types needs its own number.");
 }
 
 /* States the pairs of different bodies for which the lines hold, and the replacements for other pairs. */
