@@ -151,7 +151,8 @@ def test_closed_forms(audited):
                 or not row["realised"]
                 or re.search("wall|facet|fixed|box", row["pair"])
                 or re.search(
-                    "damping of all|up to the threshold|includes the cohesion|ignores the damping", row["advice"]
+                    "damping of all|up to the threshold|includes the (cohesion|adhesion)|ignores the damping",
+                    row["advice"],
                 )
             ):
                 continue
@@ -286,6 +287,36 @@ def test_off_centre(tmp_path):
         assert found == status and ("down to about 0.671" in out) == (status == 3), out
 
 
+@pytest.mark.parametrize(
+    "line,status,reason",
+    [
+        ("fix i nosuch nve/sphere", 4, "The group nosuch does not exist here"),
+        ("fix m all mcg 2", 0, "cor does not know fix m (mcg)"),
+        ("include ${where}", 4, "The file ${where}: the variable where, which"),
+        ("read_data none.data", 0, "The file none.data cannot be read."),
+        ("shell mkdir post", 0, "2 as asked within 1 %, 0 not, 0 without e\n"),
+    ],
+)
+def test_other_lines(tmp_path, line, status, reason):
+    """LAMMPS and LIGGGHTS: lines that do not change eps of the contact, their remarks, and the status."""
+    text = (DECKS[0].parent / "liggghts-multisphere.lig").read_text().replace("pair 1 0.7", "pair 1 1")
+    found, out, _ = run("audit", write(tmp_path, "a.lig", text.replace("run 1", f"{line}\nrun 1")))
+    assert found == status and reason in out, out
+
+
+def test_gravity_of_discs(tmp_path):
+    """LAMMPS: fix gravity spherical in two dimensions, which has no third angle."""
+    surface = []
+    for words in "spherical 0 -180", "vector 0 -1 0":
+        text = "dimension 2\nunits si\natom_style sphere\nregion b block 0 1 0 1 -0.1 0.1\ncreate_box 1 b\n"
+        text += "create_atoms 1 single 0.5 0.5 0\nset type 1 diameter 0.01 density 2500\n"
+        text += "pair_style gran/hooke 1000 NULL 50 NULL 0 0\npair_coeff * *\n" + f"fix g all gravity 9.81 {words}\n"
+        text += "".join(f"fix {a}w all wall/gran hooke 1000 NULL 50 NULL 0 0 {a}plane 0 1\n" for a in "xy")
+        rows = json.loads(run("audit", write(tmp_path, "a.lmp", text), "--speed", "0.01", "--format", "json")[1])
+        surface.append([row["realised_surface"] for row in rows])
+    assert surface[0] == surface[1] and surface[0][:2] == [None, None] and surface[0][2] > 0
+
+
 def test_template_words(tmp_path):
     """A template word without a value causes a remark, which changes the status."""
     for word, status in (("1e-5", 0), ("{{STEP}}", 4)):
@@ -407,13 +438,18 @@ def test_attributes_that_are_not_numbers(tmp_path, key, wrong):
         assert status == 2 and f"MuJoCo does not load this model: {key} must" in messages, (model, messages)
 
 
-def test_long_loop(tmp_path, monkeypatch):
-    """After half of the allowed time cor leaves a loop, reports this, and reads the lines below it."""
+@pytest.mark.parametrize("stiffness,status", [(2000, 0), ("$i", 4)])
+def test_long_loop(tmp_path, monkeypatch, stiffness, status):
+    """After half of the allowed time cor leaves a loop, reports this, and reads the lines below it. The remark matters
+    if the last rounds had new contacts."""
     monkeypatch.setattr("cor._audit.script.MAX_SECONDS", 0.1)
-    loop = "variable i loop 4000000\nlabel again\nvariable x equal 1\nnext i\njump SELF again\n"
-    path = write(tmp_path, "in.loop", loop + "units lj\npair_style gran/hooke 2000 NULL 50 NULL 0 0\nrun 0\n")
-    status, out, _ = run("audit", path, "--radius", "0.5", "--density", "1", "--format", "json")
-    assert status == 4 and [row["line"] for row in json.loads(out)] == [5, 7]
+    style = f"pair_style gran/hooke {stiffness} NULL 50 NULL 0 0\nrun 0\n"
+    path = write(
+        tmp_path, "in.loop", f"units lj\nvariable i loop 4000000\nlabel again\n{style}next i\njump SELF again\n"
+    )
+    found, out, _ = run("audit", path, "--radius", "0.5", "--density", "1", "--format", "json")
+    lines = [row["line"] for row in json.loads(out)]
+    assert found == status and lines[0] == 7 and (len(lines) > 2) == (status == 4), (found, lines)
 
 
 def test_units():

@@ -121,7 +121,8 @@ def _text(row: Row) -> str:
     if row.tangential_restitution == row.tangential_restitution:
         number += f"; tangential restitution {row.tangential_restitution:.6g}"
     if row.measured == row.measured or row.measured_small_step == row.measured_small_step:
-        number += f"; measured {row.measured:.6g}, with a hundredth of the step {row.measured_small_step:.6g}"
+        number += "; measured " + (f"{row.measured:.6g}, " if row.measured == row.measured else "")
+        number += f"with a hundredth of the step {row.measured_small_step:.6g}"
     lines += [number] + ([row.advice] if row.advice else []) + ([f"write: {row.instead}"] if row.instead else [])
     return "\n    ".join(printable(line) for line in lines) + "\n"
 

@@ -117,6 +117,7 @@ class Contact:
     solimp: Optional[Tuple[float, ...]] = None  # MuJoCo: dmin, dmax, width, midpoint, power
     softness: float = 1.0  # MuJoCo: an argument of cor_mujoco_eps
     cohesion: Tuple[str, float] = "", 0.0
+    bond: float = 0.0  # Pa; the pull that breaks a bond is this times the square of the smaller radius
     luding: Optional[Tuple[float, ...]] = None  # k1, kp, kc, G0 and PhiF of a pair
     unknown: str = ""
     refused: str = ""

@@ -35,12 +35,15 @@ _INTEGRATES = re.compile(r"(nve|nvt|npt|nph|rigid|multisphere|poems|brownian|nvk
 _LOSSES = re.compile(
     r"(viscous|langevin|temp|press|drag|nvt|npt|nph|gld|ttm|lb|srd|couple/cfd|deform)(/.*)?$|nve/limit$|addforce$"
 )
+_KNOWN_FIXES = re.compile(
+    "(adapt|addforce|addtorque|ave|balance|box|check|concentration|contact|controller|couple|cfd|deform|deposit|"
+    "drag|dt|dummy|enforce2d|evaporate|external|freeze|gld|gravity|halt|heat|indent|insert|langevin|lb|lineforce|"
+    "massflow|mesh|momentum|move|multisphere|neigh|nph|npt|nve|nvt|particle|planeforce|poems|pour|press|print|"
+    "property|propel|recenter|region|remove|restrain|rigid|scalar|set|spring|srd|store|temp|thermal|transport|ttm|"
+    "vector|viscous|volume|wall|bd|brownian)"
+    "(/.*|force|template.*|distribution.*|tracker.*)?$"
+)
 _NORMAL = {"hooke": 2, "hertz": 2, "hertz/material": 3, "dmt": 4, "jkr": 4}  # number of coefficients
-_FAULTS = {
-    "dmt": "The pull of DMT adhesion makes eps depend on the speed; without it eps would depend only on the damping.",
-    "jkr": "LAMMPS separates bodies at the largest pull of JKR's force: they stick below 0.703 times the speed of "
-    "JKR's theory, and lose half its energy. The damping adds to this loss.",
-}
 _BY_MASS = ("HOOKE_MASS_VELOCITY", "HOOKE_VISCOELASTIC", "HERTZ_VISCOELASTIC", "HERTZ_MASS_VELOCITY")
 _BY_ROOT = ("HOOKE_TSUJI", "HERTZ_TSUJI", "COEFF_RESTITUTION")  # damping is proportional to the root of the mass
 _KNOWN = _BY_MASS + _BY_ROOT + ("HOOKE_VELOCITY", "HERTZ_VELOCITY")
@@ -158,6 +161,7 @@ class Granular(System):
         self.dimension, self.types, self.step, self.atom_style, self.is_scaled = 3, 0, 0, "", False
         self.cohorts: List[Cohort] = []
         self.group_names: Dict[str, bool] = {"all": True}
+        self.groups_known = True
         self.regions: Dict[str, Words] = {}
         self.molecules: Dict[str, List[Cohort]] = {}
         self.box: Optional[Words] = None
@@ -180,6 +184,9 @@ class Granular(System):
                 setattr(other, name, copy.copy(value))
         other.cohorts = [replace(c) for c in self.cohorts]
         return other
+
+    def count(self) -> int:
+        return len(self.seen)
 
     def keyword(self, name: str) -> float:
         if name == "step" and self.step >= 0:
@@ -246,8 +253,11 @@ class Granular(System):
     def on_read_data(self, words: Words) -> None:
         """Reads the types of a data file, and the sizes and densities of its atoms if they are spheres."""
         self.created, self.box = -1, None
+        self.groups_known &= words[0] == "read_data" and words.find("group", 2) < 0
         found = self.options.include(words[1], words.line.file) if is_known(words[1]) else None
         text = found[0] if found and words[0] == "read_data" else ""
+        if found is None and words[0] == "read_data" and is_known(words[1]):
+            self.script.remark(words.line, f"The file {words[1]} cannot be read.", False)
         types = re.search(r"^\s*(\d+)\s+atom types", text, re.M)
         atoms = re.search(r"^Atoms\b.*$", text, re.M)
         sizes: Dict[int, List[float]] = {}
@@ -331,6 +341,7 @@ class Granular(System):
         name, how, what = words[1], words[2], words[3:]
         if how == "dynamic":
             self.group_names.pop(name, None)  # the atoms of the group are unknown
+            self.groups_known = False
         else:
             self.hold_line(self.group_names, name, True)
         if how in ("delete", "clear"):
@@ -416,6 +427,9 @@ class Granular(System):
         self.fixes.pop(words[1], None)
         self.hold_line(self.fixes, words[1], words)
         groups = frozenset(("all", words[2]))
+        if self.types and self.groups_known and is_known(words[2]) and words[2] not in self.group_names:
+            text = f"The group {words[2]} does not exist here: the program stops with an error."
+            self.script.remark(words.line, text)
         if style in ("pour", "pour/legacy", "deposit"):
             self.pour(words, style != "deposit", groups)
             self.created = -1
@@ -673,6 +687,8 @@ class Granular(System):
         moving = self.moving()
         losses = [f for f in self.fixes.values() if _LOSSES.match(_ACCELERATED.sub("", f[3]))]
         sentences = [f"fix {f[1]} ({f[3]}) changes energy outside contacts." for f in losses]
+        strange = [f for f in self.fixes.values() if not _KNOWN_FIXES.match(_ACCELERATED.sub("", f[3]))]
+        sentences += [f"cor does not know fix {f[1]} ({f[3]}): eps does not include its effect." for f in strange]
         adapted = self.has(r"adapt(/fep)?|dt/reset")
         sentences += [f"fix {f[1]} ({f[3]}) changes numbers of the contact during a run." for f in adapted]
         fault = self.fault or ("A fix adapt changes the pair style." if any("pair" in f for f in adapted) else "")
@@ -782,6 +798,8 @@ class Granular(System):
             contact.number, contact.tangential = math.sqrt(abs(contact.number * second.number)), Tangential(_MIXED)
             contact.repair, contact.slots, contact.line, contact.file = None, (), second.line, second.file
             contact.unknown = contact.unknown or second.unknown
+            if contact.cohesion[0]:
+                contact.unknown = contact.unknown or "cor does not mix the adhesion of two types."
             contact.notes = ["No line for this pair: LAMMPS uses the geometric mean of both types."]
             is_same = contact.model.endswith(("E_VELOCITY", "Z_VELOCITY", "RESTITUTION", "RESTITUTION_LIMIT"))
             if not is_same and self.version < _MIXES_SINCE and not contact.unknown:
@@ -848,7 +866,15 @@ class Granular(System):
         is_limited = words.find("limit_damping", at) > 0
         has_row = hasattr(lib, f"COR_LAMMPS_{name}_LIMIT")
         contact.model = f"LAMMPS_{name}" + ("_LIMIT" if is_limited and has_row else "")
-        contact.limited, contact.unknown = is_limited and not has_row, _FAULTS.get(force, "")
+        contact.limited = is_limited and not has_row
+        if force in ("dmt", "jkr"):
+            contact.cohesion = force, 2 * words.number(at + 4)  # the work of adhesion is twice LAMMPS's number
+            contact.slots, contact.unknown = (
+                (),
+                "cor does not support limit_damping with adhesion." if is_limited else "",
+            )
+            end = "; LAMMPS parts the bodies at the largest pull" if force == "jkr" else ""
+            contact.notes.append(f"eps includes the adhesion{end}.")
         contact.spring = Spring.HOOKE if force == "hooke" else Spring.HERTZ
         if of.style == "granular" and any(words.after(w, at) not in ("", "none") for w in ("rolling", "twisting")):
             contact.tangential = Tangential(ROLLS)
@@ -966,6 +992,8 @@ class Granular(System):
                 made = (
                     self.new(words, m.body, wall, style, unknown) if unknown else self.between(of, None, m.body, wall)
                 )
+                if made.cohesion[0] == "jkr":
+                    made.unknown = made.unknown or "At a wall JKR of LAMMPS 29 Sep 2021 gives no finite velocity."
                 made.gravity = self.pressing(words)
                 found.append((m, made))
             if found and self.are_alike([m for m, _ in found]):
@@ -1015,6 +1043,8 @@ class Granular(System):
             if f[5] == "chute":
                 direction = [math.sin(a), 0.0, 0.0]
                 direction[up] = -math.cos(a)
+            elif f[5] == "spherical" and self.dimension == 2:
+                direction = [math.sin(b), math.cos(b), 0.0]
             elif f[5] == "spherical":
                 direction = [math.sin(b) * math.cos(a), math.sin(b) * math.sin(a), math.cos(b)]
             length = math.sqrt(sum(v * v for v in direction))
@@ -1022,7 +1052,8 @@ class Granular(System):
         plane = next((i for i, word in enumerate(words) if re.fullmatch("[xyz]plane", word)), 0)
         size = math.sqrt(sum(v * v for v in total))
         if plane:
-            size = total["xyz".index(words[plane][0])]
+            along = total["xyz".index(words[plane][0])]
+            size = along if abs(along) > 1e-9 * size else 0.0
             if not self.is_liggghts and words[plane + 1 if size < 0 else plane + 2] == "NULL":
                 size = 0.0  # gravity points to the side that has no wall
         return abs(size) or NAN

@@ -138,6 +138,13 @@ class _Audit:
             if not math.isnan(speed):
                 row.realised = self.mujoco(contact, scene, damping, speed, 0.0)
             return int(end)
+        if contact.cohesion[0] == "jkr":
+            end, scene.adhesion_j_m2 = lib.COR_JKR_LARGEST_PULL, contact.cohesion[1]
+            row.end = "the largest pull"
+        elif contact.cohesion[0] == "dmt":
+            scene.force_n = 2 * math.pi * contact.cohesion[1] * scene.radius_m
+        if contact.cohesion[0] and math.isnan(speed):
+            return int(end)
         at = 1.0 if math.isnan(speed) else speed
         scene.damping = damping if constant else damping * at ** -lib.cor_scene_speed_exponent(scene)
         if end >= lib.COR_SCENE_ENDS:
@@ -148,7 +155,9 @@ class _Audit:
                 row.advice += f" eps is 0 up to the threshold, {contact.threshold:.6g} m/s."
             return int(end)
         impact, eps = ffi.new("struct cor_scene_impact *"), ffi.new("double *")
-        if lib.cor_scene_needs_solver(scene):  # libcor integrates it only under a force: set a negligible one
+        if (
+            lib.cor_scene_needs_solver(scene) and not contact.cohesion[0]
+        ):  # libcor integrates it only under a force: set a negligible one
             scene.force_n = 1e-13 * scene.mass_kg * at / lib.cor_scene_elastic_duration_s(scene, at)
         if lib.cor_scene_impact(impact, scene, at) == lib.COR_OK:
             row.realised = impact.eps[end]
@@ -160,9 +169,18 @@ class _Audit:
             row.realised = row.duration_s = NAN
             with contextlib.suppress(ArithmeticError):
                 row.realised = self.luding(contact, scene.mass_kg, speed, row.size)
+        elif contact.bond != 0:
+            d, radii = contact.global_damping, [b.radius[row.size] for b in contact.bodies]
+            row.realised = row.duration_s = NAN
+            with contextlib.suppress(ArithmeticError):
+                softness = sum(1 / (2 * b.young * r) for b, r in zip(contact.bodies, radii))
+                loss = (contact.bond * min(radii) ** 2) ** 2 * softness / scene.mass_kg / speed**2
+                square = (1 - d) / (1 + d) - (1 + d) * loss
+                row.realised = math.sqrt(max(square, 0.0)) if square == square else NAN
+            row.advice += " eps includes the pull that breaks the bond, and the damping of all forces."
         elif contact.global_damping != 0:
             self.damp(row, contact, law, end, damping)
-        if contact.cohesion[0]:
+        if contact.cohesion[0].startswith("sjkr"):
             row.realised = row.duration_s = NAN
             with contextlib.suppress(ArithmeticError):
                 row.realised = self.cohesive(contact, scene, speed, row.size)
@@ -336,13 +354,16 @@ class _Audit:
         steps = lib.cor_scene_elastic_duration_s(scene, at) / step if step > 0 else NAN
         wished = row.realised if math.isnan(row.asked) else row.asked
         allowed = self.options.tolerance * wished
-        if contact.cohesion[0] and 2 < steps < 500 and row.realised > 0:
+        if contact.cohesion[0].startswith("sjkr") and 2 < steps < 500 and row.realised > 0:
             phases = [self.cohesive(contact, scene, speed, row.size, step, (k + 0.5) / 16) for k in range(16)]
             row.step_bias = sum(phases) / 16 - row.realised
             row.step_scatter = math.sqrt(sum((x - row.realised - row.step_bias) ** 2 for x in phases) / 16)
             if max(abs(row.step_bias), row.step_scatter) > allowed:
                 row.advice += f" The time step changes the mean eps to {row.realised + row.step_bias:.6g}."
             return max(abs(row.step_bias + row.realised - wished), row.step_scatter) <= allowed
+        knows = scene.mass_kg * scene.stiffness > 0 and contact.global_damping == 0
+        if math.isnan(speed) and math.isnan(row.duration_s) and step > 0 and knows:
+            row.advice += " The error of the time step is not included: give --speed."
         if integrator == lib.COR_NO_INTEGRATOR or not 0 < row.duration_s < math.inf or not step > 0:
             return True
         elastic = lib.cor_scene_elastic_duration_s(scene, at)
@@ -387,7 +408,7 @@ class _Audit:
             row.advice += " The stiffness could not be read."
         elif math.isnan(speed):
             row.advice += " eps depends on the impact speed: give --speed."
-        elif row.contact and row.contact.cohesion[0]:
+        elif row.contact and row.contact.cohesion[0].startswith("sjkr"):
             most = f" cor integrates at most {_COHESIVE} contacts with cohesion of a deck."
             row.advice += most if self.cohesive_left < 0 else " The cohesion exceeds the spring force."
         else:
@@ -431,7 +452,7 @@ class _Audit:
             row.judged, row.as_asked = True, False
         elif not contact.unknown:
             self.judge(row, contact, model, scene, speed)
-            if other and self.version == 0 and model.damping_of_e and contact.zeta_factor:
+            if other and self.version == 0 and model.damping_of_e and contact.zeta_factor and not contact.cohesion[0]:
                 row.advice += f" The model {string(model_of(other).model)} realises "
                 row.advice += f"{lib.cor_simulator_realised(model_of(other), contact.number):.6g}."
         row.advice = " ".join([row.advice] + contact.losses).strip()

@@ -263,6 +263,10 @@ class System:
     def copy(self) -> "System":
         raise NotImplementedError
 
+    def count(self) -> int:
+        """Returns the number of contacts."""
+        return 0
+
     def keyword(self, name: str) -> float:
         """Returns the value of a thermodynamic keyword. Raises Unknown if only a run gives it."""
         raise Unknown(f"{name}, which is known only in a run")
@@ -284,6 +288,7 @@ class World:
         self.label, self.skip_jump, self.partition, self.depth, self.is_left = "", False, 0, 0, False
         self.evaluated: Set[str] = set()
         self.changes = 0  # number of commands that changed the system
+        self.rounds: Dict[Tuple[str, str], List[int]] = {}  # number of contacts at each jump to a label
         self.visited: Dict[Tuple[str, int], Any] = {}  # place of an `if` -> changes and variables at its last visit
         self.pending: List[str] = []
         self.place = Line("", 0, 0, "")
@@ -435,7 +440,7 @@ class World:
     def open(self, name: str, words: Words) -> Optional[Source]:
         found = self.script.options.include(name, self.stack[-1][0].name) if is_known(name) and self.stack else None
         if found is None:
-            shown = name.split(_MARK)[1] if not is_known(name) else name
+            shown = name.split(_MARK)[1].replace(_BLANK, " ") if not is_known(name) else name
             self.script.remark(
                 words.line, f"The file {shown} cannot be read: it must be a plain file next to this one."
             )
@@ -471,8 +476,11 @@ class World:
                 self.stack.clear()
                 return
             self.stack[-1] = (source, at, line)
+            rounds = self.rounds.setdefault(key, [])
+            rounds.append(self.system.count())
             if source.name == here[0].name and at < here[1] and self.script.is_late():
-                self.script.remark(words.line, "The loop takes too long to read; cor reads on after its first rounds.")
+                text = "The loop takes too long to read; cor reads on after its first rounds."
+                self.script.remark(words.line, text, rounds[-1] != rounds[len(rounds) // 2])
                 self.stack[-1] = here
                 return
             self.label = words[2]
@@ -560,6 +568,8 @@ class World:
         self.is_left = bool(self.script.split)  # after an unknown condition, LAMMPS may not reach this line
 
     def name_only(self, words: Words) -> None:
+        if words[0] == "shell" and words[1] in ("mkdir", "rm", "rmdir", "cd", "echo"):
+            return
         self.script.remark(words.line, f"{words[0]} is not executed; contacts that depend on it are wrong.", False)
 
     def run(self) -> None:

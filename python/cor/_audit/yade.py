@@ -236,6 +236,10 @@ class Script:
             self.bodies, self.materials, self.things = [], [], []
         if isinstance(of, Thing) and of.name in ("O.materials", "O.bodies", "O.engines", "SpherePack"):
             return self.method(of, thing)
+        if name == "toSimulation":
+            material = self.material(thing.values.get("material", -1))
+            self.bodies.append(Spheres("sphere", material, (NAN, NAN), fixed=thing.values.get("fixed") is True))
+            self.note(node.lineno, "the radii of a packing are not read")
         is_body = any(
             isinstance(x, Spheres) for x in thing.arguments
         )  # add a body even if it is not certain that this line runs
@@ -746,10 +750,16 @@ class _Reader:
         if strong and all(m and m.values.get("isCohesive") is not False for m in materials):
             new, now = (functor.values.get(f"setCohesion{when}", False) for when in ("OnNewContacts", "Now"))
             first = functor.values.get("cohesiveTresholdIteration", 1)
-            if new is not False or not isinstance(first, (int, float)) or not 0 <= first <= 10:
+            c.bond = min(m.number("normalCohesion") if m else NAN for m in materials)
+            fragile = all(m and m.values.get("fragile", True) is True for m in materials)
+            if new is True and fragile and "normalCohesion" in strengths and "normalCohesion" not in functor.values:
+                c.notes.append("eps holds for contacts that begin without a bond; each of them makes a bond.")
+                c.unknown = "" if c.bond >= 0 else "Of its material normalCohesion is not a constant."
+            elif new is not False or not isinstance(first, (int, float)) or not 0 <= first <= 10:
                 c.unknown = "The cohesion changes eps."
             elif now is not False or "cohesion" in strengths:
                 c.notes.append("eps holds for contacts whose bond is broken or absent.")
+            c.bond = c.bond if new is True else 0.0
 
     def set_concrete(self, c: Contact, functor: Thing, a: Optional[Thing], b: Optional[Thing]) -> None:
         """Sets the spring of CpmPhys without a bond. Bonds of only the first steps do not act later."""
@@ -917,8 +927,8 @@ class _Reader:
         return Tangential("viscel", shear, ratio, friction)
 
     def radii(self, c: Contact) -> List[float]:
-        """Returns the radii from which YADE computes stiffnesses. A wall has the sphere's radius."""
-        return [c.bodies[0].radius[0] if b.wall else b.radius[0] for b in c.bodies]
+        """Returns the radii from which YADE computes stiffnesses: a facet has two radii of the sphere, a wall one."""
+        return [b.radius[0] for b in c.bodies]
 
     def set_mass(self, c: Contact, one: Spheres, two: Spheres) -> None:
         """Sets zeta_factor for tc and en: YADE's damping uses m m'/(m + m') with m' of any partner, walls included."""
