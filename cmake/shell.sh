@@ -136,8 +136,8 @@ some_in_turn() {
     awk -F '\t' -v n="$1" -v turn="$2" 'NR % n == turn { print $NF }'
 }
 
-# builds_whole CC [--long]: true if a test run builds everything with this compiler: always with gcc, with others in
-# extended runs and in every fifth turn. In that turn tests/hygiene/run runs only valgrind.
+# builds_whole CC [--long]: true if a test run builds everything with this compiler. gcc always does. Others do in long
+# runs and in every fifth turn. In that turn tests/hygiene/run runs only valgrind.
 builds_whole() {
     [ "$1" = gcc ] || [ "${2-}" = --long ] || [ "$(turn_of 5)" -eq 2 ]
 }
@@ -151,7 +151,7 @@ parse_rest() {
         (cd "$1" && xargs -r -P "$jobs" -d '\n' -n 1 sh -c)
 }
 
-# build_tested CC DIR [--long]: builds everything if builds_whole, otherwise the library and its tests; parses the rest.
+# build_tested CC DIR [--long]: builds all if builds_whole. Otherwise builds library and tests, and parses the rest.
 build_tested() {
     if builds_whole "$1" "${3-}"; then
         build "$2"

@@ -59,7 +59,7 @@ static void put_exact(double x)
 
 /* ---- the contact ---- */
 
-/* Returns the name of end 0 or 1 of the contact as in columns: "zero_overlap"; "zero_force" or "surface" */
+/* Returns the name of an end of the contact, as in columns. 0: "zero_overlap". 1: "zero_force" or "surface". */
 WEB_EXPORT(web_end) const char *web_end(int end)
 {
     return cor_scene_end_name(&web_now.contact[0], end);
@@ -186,7 +186,7 @@ static int integrator(void)
     return web_now.simulator ? web_now.simulator->integrator : COR_VERLET_HALF_STEP;
 }
 
-#define STEPS_ON_PAGE 2e4 /* in a contact; more would block the page for seconds */
+#define STEPS_ON_PAGE 2e4 /* steps in a contact; more would block the page for seconds */
 
 /* Computes bias and scatter of eps at time_step_s; NaN: at the step of the request, but not above STEPS_ON_PAGE steps.
  * y receives n of each for every curve. */
@@ -280,7 +280,7 @@ static struct asked find_asked(const struct web_request *r)
     return a;
 }
 
-/* Returns the next model of the request's simulator and version that takes an e, or NULL. *next: 0 at first */
+/* Returns the next model with an input e of the request's simulator and version, or NULL. *next: 0 at first */
 static const struct cor_simulator_model *next_model(const struct web_request *r, int *next)
 {
     const long version = *r->version ? cor_simulator_version(r->version) : 0;

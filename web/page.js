@@ -571,7 +571,7 @@ function chooseBodies() {
     $("fold-bodies").open = $("fold-bodies").open || (!material && kind() !== "none");
 }
 
-// Selects law, second body and damping to suit each other: a plate has its own law, and waves in it take the energy.
+// Makes law, second body and damping consistent. A plate has its own law, and waves in the plate take the energy.
 function fitPlate(id) {
     const plate = $(id).value === "plate", put = (id, other) => {
         $(id).value = plate ? id === "way" ? "none" : "plate" : /plate|none/.test($(id).value) ? other : $(id).value;

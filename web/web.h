@@ -24,9 +24,9 @@ struct web_request {
     size_t speeds;
     int steps_given, at_surface;                    /* at_surface: the given end is "surface" */
     double steps;                                   /* number of time steps in the shortest contact */
-    double speed_min_m_s, speed_max_m_s, tolerance; /* for the header */
+    double speed_min_m_s, speed_max_m_s, tolerance; /* of corgen embed */
     const struct cor_simulator *simulator;          /* NULL: none is chosen */
-    char version[WEB_VALUE];                        /* of the simulator */
+    char version[WEB_VALUE];                        /* version of the simulator */
 };
 
 /* web_now: the last correct request. web_wrong: the option that made a later request wrong, and a sentence */

@@ -28,7 +28,7 @@ struct method {
 
     /* computes out[i] = eps(in[i]), independently for each i */
     void (*each)(const struct method *method, const struct scene *scene, const double *in, double *out, size_t n);
-    /* as `each`, but each eps waits for the previous one; returns the last eps; NULL for arrays */
+    /* computes the same, but each eps waits for the previous one; returns the last eps; NULL for arrays */
     double (*chain)(const struct method *method, const struct scene *scene, const double *in, size_t n);
 };
 

@@ -110,7 +110,7 @@ class Declarations:
         self._read("cor.h", "version")
 
     def short_name(self, name: str, header: str) -> str:
-        """Returns a C name or macro without the prefix cor_<module>_, or else without cor_."""
+        """Returns a C name or macro without cor_<module>_. If it does not begin so, removes only cor_."""
         prefix = "cor_" + self.modules[header] + "_"
         for start in (prefix, "cor_"):
             if name.lower().startswith(start) and not name[len(start)].isdigit():

@@ -232,7 +232,7 @@ def test_texts_for_numbers(tmp_path, deck, old, new, reason):
 
 
 def test_included_bodies(tmp_path):
-    """MuJoCo: the bodies of an included file, between others, are judged as if they were in the including file."""
+    """MuJoCo: a file included between bodies is judged as if its bodies were in the including file."""
     ball = '<body><freejoint/><geom name="{}" type="sphere" size=".1" solref="-1000 -{}"/></body>'
     parts = [ball.format(name, damping) for name, damping in (("a", 10), ("b", 20), ("c", 30))]
     write(tmp_path, "b.xml", '<mujocoinclude><include file="inner.xml"/></mujocoinclude>')
@@ -487,7 +487,7 @@ def test_million_lines(tmp_path, kind):
 
 
 def test_any_text(audited):
-    """Decks with parts that are deleted, repeated and replaced: a DeckError with a reason, or eps from 0 to 1."""
+    """Decks with deleted, repeated and replaced parts cause a DeckError with a reason, or have eps from 0 to 1."""
     words = [
         "0",
         "-1",

@@ -526,7 +526,7 @@ def test_commands_give_the_fit(bodies):
 
 
 def test_parameters_of_materials():
-    """The parameter of the bodies, used in a contact of cor, gives eps of the fit."""
+    """A contact of cor with the fitted parameter of the bodies has eps of the fit."""
     bodies = dict(young=7e10, poisson=0.24, radius=0.005, mass=1.3e-3)
     data = draw_points("viscoelastic zero-force", np.random.default_rng(12), n=10)
     result = cor.fit(data, wall=True, density_2=2500.0, viscosity_liquid=1e-3, **bodies)

@@ -157,7 +157,7 @@ class _Audit:
         impact, eps = ffi.new("struct cor_scene_impact *"), ffi.new("double *")
         if (
             lib.cor_scene_needs_solver(scene) and not contact.cohesion[0]
-        ):  # libcor integrates it only under a force: set a negligible one
+        ):  # libcor integrates only under a force: set a negligible one
             scene.force_n = 1e-13 * scene.mass_kg * at / lib.cor_scene_elastic_duration_s(scene, at)
         if lib.cor_scene_impact(impact, scene, at) == lib.COR_OK:
             row.realised = impact.eps[end]

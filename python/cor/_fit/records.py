@@ -63,7 +63,7 @@ KINDS: List[Tuple[str, List[str], List[str]]] = [
     ("times", ["t"], ["h0"]),
     ("intervals", ["interval"], ["h0"]),
     ("apexes", ["h"], ["h_sigma", "h0"]),
-    ("heights", ["h1"], ["h1_sigma"]),  # with --drop-height
+    ("heights", ["h1"], ["h1_sigma"]),  # needs --drop-height
 ]
 WANTED = (
     "a row with the names and units of the columns above the numbers, such as speed_m_s,eps or "
@@ -594,7 +594,7 @@ def _array_table(source: Any, form: Form) -> Table:
 def read(source: Any, form: Form = Form(), progress: Callable[[str], None] = lambda step: None) -> Data:
     """Return the data of a path ("-": standard input), an open file, a pandas object, a dict, or arrays.
 
-    Raises DataError, whose text names the place, the allowed values and an example, and OSError."""
+    Raises OSError, or DataError with a text that names the place, the allowed values and an example."""
     if isinstance(source, (str, PathLike)):
         path = fspath(source)
         table = Table("standard input" if path == "-" else str(path), "line", form)

@@ -102,7 +102,7 @@ class Result:
         return np.array(rows, [*texts, *((name, np.float64) for name in COLUMNS)]).view(np.recarray)
 
     def find(self, model: Optional[str] = None, end: Optional[str] = None, group: str = "") -> Tuple[Model, Estimate]:
-        """Return a model and its fit. Default: the model that the verdict names or, if none fits, of least AIC."""
+        """Return a model and its fit. Default: the model in the verdict or, if none fits, the least AIC."""
         if group not in self.groups:
             raise ValueError(f"group: {group!r}; allowed: {', '.join(map(repr, self.groups))}")
         fits = self.groups[group].comparison.fits

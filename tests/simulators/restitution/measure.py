@@ -34,7 +34,7 @@ LAWS = ["linear", "tsuji", "viscoelastic", "hertz-dashpot", "hunt-crossley"]
 DAMPING_EXPONENT = {"linear": 1, "tsuji": 0.25, "viscoelastic": 0.5, "hertz-dashpot": 1, "hunt-crossley": 1.5}
 # Numbers of time steps within the contact; each is twice the previous one.
 COUNTS = [5000, 10000, 20000]
-# Largest |eps - e| with corgen's lines. A user's own e: largest difference from the map of runtime/scene/simulators.c
+# Largest |eps - e| with corgen's lines. With a user's own e: largest |eps - map|, runtime/scene/simulators.c
 TOLERANCE = 1e-5
 # The bodies in the drivers here: effective mass 1.6 g, effective radius 4 mm; at a wall only the first body
 SPRING = ["--stiffness", "1e5", "--effective-mass"]
