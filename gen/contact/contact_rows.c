@@ -197,10 +197,8 @@ static int add_hertz(struct table *table, const struct contacts *contacts, int k
         status = cor_scene_eps(&eps, &hertz, speed_m_s, end);
     if (status != COR_FAULT_NONE)
         return contact_status(status);
-    /* the approach is damped until the largest overlap; the rebound is half an elastic contact at the final speed */
-    const double in = cor_sphere_time_of_max_overlap(impact.beta) / cor_sphere_duration_zero_overlap(0),
-                 approach_s = in * cor_scene_elastic_duration_s(&hertz, speed_m_s) +
-                              cor_scene_elastic_duration_s(&hertz, eps * speed_m_s) / 2;
+    const double approach_s = cor_sphere_duration_approach_only(impact.beta) / cor_sphere_duration_zero_overlap(0) *
+                              cor_scene_elastic_duration_s(&hertz, speed_m_s);
     table_add_number(table, eps, digits);
     table_add_number(table, end < COR_SCENE_ENDS ? impact.duration_s[end] : approach_s, digits);
     table_add_number(table, impact.max_overlap_m, digits);

@@ -242,7 +242,7 @@ static void search_rows(struct worst *worst, const struct search_function *f, co
 {
     enum { WEAK = 42, STRONG = 43, SHORT = 36, LONG = 70 };
     static NUMBERS(tsuji, 0.4, 2.5, 40, 2.0899e5, 1e6, 1e17);
-    static NUMBERS(late, 0.01, 0.3, 1, 3, 5.9, 6.4, 6.6, 7, 8, 9, 9.9, 9.99, 10.0001, 10.1, 10.5, 11, 12, 14, 17);
+    static NUMBERS(late, 0.01, 0.3, 1, 3, 5.9, 6.4, 6.6, 7, 8, 9, 9.9, 9.99, 10.0001, 10.1, 10.5, 11, 12, 14, 17, 112);
     static NUMBERS(crossley, 89.02, 90, 95, 110, 150, 300, 2.516e11, 1e12, 1e14, 1e16);
     const bool is_tsuji = f->law == COR_LAW_TSUJI,
                is_late = is_tsuji && f->quantity == COR_DURATION && f->end == COR_END_ZERO_OVERLAP;

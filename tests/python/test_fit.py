@@ -468,6 +468,8 @@ def test_a_flat_minimum_is_not_determined():
     assert any("Not determined" in line for line in result.remarks()) and result.command("power-law") is None
     exact = cor.fit(times([np.cumsum([0, *0.8 ** np.arange(6)])]), law="constant")
     assert exact.find()[1].theta[0] == pytest.approx(0.8) and "nan" not in " ".join(exact.remarks())
+    assert math.isfinite(cor.fit({"speed_m_s": [1, 2, 3], "eps": [0.5] * 3}, law="constant").find()[1].aic)
+    assert math.isnan(compare.groups_p_value(np.array([1.0, -1.0, 0.5]), 1))  # one of two groups has one point
 
 
 def test_predictions_carry_the_uncertainty():
