@@ -280,7 +280,7 @@ static struct asked find_asked(const struct web_request *r)
     return a;
 }
 
-/* Returns the next model with an input e of the request's simulator and version, or NULL. *next: 0 at first */
+/* Returns the next model of the request's simulator and version that has an input e, or NULL. *next: 0 at first */
 static const struct cor_simulator_model *next_model(const struct web_request *r, int *next)
 {
     const long version = *r->version ? cor_simulator_version(r->version) : 0;

@@ -263,7 +263,7 @@ def test_defaults(tmp_path, name, default):
 
 
 def test_shapes():
-    """Volumes and levers of two spheres, also overlapping or with masses, of an ellipsoid, and of a body too large."""
+    """Volumes and levers of two spheres, also overlapping or with masses, of an ellipsoid, and of too many spheres."""
     gap, lever = 0.012, 0.006**2 / (0.4 * 0.005**2 + 0.006**2)
     for masses in (None, [1, 1]):
         volume, found = clump([(0, 0, 0, 0.005), (0, 0, gap, 0.005)], masses)

@@ -171,7 +171,7 @@ def test_late_material(tmp_path):
 
 
 def test_difference(tmp_path):
-    """The advice states the difference between the program's eps and cor's if cor assumes another version."""
+    """If cor assumes another version, the advice states the difference between the program's eps and cor's."""
     deck = tmp_path / "deck.lmp"
     model = "pair_style granular\npair_coeff * * hooke 1e4 0.5 tangential linear_nohistory 0 0 damping tsuji\n"
     deck.write_text(re.sub(r"pair_style.*\n.*\n", model, HEAD))

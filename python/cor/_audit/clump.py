@@ -63,7 +63,7 @@ def superquadric(a: float, b: float, c: float, n: float, m: float) -> Tuple[floa
     def beta(p: float, q: float) -> float:
         return math.gamma(p) * math.gamma(q) / math.gamma(p + q)
 
-    area = 2 / m * beta(1 / m, 1 + 1 / m)  # the section at z = 0 has the area 2 a b area
+    area = 2 / m * beta(1 / m, 1 + 1 / m)  # the section at z = 0 has the area 2 a b times this
     height = beta(1 / n, 1 + 2 / n)
     across = beta(3 / m, 1 + 1 / m) / beta(1 / m, 1 + 1 / m) * beta(1 / n, 1 + 4 / n) / height
     xx, yy, zz = a * a * across, b * b * across, c * c * beta(3 / n, 1 + 2 / n) / height

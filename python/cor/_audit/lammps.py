@@ -808,7 +808,7 @@ class Granular(System):
         return contact
 
     def fix_one(self, contact: Contact) -> None:
-        """Corrects the damping if a body is neither integrated nor frozen. It does not move, but has its mass."""
+        """Corrects the damping if a body is neither integrated nor frozen. It does not move, but its mass counts."""
         masses = [b.mass[0] if b.mass else _sphere(b.radius[0], b.density) for b in contact.bodies]
         share = masses[contact.bodies[0].held is False] / sum(masses)
         name = contact.model.split("_", 1)[1].replace("_LIMIT", "")

@@ -927,7 +927,7 @@ class _Reader:
         return Tangential("viscel", shear, ratio, friction)
 
     def radii(self, c: Contact) -> List[float]:
-        """Returns the radii from which YADE computes stiffnesses: a facet has two radii of the sphere, a wall one."""
+        """Returns radii for YADE's stiffnesses. A facet has twice the radius of the sphere, a wall the same radius."""
         return [b.radius[0] for b in c.bodies]
 
     def set_mass(self, c: Contact, one: Spheres, two: Spheres) -> None:

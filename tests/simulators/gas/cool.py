@@ -37,7 +37,7 @@ RESTITUTION = ["--restitution", "0.85", "--at", "0.1"]
 FRACTION = "0.03"  # of volume
 SPEED = 0.1  # initial sqrt(T/m)
 COARSE = 12  # time steps in the shortest contact, at 4 sqrt(2 T/m)
-STAGES = 20  # in each, 1 + t/t_1 grows by the factor 1.1; t_1 is `unit` of in.gas
+STAGES = 20  # in each stage, 1 + t/t_1 grows by the factor 1.1; t_1 is `unit` of in.gas
 SHORT_STAGES = 12
 
 # The gases whose scatter gives the statistical error, and the scatter of their ln T, multiplied by sqrt(N)

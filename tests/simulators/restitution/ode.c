@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Collides two equal spheres head-on in ODE, with the numbers and the time step of corgen contact --for gazebo.
  *     ode SOFT_ERP SOFT_CFM STEP_S
- * prints the mean restitution at 1 m/s over 64 places in a time step where the spheres meet:
+ * prints the mean restitution at 1 m/s over 64 places of first touch within a time step:
  *     eps ode 64 MEAN MEAN */
 #include <ode/ode.h>
 
