@@ -260,8 +260,7 @@ def find_outliers(data: Data, sample: Sample, models: Sequence[Model], setup: Se
     The farthest line is removed while n normal errors would reach its distance with a probability below 1/20, up to
     MAX_OUTLIERS lines and a fourth of the points. A removed line has the probability of Student's t, or of the normal
     distribution if errors are given, times the number of lines. While this is SIGNIFICANCE or more for some lines, the
-    nearest one is restored. If given errors are too small for the other points, they are first scaled to
-    chi^2 = n - k."""
+    nearest one is restored. Errors that are too small for the other points are first scaled to chi^2 = n - k."""
     if sample.size > MANY:
         return []
     special = scipy("special")

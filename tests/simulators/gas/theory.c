@@ -49,8 +49,7 @@
  *
  * SHADOW: g_2 = 1 + (5/2) phi + ... counts a third sphere that shields the pair. Its excluded volume has the soft
  * radius d - delta, delta = Gamma(7/5) (5 T/(2 rho))^(2/5) = Gamma(7/5) 2^(2/5) x_max(v_T). The volume that two spheres
- * of radius r share at distance d is (4/3) pi r^3 (1 - 3 d/(4 r) + d^3/(16 r^3)). Its relative change is
- * -(24/5) delta/d.
+ * of radius r share at distance d is (4/3) pi r^3 (1 - 3 d/(4 r) + d^3/(16 r^3)). Its relative fall is (24/5) delta/d.
  *
  * STORED: the mean energy of a contact is T, and it stores on average B(7/5, 1/2)/B(2/5, 1/2) = 4/9 of its energy. A
  * sphere touched by n_c others on average has the energy (2/9) n_c T in its contacts, in addition to (3/2) T. n_c is
