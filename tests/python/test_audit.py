@@ -139,6 +139,9 @@ def eps(z, end):
     return math.exp(-power * z / math.sqrt(1 - z * z))
 
 
+OTHER_THAN_E = "damping of all|up to the threshold|includes the (cohesion|adhesion)|ignores the damping|prescribed"
+
+
 def test_closed_forms(audited):
     """eps of each requested e agrees with the formula in a paper or a page of the simulator. Thornton's is within 3e-4
     up to 0.9 and within 0.008 above."""
@@ -151,7 +154,7 @@ def test_closed_forms(audited):
                 or not row["realised"]
                 or re.search("wall|facet|fixed|box", row["pair"])
                 or re.search(
-                    "damping of all|up to the threshold|includes the (cohesion|adhesion)|ignores the damping",
+                    OTHER_THAN_E,
                     row["advice"],
                 )
             ):
@@ -455,11 +458,11 @@ def test_long_loop(tmp_path, monkeypatch, stiffness, status):
 def test_units():
     """A contact has the same numbers in all units of LAMMPS. The default steps of the units differ."""
     rows = []
-    for name, length, mass, time, step in (
+    for name, length, mass, second, step in (
         ("si", 1, 1, 1, 1e-8), ("cgs", 1e-2, 1e-3, 1, 1e-8), ("micro", 1e-6, 1e-15, 1e-6, 2e-6),
         ("nano", 1e-9, 1e-21, 1e-9, 4.5e-13),
     ):  # fmt: skip
-        hertz = f"hertz {1e6 * length * time**2 / mass} {1e9 * length * time} tangential linear_nohistory 0 0"
+        hertz = f"hertz {1e6 * length * second**2 / mass} {1e9 * length * second} tangential linear_nohistory 0 0"
         deck = f"units {name}\npair_style granular\npair_coeff * * {hertz} damping viscoelastic\n"
         options = Options("lammps", speeds=(3.0,), radii={"": 1e-4}, densities={"": 2500.0})
         row = physics.audit_text(deck, "deck", options)[0]

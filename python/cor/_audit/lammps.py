@@ -363,6 +363,11 @@ class Granular(System):
         wanted = "diameter density density/disc mass type type/fraction type/ratio type/subset".split()
         wanted += ["shape", "blockiness", "roundness"]
         keys = [i for i in range(3, len(words) - 1) if words[i] in wanted]
+        if self.has_unread_atoms and keys and words[1] in ("type", "group"):  # all atoms of a type of a restart file
+            types = [int(words.value(2))] if words[1] == "type" and words[2].isdigit() else []
+            types = list(range(1, 1 + self.count_types())) if words[1:3] == ["group", "all"] else types
+            held = {c.type for c in self.cohorts if c.kind == "file"}
+            self.cohorts += [Cohort(i, kind="file") for i in types if i not in held]
         chosen = self.divide(self.selected(words[1], [words[2]])) if keys else []
         for i in keys if chosen else []:
             value, key = words.value(i + 1), words[i]
@@ -449,9 +454,9 @@ class Granular(System):
         type = int(words.number(5))
         if "mol" in words[6:] or "rigid" in words[6:]:
             name = words.after("mol", 6)
-            self.cohorts += [replace(c, type=c.type + type, groups=groups) for c in self.molecules.get(name, ())] or [
-                Cohort(type or 1, groups=groups, body=f"molecule {name}", lever=(NAN, NAN))
-            ]
+            free = {} if "rigid" in words else {"body": "", "mass": (NAN, NAN), "lever": (0.0, 0.0)}
+            made = [replace(c, type=c.type + type, groups=groups, **free) for c in self.molecules.get(name, ())]
+            self.cohorts += made or [Cohort(type or 1, groups=groups, body=f"molecule {name}", lever=(NAN, NAN))]
             return
         at, sizes = words.find("diam", 6), [1.0]
         if is_pour and at > 0:
@@ -647,7 +652,8 @@ class Granular(System):
             made += [c for t in self.templates() for c in self.of_template(t, frozenset(("all",)))]
         classes: Dict[int, Dict[Tuple[Any, ...], List[Cohort]]] = {}
         if self.has_unread_atoms or not (made or self.cohorts):
-            made += [Cohort(i + 1, kind="file") for i in range(self.count_types())]
+            known = {c.type for c in self.cohorts if c.kind == "file"}
+            made += [Cohort(i + 1, kind="file") for i in range(self.count_types()) if i + 1 not in known]
         for c in made or self.cohorts:
             classes.setdefault(c.type, {}).setdefault((self.hold(c), *self.rigid(c)), []).append(c)
         found: Dict[int, List[Moving]] = {}

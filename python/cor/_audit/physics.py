@@ -100,6 +100,27 @@ def _is_moderate(*values: float) -> bool:
     return all(math.isnan(x) or x == 0 or 1e-48 <= x <= 1e48 for x in values)
 
 
+def _damped_pull(zeta: float, d: float) -> float:
+    """Returns eps at zero overlap of a linear dashpot, with each force against the motion multiplied by 1 + d, and each
+    force along the motion by 1 - d. On the way out the force changes its sign. Uses Runge-Kutta steps."""
+
+    def change(x: float, v: float) -> float:
+        force = x + 2 * zeta * v
+        return -force * (1 + math.copysign(d, force * v))
+
+    x, v, h = 0.0, 1.0, 1e-3 / max(1.0, zeta)
+    for _ in range(40000):
+        a1 = change(x, v)
+        a2 = change(x + h / 2 * v, v + h / 2 * a1)
+        a3 = change(x + h / 2 * (v + h / 2 * a1), v + h / 2 * a2)
+        a4 = change(x + h * (v + h / 2 * a2), v + h * a3)
+        y, w = x + h * (v + h / 6 * (a1 + a2 + a3)), v + h / 6 * (a1 + 2 * a2 + 2 * a3 + a4)
+        if y <= 0:
+            return -(v + (w - v) * x / (x - y))
+        x, v = y, w
+    return 0.0
+
+
 class _Audit:
     def __init__(self, deck: Deck, options: Options) -> None:
         self.deck, self.options = deck, options
@@ -287,6 +308,8 @@ class _Audit:
             power = 1 if law == lib.COR_LAW_LINEAR else 1.25
             ratio = (overlaps[0] / overlaps[1]) ** power * math.sqrt((1 - d) / (1 + d))
             ratio *= lib.cor_law_eps(law, end, way_out)
+            if end == lib.COR_END_ZERO_OVERLAP and zeta > 0 < d and law == lib.COR_LAW_LINEAR:
+                ratio = _damped_pull(zeta, d)
         without, row.realised, row.duration_s = row.realised, ratio, NAN
         row.advice += f" The damping of all forces, {d:.6g}, changes eps from {without:.6g}: set it to 0. This eps "
         row.advice += "holds for a fixed partner, and for two bodies of opposite momenta."

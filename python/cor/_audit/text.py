@@ -194,6 +194,8 @@ def read_mfix(text: str, name: str, options: Options) -> Deck:
         bodies.append(
             Body(str(m), (size, size), number("RO_S0", m), None, number("E_YOUNG", m), number("V_POISSON", m))
         )
+    held = [word("DES_RIGID_MOTION", m).strip(".")[:1] == "T" for m in phases]
+    bodies = [replace(b, held=True) if still else b for b, still in zip(bodies, held)]
     wall = Body("wall", young=number("EW_YOUNG"), poisson=number("VW_POISSON"), wall=True)
     pairs = [(a, b) for i, a in enumerate(bodies) for b in bodies[i:]]
     pairs += [(a, wall) for a in bodies]
@@ -222,7 +224,14 @@ def read_mfix(text: str, name: str, options: Options) -> Deck:
             c.unknown = "The cohesion changes eps."
         elif math.isnan(c.number):
             c.unknown = "The number of this contact could not be read."
-        deck.contacts.append(c)
+        masses = [x.radius[0] ** 3 * x.density for x in (a, b)]
+        if a.held != b.held and not b.wall:
+            c.zeta_factor = math.sqrt(masses[a.held is False] / sum(masses))
+            c.bodies = (b, a) if a.held else (a, b)
+            c.notes.append("One phase has a prescribed motion, but its mass counts in the damping.")
+            c.unknown = c.unknown or ("The masses are not in the text." if math.isnan(c.zeta_factor) else "")
+        if not (a.held and (b.held or b.wall)):
+            deck.contacts.append(c)
     if not hertz:
         with contextlib.suppress(ArithmeticError):
             _set_mfix_step(deck, number("KN"), number("DTSOLID_FACTOR", 1, 50.0))

@@ -70,6 +70,7 @@ class Spheres:
     clump: bool = False
     mass: float = 0.0  # mass of a box
     axis: Optional[int] = None
+    mask: int = 1
 
 
 class Return(Exception):
@@ -260,7 +261,12 @@ class Script:
         if name == "readParamsFromTable":
             self.params.update({k: v for k, v in thing.values.items() if k not in ("unknownOk", "noTableOk")})
             return None
-        return self.make(thing)
+        made = self.make(thing)
+        mask = thing.values.get("mask", 1)
+        for body in (made if isinstance(made, list) else [made]) if isinstance(mask, int) else []:
+            if isinstance(body, Spheres):
+                body.mask = mask
+        return made
 
     def make(self, thing: Thing) -> Any:
         """Returns a YADE object: a material, engine, body, packing or time step."""
@@ -616,7 +622,7 @@ class _Reader:
         merged: Dict[Tuple[Any, ...], Spheres] = {}
         for body in script.bodies:
             held = body.fixed and body.kind == "sphere"
-            key = body.kind, id(body.material), held, body.clump, body.axis, str(body.mass)
+            key = body.kind, id(body.material), held, body.clump, body.axis, str(body.mass), body.mask
             old = merged.setdefault(key, body)
             if old is not body:
                 low, high = zip(old.radius, body.radius)
@@ -645,12 +651,14 @@ class _Reader:
             return found
 
         for i, one in enumerate(spheres):
-            for two in [] if lonely or not meet("sphere") else spheres[i:]:
-                if not (one.fixed and two.fixed) and (one is not two or one.count > 1 or count == 1 or not one.fixed):
+            partners = [] if lonely or not meet("sphere") else spheres[i:]
+            for two in partners + [two for two in found if two.kind != "sphere" and meet(two.kind)]:
+                moves = not (one.fixed and (two.fixed or two.kind != "sphere"))
+                meets_itself = one.count > 1 or count == 1 or not one.fixed
+                if moves and (one is not two or meets_itself) and one.mask & two.mask:
                     self.contact(one, two)
-            for two in found:
-                if two.kind != "sphere" and not one.fixed and meet(two.kind):
-                    self.contact(one, two)
+                elif moves and not one.mask & two.mask:
+                    script.note(1, "Bodies whose masks have no common bit do not interact.")
         for c, materials in self.owners:
             if self.mixed & materials:
                 c.slots = ()  # other contacts share the number, so no new one is proposed
