@@ -24,7 +24,7 @@ import numpy as np
 import pytest
 
 import cor
-from cor._audit import physics
+from cor._audit import command, measure, physics
 from cor._audit.clump import clump, superquadric
 from cor._audit.deck import DeckError, Options
 from cor._command import main
@@ -207,6 +207,16 @@ VISCOUS = (
         ("en=0.5", "en=toHP1('0.5')", "e = 0.5 realises 0.550283."),
         ("_ViscElPhys", "_MultiViscElPhys", "by Ip2_ViscElMat_ViscElMat_MultiViscElPhys."),
         ("en=0.5,(.*)Phys[(]", r"\1Phys(en=read()", "Its damping could not be read."),
+        (
+            r"Phys\(\)\],\[\]",
+            "Phys()],[Law2_ScGeom_ViscElPhys_Own()]",
+            "does not support the law Law2_ScGeom_ViscElPhys_Own.",
+        ),
+        (
+            "O.engines",
+            "O.bodies.append(tetra())\nO.engines",
+            "cor does not read the body tetra, nor judge its contacts",
+        ),
     ],
 )
 def test_reasons(tmp_path, old, new, reason):
@@ -263,6 +273,39 @@ def test_defaults(tmp_path, name, default):
         run("audit", write(tmp_path, "deck.py", MINDLIN.format(t)), "--format", "json", "--speed", "1") for t in texts
     ]
     assert rows[0] == rows[1] != rows[2] and rows[0][0] == 0, rows
+
+
+def test_equal_rows(tmp_path):
+    """Contacts with equal numbers have one text, and a row each in csv."""
+    balls = "".join(f'<body><freejoint/><geom name="b{k}" solref="-1000 -10"/></body>\n' for k in range(4))
+    deck = write(tmp_path, "m.xml", f'<mujoco><option cone="elliptic"/><worldbody>{balls}</worldbody></mujoco>')
+    text, rows = (run("audit", deck, "--speed", "1", "--format", name)[1] for name in ("text", "json"))
+    assert ", b0-b1; b0-b2 (line 3); b0-b3 (line 4) and 3 more, 1 m/s\n" in text, text
+    assert text.count("eps =") == 1 and len(json.loads(rows)) == 6, text
+
+
+@pytest.mark.parametrize(
+    "pair,old,new",
+    [
+        ("box of clean", "normalCohesion': 3e5", "normalCohesion': -1"),
+        ("box of clean", "(setCohesionNow", "(normalCohesion=maker, setCohesionNow"),
+        ("facet of tape", "normalCohesion=1e5", "normalCohesion=read()"),
+    ],
+)
+def test_bonds(tmp_path, pair, old, new):
+    """YADE: negative cohesion is a bond that never breaks, and the functor replaces numbers of materials."""
+    text = (DECKS[0].parent / "yade-glue.py").read_text(encoding="utf-8")
+    out = run("audit", write(tmp_path, "deck.py", text.replace(old, new)), "--speed", 0.5, "--format", "json")[1]
+    (row,) = [row for row in json.loads(out) if row["pair"] == f"bead-{pair}"]
+    assert row["realised"] is None and old in text, row
+
+
+def test_unmeasured_step():
+    """Without a radius the text has no eps at the deck's step, and states the reason."""
+    (row,) = physics.audit_text(VISCOUS.format(""), "text", Options())
+    measure.enter(row, 0.5, row.realised, "YADE")
+    text = command._text(row)
+    assert "nan" not in text and "measured with a hundredth" in text and "the radius is not in the text" in text
 
 
 def test_shapes():

@@ -4,6 +4,7 @@
 import argparse
 import os
 import re
+from dataclasses import replace
 from importlib import import_module
 from typing import Dict, List, Optional, Tuple
 
@@ -99,6 +100,21 @@ def _options(given: argparse.Namespace, path: str) -> Options:
     )  # fmt: skip
 
 
+def _texts(rows: List[Row]) -> str:
+    """Returns the text of all rows. Contacts that differ only in line and pair have one text, which names the first."""
+    alike: Dict[str, List[Row]] = {}
+    for row in rows:
+        key = _text(replace(row, line=0, pair="")) if row.model else f"{row.file}:{row.line}: {row.advice}"
+        alike.setdefault(key, []).append(row)
+    made = ""
+    for first, *others in alike.values():
+        names = [first.pair] + [r.pair + f" (line {r.line})" * (r.line != first.line) for r in others]
+        names = list(dict.fromkeys(names))
+        more = f" and {len(names) - 3} more" if len(names) > 3 else ""
+        made += _text(replace(first, pair="; ".join(names[:3]) + more))
+    return made
+
+
 def _text(row: Row) -> str:
     lines = [f"{row.file}:{row.line}: "]
     if not row.model:
@@ -183,6 +199,6 @@ def run(given: argparse.Namespace) -> int:
         end += f", {unknown} not judged" if unknown else ""
         lines = sum(not row.model for row in rows)
         end += f"; {lines} remark{'s' * (lines != 1)}" if lines else ""
-        write_output(given.output, "".join(map(_text, rows)) + ("\n" if rows else "") + end + "\n")
+        write_output(given.output, _texts(rows) + ("\n" if rows else "") + end + "\n")
     order = (STATUS_USAGE, STATUS_NOT_AS_ASKED, STATUS_NOT_JUDGED, STATUS_OK)
     return min(statuses, key=order.index)

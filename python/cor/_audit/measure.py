@@ -85,6 +85,9 @@ def enter(row: Row, eps: float, eps_small_step: float, version: str) -> None:
     bodies = row.contact.bodies if row.contact else ()
     assumed = any(math.isnan(b.radius[0]) and not b.wall for b in bodies) and not math.isnan(row.realised)
     row.measured, row.measured_small_step = math.nan if assumed else eps, eps_small_step
+    if math.isnan(row.measured):
+        why = "the radius is not in the text" if assumed else "a body would pass through its partner"
+        row.advice += f" eps at the deck's step is not measured: {why}."
     bias = 0.0 if math.isnan(row.step_bias) else row.step_bias
     if math.isnan(row.realised):
         row.judged = True

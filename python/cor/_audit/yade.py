@@ -32,6 +32,8 @@ _MATERIAL = {"young": 1e9, "poisson": 0.25, "density": 1000.0}  # defaults of YA
 _LOSSES: Tuple[str, ...] = ("DragEngine", "LinearDragEngine", "HydroForceEngine", "FlowEngine", "TwoPhaseFlowEngine")
 _LOSSES += ("ViscousForceEngine", "SPHEngine", "FluidDomain", "OpenFoamCoupling")
 _FACETS = re.compile("facet[A-Z]\\w*|gtsSurface2Facets|stl|gmsh|unv|ele|iges")
+_LAWS = "Basic Mindlin HertzWithLinearShear MindlinDeresiewitz CundallStrack CohesionMoment Cpm ElPerfPl".split()
+_LAWS.append("JointedCohesiveFrictionalPM")
 _NUMBERS = {"en", "betan", "tc", "kn", "cn", "damping"}
 _MATERIALS = "FrictMat FrictMatCDM FrictViscoMat ViscElMat ViscElCapMat LudingMat CohFrictMat JCFpmMat CpmMat WireMat"
 _FRICTIONAL = {  # functors of linear springs without dashpots, and the numbers of a material that bonds two spheres
@@ -237,7 +239,9 @@ class Script:
             self.bodies, self.materials, self.things = [], [], []
         if isinstance(of, Thing) and of.name in ("O.materials", "O.bodies", "O.engines", "SpherePack"):
             return self.method(of, thing)
-        if name == "toSimulation":
+        if name == "toSimulation" and isinstance(of, list):
+            self.bodies += [b for b in of if isinstance(b, Spheres)]
+        elif name == "toSimulation":
             material = self.material(thing.values.get("material", -1))
             self.bodies.append(Spheres("sphere", material, (NAN, NAN), fixed=thing.values.get("fixed") is True))
             self.note(node.lineno, "the radii of a packing are not read")
@@ -297,6 +301,12 @@ class Script:
             return [Spheres("box", self.material(get("material", -1)), fixed=True, mass=NAN)]
         if _FACETS.fullmatch(name):
             return [Spheres("facet", self.material(get("material", -1)), fixed=True)]
+        if name == "filterSpherePack" and len(a) > 1 and isinstance(a[1], Thing):
+            if get("returnSpherePack") is True:
+                return a[1]
+            made = Spheres("sphere", self.material(get("material", -1)), a[1].values.get("radius", (NAN, NAN)))
+            made.clump = "clump" in a[1].values
+            return [made]
         if re.fullmatch("regular(Hexa|Ortho)|random(Dense|Peri)Pack|text(Ext)?|textClumps", name):
             mean, fuzz = number_of(get("radius", a[1] if len(a) > 1 else UNKNOWN)), number_of(get("rRelFuzz", 0.0))
             material = self.material(get("material", -1))
@@ -343,6 +353,8 @@ class Script:
                 item.clump = item.clump or name == "appendClumped"
                 item.count = math.inf if self.unsure else item.count
                 self.bodies.append(item)
+            elif isinstance(item, Thing) and not item.name.startswith("O."):
+                self.note(call.line, f"cor does not read the body {item.name}, nor judge its contacts", True)
             elif item is UNKNOWN:
                 self.note(call.line, "some bodies are not constants: their sizes are not read")
         return UNKNOWN
@@ -622,7 +634,8 @@ class _Reader:
         merged: Dict[Tuple[Any, ...], Spheres] = {}
         for body in script.bodies:
             held = body.fixed and body.kind == "sphere"
-            key = body.kind, id(body.material), held, body.clump, body.axis, str(body.mass), body.mask
+            pull = str(self.gravity if body.axis is None else [abs(self.gravity[body.axis])])
+            key = body.kind, id(body.material), held, body.clump, pull, str(body.mass), body.mask
             old = merged.setdefault(key, body)
             if old is not body:
                 low, high = zip(old.radius, body.radius)
@@ -631,7 +644,9 @@ class _Reader:
                 old.count += body.count
         found = sorted(merged.values(), key=lambda b: kinds.index(b.kind))
         if not any(b.kind == "sphere" for b in found):
-            if self.functors and not script.materials:  # the bodies are in another file
+            if not script.materials and re.search(r"\bbodies\.(append|insert)", self.text):
+                found.append(Spheres("sphere", None, clump="appendClumped" in self.text))
+            elif self.functors and not script.materials:  # the bodies are in another file
                 unread = {"label": "material of another file", "young": NAN, "poisson": NAN, "density": NAN}
                 script.materials.append(Thing(self.functors[0].name.split("_")[1], self.functors[0].line, unread))
             of_walls = [b.material for b in found] if len(script.materials) > 1 else []
@@ -639,20 +654,9 @@ class _Reader:
         count = sum(b.count for b in found if b.kind == "sphere")
         lonely = count == 1 and any(b.kind != "sphere" for b in found)
         spheres = [b for b in found if b.kind == "sphere"]
-        functors = [t.name.lower() for t in script.things if t.name.startswith("Ig2_")]
-
-        def meet(kind: str) -> bool:
-            names = f"ig2_{kind}_sphere", f"ig2_sphere_{kind}"
-            found = not functors or any(functor.startswith(names) for functor in functors)
-            if not found:
-                script.note(
-                    1, f"The script has no Ig2 functor for a sphere and a {kind}: these bodies do not interact."
-                )
-            return found
-
         for i, one in enumerate(spheres):
-            partners = [] if lonely or not meet("sphere") else spheres[i:]
-            for two in partners + [two for two in found if two.kind != "sphere" and meet(two.kind)]:
+            partners = [] if lonely else spheres[i:]
+            for two in partners + [two for two in found if two.kind != "sphere"]:
                 moves = not (one.fixed and (two.fixed or two.kind != "sphere"))
                 meets_itself = one.count > 1 or count == 1 or not one.fixed
                 if moves and (one is not two or meets_itself) and one.mask & two.mask:
@@ -664,6 +668,18 @@ class _Reader:
                 c.slots = ()  # other contacts share the number, so no new one is proposed
         for functor in self.functors:
             self.strange_matches(functor)
+
+    def can_meet(self, one: Spheres, two: Spheres) -> bool:
+        """False, with a remark, if the script has Bo1 or Ig2 functors, but not the ones that this contact needs."""
+        words, kinds = [t.name.split("_") for t in self.script.things], [one.kind.capitalize(), two.kind.capitalize()]
+        pairs, bounds = ([w[1:3] for w in words if w[0] == name] for name in ("Ig2", "Bo1"))
+        lost = {f"Bo1_{kind}_Aabb" for kind in kinds if bounds and kind not in [w[0] for w in bounds]}
+        if pairs and kinds not in pairs and kinds[::-1] not in pairs:
+            lost.add(f"Ig2_{kinds[1]}_{kinds[0]}_ScGeom")
+        if lost:
+            text = f"a {one.kind} and a {two.kind} do not interact: the script has no {' and no '.join(sorted(lost))}"
+            self.script.note(self.functors[-1].line if self.functors else 1, text)
+        return not lost
 
     def body(self, b: Spheres, partner: Spheres) -> Body:
         material = b.material
@@ -681,6 +697,8 @@ class _Reader:
         )  # fmt: skip
 
     def contact(self, one: Spheres, two: Spheres) -> None:
+        if not self.can_meet(one, two):
+            return
         wall = two.kind != "sphere"
         line = one.material.line if one.material else 0
         bodies = self.body(one, two), self.body(two, one)
@@ -747,6 +765,8 @@ class _Reader:
         laws = [law for law in laws if f"_{physics}_" in law]
         if physics and not laws:
             c.unknown = c.unknown or f"The script has no Law2 functor for {physics}."
+        elif physics and laws[-1].rpartition("_")[2] not in _LAWS:
+            c.unknown = c.unknown or f"cor does not support the law {laws[-1]}."
         elif physics == "MindlinPhys" and not laws[-1].endswith("_Mindlin"):
             c.notes.append(f"{laws[-1]} ignores the damping.")
             c.zeta_factor, c.number = 0.0, 0.0 if c.model == "YADE_BETAN" else c.number
@@ -754,15 +774,17 @@ class _Reader:
 
     def set_bonds(self, c: Contact, functor: Thing, strengths: Sequence[str], *materials: Optional[Thing]) -> None:
         """Refuses contacts with a bond that can pull. Bonds that form only in the first steps are noted."""
-        strong = any(all(m is None or m.values.get(key, -1) != 0 for m in materials) for key in strengths)
+        numbers = [[m.number(key, -1) if m else -1 for m in materials] for key in strengths]  # YADE takes the least one
+        strong = any(key in functor.values for key in strengths) or any(0 not in n or min(n) < 0 for n in numbers)
         if strong and all(m and m.values.get("isCohesive") is not False for m in materials):
             new, now = (functor.values.get(f"setCohesion{when}", False) for when in ("OnNewContacts", "Now"))
             first = functor.values.get("cohesiveTresholdIteration", 1)
-            c.bond = min(m.number("normalCohesion") if m else NAN for m in materials)
+            cohesion = [m.number("normalCohesion") if m else NAN for m in materials]
+            c.bond = min(cohesion) + 0 * sum(cohesion)  # NaN if one is
             fragile = all(m and m.values.get("fragile", True) is True for m in materials)
             if new is True and fragile and "normalCohesion" in strengths and "normalCohesion" not in functor.values:
                 c.notes.append("eps holds for contacts that begin without a bond; each of them makes a bond.")
-                c.unknown = "" if c.bond >= 0 else "Of its material normalCohesion is not a constant."
+                c.unknown = "" if c.bond >= 0 else "Of a material normalCohesion is negative, or no constant."
             elif new is not False or not isinstance(first, (int, float)) or not 0 <= first <= 10:
                 c.unknown = "The cohesion changes eps."
             elif now is not False or "cohesion" in strengths:

@@ -7,7 +7,7 @@ O.bodies.append(sphere((0, 0, 1), 0.01, material='concrete'))
 O.bodies.append(facet([(0, 0, 0), (1, 0, 0), (0, 1, 0)], material='steel'))
 O.engines = [
     InteractionLoop(
-        [Ig2_Sphere_Sphere_ScGeom6D()],
+        [Ig2_Sphere_Sphere_ScGeom6D(), Ig2_Facet_Sphere_ScGeom6D()],
         [Ip2_CohFrictMat_CohFrictMat_CohFrictPhys(setCohesionOnNewContacts=True), Ip2_FrictMat_CpmMat_FrictPhys()],
         [Law2_ScGeom6D_CohFrictPhys_CohesionMoment()]),
     NewtonIntegrator(damping=0),
