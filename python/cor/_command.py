@@ -263,6 +263,8 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     """Runs the command cor; returns its exit status."""
     words = list(sys.argv[1:] if arguments is None else arguments)
     try:
+        if words and not words[0].startswith("-") and words[0] not in SUBCOMMANDS:
+            raise UsageError(f"'{words[0]}' is not a subcommand; allowed: {', '.join(SUBCOMMANDS)}; see cor --help")
         parser = _parser(words[:1])
         options = parser.parse_args(words)
         if options.subcommand is None:

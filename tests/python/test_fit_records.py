@@ -311,7 +311,7 @@ def test_command_refuses(tmp_path, capfd):
             *"--young 1 --poisson 0 --radius 1 --mass 1 --wall --mass-2 1".split(),
         ),
         (2, "--unit: 'km/h' is not a unit; allowed: m/s", file, "--unit", "km/h"),
-        (2, "--mass: missing; --drag-coefficient needs --mass", file, "--drag-coefficient", "0.4"),
+        (2, "--mass: missing; --drag-coefficient needs it", file, "--drag-coefficient", "0.4"),
         (2, "--fit-drag: .* has speeds; allowed: with times", file, "--fit-drag"),
         (2, "name the same file", file, "--output", file),
         (2, "--plot: 'a.jpg' is not the name of a picture; allowed: FILE.pdf", file, "--plot", "a.jpg"),

@@ -131,7 +131,7 @@ def _text(row: Row) -> str:
         number += f"; contact {row.duration_s:.3g} s"
         number += "" if row.time_step_s != row.time_step_s else f" = {row.duration_s / row.time_step_s:.4g} steps"
     if row.step_bias == row.step_bias:
-        number += f"; the step adds {row.step_bias:.2g} in the mean, with scatter {row.step_scatter:.2g}"
+        number += f"; the time step adds {row.step_bias:.2g} to the mean eps, with scatter {row.step_scatter:.2g}"
     if row.realised_surface == row.realised_surface:
         number += f"; under gravity {row.realised_surface:.6g}"
     if row.tangential_restitution == row.tangential_restitution:

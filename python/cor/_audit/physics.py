@@ -476,7 +476,7 @@ class _Audit:
         elif not contact.unknown:
             self.judge(row, contact, model, scene, speed)
             if other and self.version == 0 and model.damping_of_e and contact.zeta_factor and not contact.cohesion[0]:
-                row.advice += f" The model {string(model_of(other).model)} realises "
+                row.advice += f" In the model '{string(model_of(other).model)}' this e realises "
                 row.advice += f"{lib.cor_simulator_realised(model_of(other), contact.number):.6g}."
         row.advice = " ".join([row.advice] + contact.losses).strip()
         row.duration_s *= units.time_s

@@ -102,7 +102,7 @@ class Field(NamedTuple):
             to_coefficient = 2 * mass * gravity / (air_density * math.pi / 4 * diameter**2)
         elif given == ["drag_coefficient"]:
             missing = "mass" if math.isnan(mass) else "diameter"
-            raise ValueError(f"{missing}: missing; drag_coefficient needs mass and diameter, or give terminal_speed")
+            raise ValueError(f"{missing}: missing; drag_coefficient needs it, or give terminal_speed")
         kappa = drag["drag_coefficient"] / to_coefficient if given == ["drag_coefficient"] else 0.0
         return cls(gravity, drag["terminal_speed"] ** -2 if given == ["terminal_speed"] else kappa, to_coefficient)
 
