@@ -272,11 +272,7 @@ def test_liggghts():
     found = dict(rows(text, "liggghts"))
     assert found["1-1"].instead.endswith("peratomtypepair 2 0.436288 0.679194 0.679194 0.05")
     assert found["1-1"].instead == found["1-2, largest"].instead
-<<<<<<< HEAD
     assert "above 0.05" in found["2-2, least"].advice and found["1-wall w m"].asked == 0.7
-=======
-    assert "e must be above 0.05" in found["2-2, least"].advice and found["1-wall w m"].asked == 0.7
->>>>>>> e36302d2 (Name subcommands in a refusal of cor, and quote models in its advice)
     assert "not known" in found["1-wall w m2"].advice
     matrix = LIGGGHTS.format(e=0.7) + "pair_style gran model hooke\n"
     assert [pair for pair, _ in rows("read_restart x\n" + matrix, "liggghts")] == ["1-1", "1-2", "2-2"]
