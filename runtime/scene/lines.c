@@ -1235,8 +1235,8 @@ static int find_speed(struct task *task)
     double eps = NAN;
     if (!task->has_law && isnan(speed))
         return refuse_task(task,
-                           "%s does not have the law %s, so its lines hold at one impact speed: give it by --speed G, "
-                           "for example --speed 1",
+                           "%s does not have the law %s, so its lines hold at one impact speed: give one speed, for "
+                           "example --speed 1",
                            task->simulator->name, task->law);
     if (cor_scene_given(scene, COR_SCENE_RESTITUTION) && (constant || speed == at)) {
         eps = scene->number[COR_SCENE_RESTITUTION];
@@ -1514,7 +1514,7 @@ static int check_materials(struct task *task)
                                m->name);
         for (const struct cor_material *other = r->materials; other < m; other++)
             if (strcmp(m->name, other->name) == 0)
-                return refuse_task(task, "%s: two materials have this name", m->name);
+                return refuse_task(task, "%s: two materials have this name; give each its own", m->name);
     }
     for (size_t k = 0; k < types; k++) {
         const struct cor_material *const m = material_of(r, k);
@@ -1745,7 +1745,8 @@ long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_req
         t.simulator = find_simulator(&task) ? task.simulator : NULL;
         if (t.simulator && check_materials(&task) && put_materials(&t, &task))
             return (long)t.length;
-    } else if (check_numbers(&task) && check_task(&task) && check_friction(&task) && find_speed(&task)) {
+    } else if (find_simulator(&task) && check_numbers(&task) && check_task(&task) && check_friction(&task) &&
+               find_speed(&task)) {
         struct cor_simulator_request linear;
         struct cor_scene scene;
         struct cor_scene_contact spring[COR_SCENE_ENDS];

@@ -222,7 +222,8 @@ static double damping_of_yade_en(const struct cor_simulator_model *model, double
              "pair_coeff {pair} " spring " {n} tangential {tangential} damping " damping "\n",                         \
     .wall_lines = "fix cor_wall all wall/gran granular " spring " {n} tangential {tangential} damping " damping        \
                   " zplane 0 NULL\n",                                                                                  \
-    .many = "-# Put these lines after create_atoms or read_data: a group has only the atoms that exist.\n"             \
+    .many = "-# Put these lines after create_atoms or read_data: a group has only the atoms that exist. "              \
+            "Count only the types of balls in create_box.\n"                                                           \
             "-pair_style granular\n"                                                                                   \
             "ppair_coeff {i} {j} " spring " {n} tangential {tangential} damping " damping "\n"                         \
             "ggroup cor_{i} type {i}\n" WALL_PLANE(                                                                    \
