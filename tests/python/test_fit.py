@@ -705,7 +705,7 @@ POSITIVE = "gravity drag_coefficient terminal_speed diameter air_density drop_he
         (ValueError, "poisson is missing: a contact of bodies needs young", dict(young=1e9)),
         (ValueError, "lighter than the air", dict(fit_drag=True, mass=1e-5, diameter=0.1)),
         (TypeError, "'colour' is not an argument", dict(colour=3)),
-        (DataError, "has 1 point of speed and eps; allowed: 2 or more", {}),
+        (DataError, r"has 1 point of speed and eps \(eps = 0.8 at 1 m/s\); allowed: 2 or more", {}),
     ],
 )
 def test_wrong_options(error, words, options):

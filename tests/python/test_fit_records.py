@@ -289,8 +289,8 @@ def test_command_refuses(tmp_path, capfd):
     for status, message, *words in (
         (2, "cor fit needs one DATA, for example cor fit DATA.csv"),
         (2, "unrecognized arguments: b.csv", file, "b.csv"),
-        (1, f"cannot read {none}: No such file", none),
-        (1, f"cannot read {tmp_path}: Is a directory", tmp_path),
+        (2, f"cannot read {none}: No such file", none),
+        (2, f"cannot read {tmp_path}: Is a directory", tmp_path),
         (2, "--law: 'hertz' is not a model; allowed: all, viscoelastic, plate,", file, "--law", "constant,hertz"),
         (2, "--law: '' is not a model", file, "--law", "constant,"),
         (2, "--end: no model of law plate ends at zero-force", file, "--law", "plate", "--end", "zero-force"),

@@ -168,7 +168,7 @@ def run(options: argparse.Namespace) -> int:
     except ImportError as error:
         raise Failure(str(error)) from None
     except OSError as error:
-        raise Failure(f"cannot read {data[0]}: {error.strerror or error}") from None
+        raise UsageError(f"cannot read {data[0]}: {error.strerror or error}") from None
     except (TypeError, ValueError) as error:
         text = str(error)
         raise UsageError(text if isinstance(error, DataError) else _option_of(text, options)) from None

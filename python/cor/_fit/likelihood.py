@@ -38,7 +38,7 @@ def scipy(name: str) -> Any:
     try:
         return import_module(f"scipy.{name}")
     except ImportError:
-        raise ImportError("cor.fit needs SciPy; on Debian: apt install python3-scipy; pip install 'cor[fit]'") from None
+        raise ImportError("cor.fit needs SciPy: pip install scipy, or on Debian apt install python3-scipy") from None
 
 
 # ---- flight with drag ----

@@ -411,6 +411,9 @@ def fit(
             if not comparison.fits and not name:
                 least = min(len(model.curve.kinds) for model in models) + len(free) + 1
                 count = f"{data.name} has {sample.size} point{'s' * (sample.size != 1)} of speed and eps"
+                if sample.size == 1:
+                    one = sample.flights(field.gravity, field.kappa)
+                    count += f" (eps = {one.eps[0]:.6g} at {one.speed[0]:.4g} m/s)"
                 raise DataError(f"{count}; allowed: {least} or more for these models; add bounces")
             if not comparison.fits:
                 continue
