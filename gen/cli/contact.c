@@ -340,7 +340,7 @@ static const char help[] =
     "  --friction MU    friction coefficient of spheres, 0 or more; prints kappa, the ratio of tangential\n"
     "                   velocities of an elastic impact without slip, and the largest angle of sticking\n"
     "  --angle LIST | --tangential-speed LIST   oblique impacts with --friction and --speed (the normal\n"
-    "                   component): angles, degrees, 0 to below 90, or tangential speeds, m/s\n"
+    "                   component): angles to the normal, degrees, or tangential speeds, m/s\n"
     "  --tangential MODEL   model of the tangential force: displacement, force, rescaled, viscous, or a\n"
     "                   simulator's name, such as mindlin_rescale or history (default displacement)\n"
     "  --tangential-stiffness KT, --tangential-damping X   tangential stiffness (default Mindlin's), and\n"

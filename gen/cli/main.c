@@ -23,11 +23,12 @@ static int refuse_moved(const char *name)
 {
     if (strcmp(name, "audit") == 0)
         return usage_error("audit is a subcommand of cor, with the same options; type: cor audit FILE. Install cor by "
-                           "apt-get install python3-cor on Debian, or by pip install cor");
+                           "apt-get install python3-cor on Debian, or by pip install ./python in the source of cor");
     if (strcmp(name, "fit") != 0)
         return STATUS_OK;
-    return usage_error("fit is a subcommand of cor, with the same options; type: cor fit DATA.csv. Install cor by "
-                       "apt-get install python3-cor python3-scipy on Debian, or by pip install 'cor[fit]'");
+    return usage_error(
+        "fit is a subcommand of cor, with the same options; type: cor fit DATA.csv. Install cor by "
+        "apt-get install python3-cor python3-scipy on Debian, or by pip install './python[fit]' in the source of cor");
 }
 
 int main(int argc, char **argv)
