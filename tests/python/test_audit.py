@@ -311,18 +311,18 @@ def test_unmeasured_step():
 def test_shapes():
     """Volumes and levers of two spheres, also overlapping or with masses, of an ellipsoid, and of too many spheres."""
     gap, lever = 0.012, 0.006**2 / (0.4 * 0.005**2 + 0.006**2)
-    for masses in (None, [1, 1]):
-        volume, found = clump([(0, 0, 0, 0.005), (0, 0, gap, 0.005)], masses)
+    for masses in (None, (1, 1)):
+        volume, found = clump(((0, 0, 0, 0.005), (0, 0, gap, 0.005)), masses)
         assert abs(volume / (8 / 3 * math.pi * 0.005**3) - 1) < 1e-3
         assert found == pytest.approx((lever, lever), abs=1e-3)
     lens = math.pi * (4 * 0.005 + 0.004) * (2 * 0.005 - 0.004) ** 2 / 12
-    assert clump([(0, 0, 0, 0.005), (0.004, 0, 0, 0.005)])[0] == pytest.approx(
+    assert clump(((0, 0, 0, 0.005), (0.004, 0, 0, 0.005)))[0] == pytest.approx(
         8 / 3 * math.pi * 0.005**3 - lens, 1e-3
     )
     volume, radius, found = superquadric(1, 2, 3, 2, 2)
     assert (volume, radius, found[0]) == pytest.approx((8 * math.pi, 3, 2), 1e-3)
     assert superquadric(1, 1, 1, 100, 100)[0] == pytest.approx(8, 3e-2)
-    assert math.isnan(clump([(k, 0, 0, 1) for k in range(500)])[0])
+    assert math.isnan(clump(tuple((k, 0, 0, 1) for k in range(500)))[0])
 
 
 def test_off_centre(tmp_path):

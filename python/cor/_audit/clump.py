@@ -2,21 +2,27 @@
 """Computes volumes of bodies other than spheres, and how easily an impact off the centre turns them."""
 
 import math
-from typing import Optional, Sequence, Tuple
+from functools import lru_cache
+from typing import Optional, Tuple
 
 import numpy as np
 
 COLUMNS, DIRECTIONS, MOST = 120, 40000, 200  # columns per side of the grid; normals; spheres of a body
-Spheres = Sequence[Sequence[float]]  # x, y, z, radius
+Spheres = Tuple[Tuple[float, ...], ...]  # x, y, z, radius
 
 
-def clump(spheres: Spheres, masses: Optional[Sequence[float]] = None) -> Tuple[float, Tuple[float, float]]:
+@lru_cache(64)
+def clump(spheres: Spheres, masses: Optional[Tuple[float, ...]] = None) -> Tuple[float, Tuple[float, float]]:
     """Returns the volume of the union of spheres, within about 1e-4, and the levers of contacts with a particle and
     with a plane. lever: the largest m (r x n) I^-1 (r x n) of a contact at r with the normal n. The smallest effective
     mass of one contact is m/(1 + lever). masses: of the spheres; without them the union has one density."""
-    if not 0 < len(spheres) <= MOST or not np.isfinite(spheres).all():
+    sizes = [abs(x) for sphere in spheres for x in sphere]
+    least, light = (min(values, default=0.0) for values in ([s[3] for s in spheres], masses or (1.0,)))
+    moderate = 1e-30 < max(sizes, default=0.0) < 1e6 * least and 1e-30 < max(masses or (1.0,)) < 1e12 * light
+    if not (moderate and len(spheres) <= MOST and math.isfinite(sum(sizes))):
         return math.nan, (math.nan, math.nan)
     points, radii = np.array(spheres, float)[:, :3], np.array(spheres, float)[:, 3]
+    points = points[:, np.ptp(points, axis=0).argsort()]  # the columns of the grid are along the longest axis
     low, high = (points - radii[:, None]).min(0), (points + radii[:, None]).max(0)
     x, y = (a + (b - a) * (np.arange(COLUMNS) + 0.5) / COLUMNS for a, b in zip(low[:2], high))
     x, y = (v.ravel() for v in np.meshgrid(x, y))
@@ -31,11 +37,17 @@ def clump(spheres: Spheres, masses: Optional[Sequence[float]] = None) -> Tuple[f
         ((stop**k - start**k) / k).sum(0) for k in (1, 2, 3)
     )  # integrals of 1, z and z^2 over each column
     whole = z0.sum()
+    if not whole > 0:
+        return math.nan, (math.nan, math.nan)
     centre = np.array([(x * z0).sum(), (y * z0).sum(), z1.sum()]) / whole
     xz, yz = (x * z1).sum(), (y * z1).sum()
     second = np.array([[(x * x * z0).sum(), (x * y * z0).sum(), xz], [0, (y * y * z0).sum(), yz], [0, 0, z2.sum()]])
     second = (second + np.triu(second, 1).T) / whole - np.outer(centre, centre)
     volume = float(whole * np.prod((high - low)[:2]) / COLUMNS**2)
+    gaps = np.linalg.norm(points[:, None] - points, axis=2) - radii - radii[:, None] + np.diag(4 * radii)
+    if gaps.min() >= 0:  # no spheres overlap
+        volume = float(4 * math.pi / 3 * (radii**3).sum())
+        masses = masses or tuple(radii**3)
     if masses is not None:
         part = np.array(masses, float) / sum(masses)
         centre = part @ points
@@ -55,6 +67,7 @@ def clump(spheres: Spheres, masses: Optional[Sequence[float]] = None) -> Tuple[f
     return volume, (levers[0], levers[1])
 
 
+@lru_cache(1000)
 def superquadric(a: float, b: float, c: float, n: float, m: float) -> Tuple[float, float, Tuple[float, float]]:
     """Returns volume, LIGGGHTS's radius, and levers of the body ((x/a)^m + (y/b)^m)^(n/m) + (z/c)^n <= 1."""
     if not (min(a, b, c) > 0 and min(n, m) >= 2 and max(a, b, c, n, m) < 1e6):

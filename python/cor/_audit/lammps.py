@@ -502,7 +502,7 @@ class Granular(System):
                 text, scale = re.sub("#.*", "", found[0] if found else ""), words.value(at + 3)
                 scale = scale if words[at + 2] == "scale" else 1.0
             spheres = _rows(text, 4)
-            volume, made.lever = clump([[scale * x for x in row] for row in spheres])
+            volume, made.lever = clump(tuple(tuple(scale * x for x in row) for row in spheres))
             radii = [scale * row[3] for row in spheres] or [NAN]
             made.radius = min(radii), max(radii)
             if words[3].endswith("multiplespheres"):  # free spheres
@@ -533,7 +533,11 @@ class Granular(System):
         types = [int(type) for type, in columns.get("Types", ())] or [0] * len(spheres)
         self.molecules[words[1]] = []
         if len(spheres) == len(masses) == len(types) > 0:
-            lever = clump(spheres, masses)[1] if not re.search(r"\d\s+inertia\b", text) else (NAN, NAN)
+            lever = (
+                clump(tuple(tuple(s) for s in spheres), tuple(masses))[1]
+                if not re.search(r"\d\s+inertia\b", text)
+                else (NAN, NAN)
+            )
             given = re.search(r"([\d.eE+-]+)\s+mass\b", text)
             mass = number(given[1]) if given else sum(masses)
             for type in sorted(set(types)):
