@@ -183,7 +183,11 @@ def run(given: argparse.Namespace) -> int:
             rows += found
             statuses.append(status_of(found))
             if statuses[-1] == STATUS_USAGE:
-                reasons = "; ".join(dict.fromkeys(f"line {row.line}: {row.advice}" for row in found if row.advice))
+                places: Dict[str, Dict[str, None]] = {}  # advice -> its lines
+                for row in found:
+                    places.setdefault(row.advice, {})[str(row.line)] = None
+                texts = {text: ", ".join(list(at)[:5]) + ", ..." * (len(at) > 5) for text, at in places.items() if text}
+                reasons = "; ".join(f"line {lines}: {text}" for text, lines in texts.items())
                 what = options.simulator or physics.simulator_of(text)
                 why = f": {reasons}" if reasons else f": it looks like an input of {what}, but sets no contact itself"
                 message(f"{name}: no contact can be judged{why}")
