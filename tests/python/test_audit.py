@@ -139,7 +139,7 @@ def eps(z, end):
     return math.exp(-power * z / math.sqrt(1 - z * z))
 
 
-OTHER_THAN_E = "damping of all|up to the threshold|includes the (cohesion|adhesion)|ignores the damping|prescribed"
+OTHER_THAN_E = "damping of all|up to the threshold|includes the (cohesion|adhesion)|ignores the damping|prescribed|ive mass of"
 
 
 def test_closed_forms(audited):
@@ -298,6 +298,39 @@ def test_bonds(tmp_path, pair, old, new):
     out = run("audit", write(tmp_path, "deck.py", text.replace(old, new)), "--speed", 0.5, "--format", "json")[1]
     (row,) = [row for row in json.loads(out) if row["pair"] == f"bead-{pair}"]
     assert row["realised"] is None and old in text, row
+
+
+SPECIES = """Mercury3D problem; {} grain;
+auto s = problem.speciesHandler.copyAndAddObject(grain);
+auto w = problem.speciesHandler.copyAndAddObject(grain);
+s->setDensity(1000);
+s->setStiffnessAndRestitutionCoefficient(1e3, 0.5, 2e-3);
+problem.speciesHandler.getMixedObject(problem.speciesHandler.getObject(0), w)
+    ->setCollisionTimeAndRestitutionCoefficient(1e-3, 0.8, 2e-3, 6e-3);
+SphericalParticle p; p.setSpecies(problem.speciesHandler.getObject(0)); p.setRadius({});
+InfiniteWall floor; floor.setSpecies(w);
+"""
+
+
+@pytest.mark.parametrize(
+    "kind,radius,wanted",
+    [
+        ("LinearViscoelasticFrictionSpecies", (2e-6 / (4 / 3 * math.pi)) ** (1 / 3), [0.5, 0.82438]),
+        ("LinearViscoelasticFrictionSpecies", (1e-6 / (4 / 3 * math.pi)) ** (1 / 3), [0.36604, 0.76061]),
+        ("LinearViscoelasticFrictionSpecies", "size()", [0.5, None]),
+        ("HertzianViscoelasticMindlinSpecies", "size()", [None, None]),
+        ("HertzianSinterSpecies", "size()", [None, None]),
+        ("OwnSpecies", "size()", [None, None]),
+        ("LinearViscoelasticFrictionReversibleAdhesiveSpecies", "size()", [None, None]),
+    ],
+)
+def test_species(tmp_path, kind, radius, wanted):
+    """MercuryDPM: the class of a copied species, and damping for other masses than the particles have."""
+    out = run("audit", write(tmp_path, "a.cpp", SPECIES.format(kind, radius)), "--format", "json")[1]
+    found = {row["pair"]: row["realised"] for row in json.loads(out) if row["pair"]}
+    assert list(found) == ["s-s", "s-wall"] and list(found.values()) == [
+        w and pytest.approx(w, abs=1e-5) for w in wanted
+    ]
 
 
 def test_unmeasured_step():

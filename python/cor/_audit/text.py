@@ -410,6 +410,7 @@ def read_mercurydpm(text: str, name: str, options: Options) -> Deck:
     """Reads MercuryDPM's C++: setters of species with literal numbers."""
     source, deck = Source(text, name), Deck(name, "mercurydpm")
     plain = re.sub(r"//[^\n]*|/\*.*?\*/", lambda m: re.sub(r"[^\n]", " ", m[0]), text, flags=re.S)
+    plain = _with_names(plain)
     mixed = re.compile(r"[\w.>-]*getMixedObject\(\s*[&*]?(\w+)\s*,\s*[&*]?(\w+)\s*\)")
     plain = mixed.sub(lambda m: f"{m[1]}__{m[2]}".ljust(len(m[0])), plain)
     alias = dict(re.findall(r"\b(\w+)\s*=\s*(\w+__\w+)\s*;", plain))
@@ -426,8 +427,9 @@ def read_mercurydpm(text: str, name: str, options: Options) -> Deck:
         at, words = m.start(3), m[3].split(",")
         values = [arithmetic(constants.get(w.strip(), w)) for w in words]
         for wall in (False, True) if walls else (False,):
-            half = None if mass is None or mass >= len(values) else (values[mass], values[mass])
-            b = Body("wall", wall=True) if wall else Body(m[1], mass=half)
+            given = values[mass : mass + 2] if mass is not None else []
+            half, other = ((given[k], given[k]) if given else None for k in (0, -1))
+            b = Body("wall", mass=other, wall=True) if wall else Body(m[1], mass=other)
             c = Contact(
                 name,
                 source.line(at),
@@ -451,31 +453,87 @@ def read_mercurydpm(text: str, name: str, options: Options) -> Deck:
             both = [*values, NAN, NAN, NAN][1:3] if "Tangential" in m[2] else []
             c.tangential = _mercury_tangential(c, m[1], plain, constants, both)
             deck.contacts.append(c)
-    _mercury_species(deck, plain, alias)
+    for m in re.finditer(r"\)\s*(?:->|\.)\s*(set\w+)\(", plain):
+        if m[1] in _SETTERS:
+            deck.remarks.append(Remark(name, source.line(m.start()), f"the species of this {m[1]} is not read"))
+    _mercury_species(deck, plain, alias, constants)
     if not deck.contacts:
         deck.remarks.append(Remark(name, 1, "the text calls no setter of a restitution coefficient that cor supports"))
     return deck
 
 
-def _mercury_species(deck: Deck, plain: str, alias: Dict[str, str]) -> None:
+def _with_names(plain: str) -> str:
+    """Replaces speciesHandler.getObject(N) by the name of the species, which was added as number N from 0."""
+    handler = r"[\w.>-]*speciesHandler\s*(?:\.|->)\s*"
+    added = re.findall(rf"(?:(\w+)\s*=\s*)?{handler}(?:copyAndAdd|add)Object\(\s*[&*]?(\w+)", plain)
+    names = [(name if re.search(rf"\b{name}\s*(->|\.)", plain) else "") or of for name, of in added]
+
+    def named(m: "re.Match[str]") -> str:
+        name = names[int(m[1])] if int(m[1]) < len(names) else ""
+        return str(name.ljust(len(m[0])) if 0 < len(name) <= len(m[0]) else m[0])
+
+    return re.sub(rf"{handler}getObject\(\s*(\d{{1,4}})\s*\)", named, plain)
+
+
+def _kinds_of(plain: str) -> Dict[str, str]:
+    """Returns the class of each species, by its name."""
+    kinds = {name: kind for kind, name in re.findall(r"\b([A-Z]\w*Species)\b\s*[*&]?\s*(\w+)\s*[;({=,)]", plain)}
+    kinds.update(re.findall(r"\b(\w+)\s*=[^;=]*?\b([A-Z]\w*Species)\b", plain))
+    for name, of in re.findall(r"\b(\w+)\s*=\s*[\w.>-]*copyAndAddObject\(\s*[&*]?(\w+)\s*\)", plain):
+        kinds.setdefault(name, kinds.get(of, ""))
+    return kinds
+
+
+def _mercury_species(deck: Deck, plain: str, alias: Dict[str, str], constants: Dict[str, str]) -> None:
     """Names the bodies of mixed species, and removes contacts that no particles or walls can have. Refuses
-    species with other forces."""
-    kinds = dict(re.findall(r"\b(\w+)\s*=\s*[\w.>-]*copyAndAddObject\(\s*(\w+Species)\b", plain))
-    kinds.update((name, kind) for kind, name in re.findall(r"\b(\w+Species)\s*\*\s*(\w+)", plain))
-    others = re.findall(r"\w*(?:Plastic|Adhesive|Bonded|Liquid|Charged|Sinter|Melt)\w*Species", plain)
-    walls = set(re.findall(r"\b\w*Wall\w*\s+(\w+)\s*[;({]", plain))
-    has = re.findall(r"\b(\w+)\s*(?:->|\.)\s*setSpecies\(\s*(\w+)\s*\)", plain)
-    of_walls, of_particles = ({s for body, s in has if (body in walls) == is_wall} for is_wall in (True, False))
+    species with other forces, and species whose class is not known."""
+    plain = re.sub(r"#include[^\n]*", "", plain)
+    kinds, names = _kinds_of(plain), set(re.findall(r"\b[A-Z]\w*Species\b", plain))
+    known = re.compile("(Linear|Hertzian)Viscoelastic(Normal|Sliding|Friction|Mindlin|Rolling|Torsion|Mixed)*Species")
+    others = sorted(name for name in names if not known.fullmatch(name)) or [""]
+
+    def bodies_of(words: str) -> Set[str]:
+        named = re.findall(rf"\b\w*(?:{words})\w*\s*[*&]?\s*\b(\w+)\s*[;({{=,]", plain)
+        return {*named, *re.findall(rf"\b(\w+)\s*=[^;=]*\b\w*(?:{words})", plain)}
+
+    walls, particles = bodies_of("Wall|wallHandler|Screw|Coil"), bodies_of("Particle|particleHandler")
+    has = re.findall(r"\b(\w+)\s*(?:->|\.)\s*setSpecies\(\s*[&*]?(\w+)\s*\)", plain)
+    if len(has) < len(re.findall(r"(?:->|\.)\s*setSpecies\(", plain)):
+        has = []  # a species whose bodies are not known
+    of_walls, of_particles = ({s for body, s in has if body not in x} for x in (particles - walls, walls - particles))
+
+    def mass_of(species: str) -> float:
+        calls = rf"\b(?:{'|'.join([species] + [b for b, s in has if s == species])})\s*(?:->|\.)\s*set"
+        radii, densities = (set(re.findall(rf"{calls}{key}\(([^;]*)\)\s*;", plain)) for key in ("Radius", "Density"))
+        if len(radii) != 1 or len(densities) != 1 or re.search(r"InsertionBoundary|PSD|Mercury2D|Dimensions\(2", plain):
+            return NAN
+        radius, density = (arithmetic(constants.get(t.strip(), t)) for t in (*radii, *densities))
+        return 4 / 3 * math.pi * radius**3 * density
+
     kept, pairs = [], set()
     for c in deck.contacts:
         wall, own = c.bodies[1].wall, alias.get(c.bodies[0].name, c.bodies[0].name)
         one, is_mixed, two = own.partition("__")
         two = two or one
-        kind = next((kinds[s] for s in (one, two) if s in kinds), others[0] if others else "")
-        if not re.fullmatch(r"((Linear|Hertzian)Viscoelastic(Sliding|Mindlin|Roll\w*)?(Friction)?Species)?", kind):
-            c.unknown = f"cor does not support the species {kind}."
+        kind = next((kinds[s] for s in (one, two) if kinds.get(s)), others[0])
+        if (kind or not names) and not known.fullmatch(kind):
+            c.unknown = f"cor does not support the species {kind}." if kind else "The class of the species is not read."
+        elif kind.startswith("Hertzian") and c.model != "MERCURYDPM_HERTZIAN":
+            c.unknown = "cor does not support this setter of a Hertzian species."
         if is_mixed:
             c.bodies = replace(c.bodies[0], name=one), replace(c.bodies[1], name="wall" if wall else two)
+        meant = [b.mass[0] for b in c.bodies if b.mass]
+        c.bodies = c.bodies[0], replace(c.bodies[1], mass=None) if wall else c.bodies[1]
+        ball = one if one in of_particles or not wall else two
+        masses = [mass_of(ball), math.inf if wall else mass_of(two)]
+        if len(meant) == 2 and not any(map(math.isnan, masses)):
+            mass, moving = meant[0] * meant[1] / sum(meant), 1 / sum(1 / x for x in masses)
+            c.zeta_factor = math.sqrt(mass / moving)
+            c.bodies = replace(c.bodies[0], mass=(masses[0],) * 2), replace(c.bodies[1], mass=(masses[1],) * 2)
+            c.notes = [f"The setter receives an effective mass of {mass:.6g}, but {moving:.6g} moves."]
+            c.notes = c.notes if abs(mass / moving - 1) > 1e-6 else []
+        elif len(meant) == 2 and wall and is_mixed:
+            c.unknown = c.unknown or "The mass of the particle at the wall is not read, and the damping depends on it."
         pairs |= {(one, two), (two, one)}
         seen = of_walls if wall else of_particles
         if not (of_particles and seen) or any(p in of_particles and q in seen for p, q in ((one, two), (two, one))):
@@ -529,7 +587,7 @@ def _mercury_dashpot(
         given("setStiffness", m[1]),
     )
     c.time_step = arithmetic(constants.get(step[1].strip(), step[1])) if step else NAN
-    if "Hertzian" in plain or math.isnan(c.stiffness) or math.isnan(c.number):
-        c.unknown = "The stiffness or dissipation of this species is not a literal number, or its law is not linear."
+    if math.isnan(c.stiffness) or math.isnan(c.number):
+        c.unknown = "The stiffness or dissipation of this species is not a literal number."
     c.tangential = _mercury_tangential(c, m[1], plain, constants, [])
     return c
