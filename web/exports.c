@@ -113,7 +113,7 @@ static void put_end(int end)
         put("%c", *c == '_' ? '-' : *c);
 }
 
-/* A curve of eps over the speed: the number of its contact, and its end of contact */
+/* A curve of eps as a function of the speed: the number of its contact, and its end of contact */
 struct curve {
     int contact, end;
 };
@@ -145,7 +145,7 @@ static struct cor_scene_contact timed(int contact)
     return c;
 }
 
-/* Returns the time step in the units of timed(): the shortest duration over the number of steps. */
+/* Returns the time step in the units of timed(): the shortest duration divided by the number of steps. */
 static double step_of(const double *speed_m_s, size_t n)
 {
     double least = INFINITY;
@@ -160,7 +160,7 @@ static double step_of(const double *speed_m_s, size_t n)
 }
 
 /* Fills `y` with columns of n numbers: beta, eps at both ends, durations, largest overlap and force, time step. The
- * columns of a second contact follow. The time step is the shortest of all durations over the number of steps. */
+ * columns of a second contact follow. The time step is the shortest duration divided by the number of steps. */
 WEB_EXPORT(web_impacts) void web_impacts(const double *speed_m_s, double *y, size_t n)
 {
     const double step = isnan(web_now.contact[0].mass_kg) ? (double)NAN : step_of(speed_m_s, n);
@@ -409,7 +409,7 @@ WEB_EXPORT(web_block) const char *web_block(char *names, const double *number, s
     return put_lines(&lines);
 }
 
-/* ---- curves of eps over the speed ---- */
+/* ---- curves of eps as a function of the speed ---- */
 
 /* Returns a line for each curve of the contact, with tabs. The first column is the end, or eps if both ends have the
  * same eps. The second is the end as an option. The third is eps, if it is the same at every speed. */

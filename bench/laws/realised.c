@@ -5,7 +5,7 @@
  *     cor_realised curve      csv, at 0.01 to 0.99, for the picture
  *     cor_realised markdown   a table of docs/simulators.md; models with the same end and the same numbers share a row
  *     cor_realised models     csv: all models, with law, end, and a sentence for the user
- *     cor_realised speeds     eps over the speed, of viscoelastic spheres with eps = 0.5 at 1 m/s, and the results
+ *     cor_realised speeds     eps at several speeds, of viscoelastic spheres with eps = 0.5 at 1 m/s, and the results
  *                             of simulators for e = 0.5
  * An empty cell: the model refuses this e, or no input gives this e. */
 #include <math.h>

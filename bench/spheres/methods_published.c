@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Published formulas that users write today, and the steps of a simulator of many grains. A copy of an array, without a
- * computation, gives the lower limit of the time. */
+/* Methods for comparison: published formulas for eps, and the time steps of a simulator of many grains. Copying an
+ * array gives the lower limit of the time. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -32,8 +32,8 @@ static void polynomial_at(arb_t y, const struct interpolant *f, int i, enum quan
     arb_add_error_mag(y, radius);
 }
 
-/* Of the intervals of a variable that sample the quantity, returns the first that does not end before x, or the last
- * one, or -1 if none exists. With `scaled_only`, only intervals of FORM_POWER count. */
+/* Returns the index of the interval at x among the intervals of a variable that sample the quantity. Beyond the last of
+ * them it returns the last, and -1 if none exists. scaled_only: only intervals of FORM_POWER count. */
 static int interval_at(const struct interpolant *f, enum quantity quantity, enum interval_variable variable,
                        const arb_t x, bool scaled_only)
 {

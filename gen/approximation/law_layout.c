@@ -23,7 +23,8 @@ enum {
 
 /* Points of an interval, and bits of its samples. Intervals of ln(beta) have the length ln(2) up to beta = 8. For
  * ln(beta) >= 2 they are 2 to 3, 3 to 4, 4 to 6, 6 to 8, .... Intervals of ln(beta_c - beta) span 2 octaves.
- * Where eps is almost linear they span more: 5 octaves below 2^BELOW_WIDE_TO, 10 octaves below 2^BELOW_WIDEST_TO. */
+ * Where eps is almost linear they are wider: they span 5 octaves if they are below 2^BELOW_WIDE_TO, and 10 octaves if
+ * they are below 2^BELOW_WIDEST_TO. */
 enum {
     NEAR_POINTS = 18,
     MIDDLE_POINTS = 36,

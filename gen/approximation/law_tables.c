@@ -74,7 +74,7 @@ int law_tables_emit(struct emit *e, const struct law_tables *t, bool floats)
 
 /* The rows are in beta from 0 to 8, in 1 - eps up to 1/2, and in eps from there down to 1/64, with 16 cells to an
  * octave. If a function multiplies the row by its argument, c_0 has HEAD_BITS bits, so that its products with the two
- * halves of a split double are exact. */
+ * parts of a split double are exact. */
 enum { HEAD_BITS = 26, BETA_ROWS = 65, LOSS_ROWS = 17, EPS_FIRST = -6, EPS_ROWS = 80 };
 #define IN_BETA(of, head)                                                                                              \
     .quantity = (of), .variable = VARIABLE_BETA, .step = 0.125, .end = 8, .rows = BETA_ROWS, .head_bits = (head)

@@ -50,7 +50,7 @@ struct pieces {
     enum variable variable;
     slong root;         /* y = beta^(1/root) or (1 - eps)^(1/root) */
     double first, step; /* grid of the nodes; octaves: `first` is the first k */
-    double end;         /* first beta, ln(beta), beta^5, loss, eps or beta_c - beta beyond the table */
+    double end;         /* the table ends before this beta, ln(beta), beta^5, loss, eps or beta_c - beta */
     slong octave_bits;  /* log2 of the number of rows in an octave */
     slong rows, degree, plain;
     slong head_bits;     /* bits of c_0; 0: the bits of a double or float */
@@ -62,7 +62,7 @@ struct pieces {
     double least_bits;   /* accuracy that every row must reach */
     double most_rest;    /* upper limit of |row/c_0 - 1|; 0: no limit */
     arb_ptr coefficient; /* rows x columns, intervals that round to the doubles of the table */
-    double *value;       /* rounded to doubles, or the floats */
+    double *value;       /* the coefficients, rounded to doubles; with `floats`, to floats */
     double *bits;        /* accuracy of the rounded row: sampled, or proved */
     bool to_prove;       /* row_proof.h will prove the rows, so they are not sampled before */
     bool proved;         /* row_proof.h has proved all rows */
@@ -123,7 +123,7 @@ int pieces_write(struct emit *e, struct pieces *p, struct pieces_function f);
  * samples it. */
 typedef void function_of_ball(arb_t f, const void *what, const arb_t y, bool proved, slong prec);
 
-/* Cuts p, a table of VARIABLE_OTHER or by octaves, and writes it, as pieces_write does. */
+/* Cuts the table p and writes it, as pieces_write does. p->variable is VARIABLE_OTHER or one by octaves. */
 int sampled_function_write(struct emit *e, struct pieces *p, function_of_ball *value, const void *what);
 
 #endif

@@ -73,13 +73,13 @@ int contact_end(const struct contacts *contacts, int contact);
 
 /* ---- lines for the input of a simulator, for a contact (cor/scene.h) ---- */
 
-/* The word that requests a list: of simulators in place of a name, of models in place of a version */
+/* The word that requests a list. In place of a name it requests all simulators, in place of a version all models. */
 #define CONTACT_SIMULATOR_LIST "list"
 
 extern const char *const contact_simulator_names[]; /* names of cor_simulators, the word for the list, NULL */
 
-/* Returns the malloc'ed text of corgen contact --for SIMULATOR, or of a list if one is requested. NULL after a message
- * if the simulator is unknown or cannot reproduce this contact. A list needs no contacts. */
+/* Returns the malloc'ed text of corgen contact --for SIMULATOR. If a list is requested, returns the list, which needs
+ * no contacts. NULL after a message if the simulator is unknown or cannot reproduce this contact. */
 char *contact_simulator_text(const struct cor_simulator_request *request);
 
 /* Returns the malloc'ed lines for all contacts of the materials in a csv file. pairs: a csv file with measured pairs,

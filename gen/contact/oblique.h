@@ -7,8 +7,8 @@
 
 /* model: a name of cor_tangential_models or of a simulator; NULL: displacement. given: angles in degrees, or tangential
  * speeds. stiffness, damping_ratio, restitution: NaN if not given; stiffness is then Mindlin's. damping_ratio:
- * tangential damper over normal damper. walton: each speed has only one row, with Walton's numbers. remark: a sentence
- * about the rows, set by contact_oblique, or "" */
+ * tangential damper divided by normal damper. walton: each speed has only one row, with Walton's numbers. remark: a
+ * sentence about the rows, set by contact_oblique, or "" */
 struct oblique_request {
     const char *model;
     double friction, stiffness, damping_ratio, restitution;

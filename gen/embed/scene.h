@@ -69,8 +69,9 @@ double embed_rounded(const struct embed_scene *s, double x);
 
 /* Fills numbers that are 0 on entry, enclosed to `prec` bits:
  *
- *     beta_per_root: the factor in beta = beta_per_root (speed/(m/s))^q, q = 1/5 for spheres. From a restitution it is
- *                    enclosed to 2^-79 of itself, under a constant force to 2^-149. Elastic-plastic spheres have none.
+ *     beta_per_root: the factor in beta = beta_per_root (speed/(m/s))^q, q = 1/5 for spheres. If it follows from a
+ *                    restitution, its relative error is at most 2^-79, or 2^-149 under a constant force.
+ *                    Elastic-plastic spheres have none.
  *     force: f_1 in the constant force f = f_1 (speed/(m/s))^(-2a/(a+1)) of x'' + beta x^b x' + x^a = f; 0 without one
  *     yield_speed: v_y of elastic-plastic spheres, m/s
  *     liquid_speed: the speed lost to a liquid on each way, m/s; 0 without one

@@ -49,9 +49,9 @@ enum {
 #define GROWTH_BELOW 2.7
 
 /* Chooses the route. The motion contracts by a factor whose logarithm is ln(1/mu) for loading, ln(1/mu) for release
- * (docs/theory.md, 8), and k/mu for unloading to zero overlap (9). The slow manifold replaces the unloading if k/mu is
- * large enough to reach the manifold's `last` to manifold_bits. This estimate neglects a power of beta, so a motion
- * just above the limit may miss the manifold at any precision. Then the unloading is integrated. */
+ * (docs/theory.md, 8), and k/mu for unloading to zero overlap (9). If k/mu is large enough, unloading reaches the slow
+ * manifold to within manifold_bits, and the manifold replaces the rest. This estimate neglects a power of beta, so a
+ * motion just above the limit may miss the manifold at any precision. Then the unloading is integrated. */
 static struct route route_of(const arb_t beta, double below, const struct cor_exponents *law, enum ends ends,
                              slong bits)
 {

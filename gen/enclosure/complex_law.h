@@ -14,7 +14,7 @@
  * A constant force f on the right side (docs/theory.md, 24) adds 4 f s^3/v to dv/ds and -f/x to the denominator of
  * dL/dkappa. It adds 4 f X/W^2 s^3 exp(-2 l) to dl/ds and -f beta^2 x^(n-a) to N. Under a force no path creeps. The
  * first speed v need not be 1: impacts of one contact at different speeds have the same beta and f in the same units.
- * eps is the last speed over v. The net work of f is 0, so this work of an uncertain f does not widen eps.
+ * eps is the last speed divided by v. The net work of f is 0, so this work of an uncertain f does not widen eps.
  *
  * At zero overlap eps is W exp(l), and at zero force x^(a-b)/beta. Under a force zero_force means the surface. The
  * flight to the surface multiplies eps by sqrt(1 - 2 f beta^2 x^(1-2(a-b))). The departure begins at kappa = 1 or after

@@ -8,8 +8,8 @@
  * multiply faster. */
 enum { ROW_BITS = 2 };
 
-/* Computes rows 0..rows-1 of f g, complete in s if both have at most `length` coefficients. It concatenates the rows
- * and computes one long product (Kronecker substitution). */
+/* Computes rows 0..rows-1 of f g. The rows of f and g have at most `length` coefficients, and no power of s is cut off.
+ * It concatenates the rows and computes one long product (Kronecker substitution). */
 static void rows_mul(arb_poly_struct *product, const arb_poly_struct *f, const arb_poly_struct *g, slong rows,
                      slong length)
 {

@@ -30,7 +30,7 @@ bool decimal_parse(struct decimal *x, const char *text, int exponent_digits);
 /* Reads a constant of the program. Ends the program if the text is not a number. */
 void decimal_set(struct decimal *x, const char *text);
 
-void decimal_clear(struct decimal *x); /* x may be all zero: a number that was never given */
+void decimal_clear(struct decimal *x); /* accepts a struct of zeros, which was never set */
 
 /* The allowed range of a number. `low` and `high` are texts of numbers, or NULL for no limit. */
 struct decimal_range {

@@ -145,7 +145,7 @@ int gnuplot_run(FILE *script, FILE *out, const char *path)
                       format[place]);
 }
 
-/* ---- eps over the speed ---- */
+/* ---- eps as a function of the speed ---- */
 
 enum { WIDTH = 720, HEIGHT = 470 };
 

@@ -45,7 +45,7 @@ enum column_kind {
 };
 enum { SMALL_DIGITS = 2, LEAST_DIGITS = 4 };
 
-/* The columns of each kind of sweep. The first ones are the columns of its lists. */
+/* The columns of each kind of sweep. lists: number of columns that contain lists; they come first */
 static const struct layout {
     const char *header, *kinds;
     size_t lists;

@@ -77,7 +77,7 @@ struct sweep_request {
     slong threads;      /* 0: one for each processor */
     enum output_format format;
     const char *output; /* file; NULL: standard output */
-    const char *plot;   /* a picture of eps over the speed; NULL: none */
+    const char *plot;   /* file for a picture of eps(speed); NULL: none */
     bool is_part;       /* writes the rows of a part to FILE.PART-of-PARTS.part */
     bool joins;         /* reads all rows from the files of the parts */
 };

@@ -243,7 +243,7 @@ static void disk_one_plus_t(arb_t y, const arb_t q, slong prec)
     arb_neg(y, y);
 }
 
-/* Computes the load over the compression, which is pi/(1 + t) at q = ln(delta_limit/delta). */
+/* Computes the load divided by the compression, which is pi/(1 + t) at q = ln(delta_limit/delta). */
 static void disk_load_factor(arb_t factor, bool proved, const arb_t q, slong prec)
 {
     (void)proved;

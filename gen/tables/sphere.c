@@ -12,8 +12,8 @@
 /* The layout of the sphere's tables, one instance of law_layout.h. Only this file defines its geometry; macros of the
  * headers pass it to the evaluators (approximation/pieces.h). 57 bits limit the error of a row to a sixteenth of a unit
  * of the last place. Rows in x = beta^5 at zero overlap need fewer bits where eps falls steeply, because there the
- * rounding of x changes eps more. If a row is multiplied by beta, its c_0 has HEAD_BITS bits, so that products with
- * halves of a double are exact. */
+ * rounding of x changes eps more. If a row is multiplied by beta, its c_0 has HEAD_BITS bits, so that its products with
+ * the two parts of a split double are exact. */
 enum { FORCE_PLAIN = 4 /* rows of eps at zero force, see pieces.h */, HEAD_BITS = 26 };
 #define TABLE(name, words, of, ...)                                                                                    \
     {                                                                                                                  \

@@ -263,12 +263,12 @@ COR_API double cor_plate_lambda(const struct cor_sphere_contact *contact, double
  * numbers are NaN if the speed is not positive and finite, or if the contact or the plate is not valid. Accuracy:
  * COR_CONTACT_MAX_ULP + 8.
  *
- * _contact_radius_ratio   the largest contact radius sqrt(R x_max) over h. It must be well below 1.
+ * _contact_radius_ratio   the largest contact radius sqrt(R x_max), divided by h. It must be well below 1.
  * _shear_crossings        how often a shear wave crosses the thickness of the plate during contact: the duration times
- *                         sqrt(Y_p/(2 (1 + nu_p) d_p)) over h. It must be well above 1; otherwise the plate is a
+ *                         sqrt(Y_p/(2 (1 + nu_p) d_p))/h. It must be well above 1; otherwise the plate is a
  *                         half-space (cor_contact_wave_loss).
- * _sphere_crossings       the duration times sqrt(Y/density) of the sphere over its diameter. It must be well above 1.
- *                         The sphere is assumed to be homogeneous.
+ * _sphere_crossings       the duration times sqrt(Y/density) of the sphere, divided by its diameter. It must be well
+ *                         above 1. The sphere is assumed to be homogeneous.
  * _least_half_width_m the least distance, m, to an edge whose echo does not return during contact:
  *                         2 sqrt(pi duration) (B/(d_p h))^(1/4), from the group velocity of bending waves of
  *                         frequency 4 pi/duration. On a simply supported square plate of that half width, eps is off

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* cor computes the coefficient of restitution eps of a collision, the rebound speed over the impact speed. This header
- * includes the headers of the library libcor, which needs only libm. If COR_WITH_DISK is defined, it also includes the
- * header of libcor_disk:
+/* cor computes the coefficient of restitution eps of a collision, the rebound speed divided by the impact speed. This
+ * header includes the headers of the library libcor, which needs only libm. If COR_WITH_DISK is defined, it also
+ * includes the header of libcor_disk:
  *
  *     I have                                              I want                                     header
  *     materials or one measured eps, and a speed, SI      eps, duration, overlap; A; g*              contact.h

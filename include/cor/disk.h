@@ -269,7 +269,7 @@ struct cor_disk_collision_options {
 };
 
 struct cor_disk_collision {
-    double eps;             /* speed after over speed before */
+    double eps;             /* speed after/speed before */
     double one_minus_eps2;  /* energy left in the modes, as a fraction of (pi/2) v^2; accurate near eps = 1, too */
     double contact_time;    /* from the first to the last moment at which the load is 1/1000 of its largest value */
     double max_compression; /* largest x_0 + 1 */
@@ -378,7 +378,7 @@ struct cor_disk_hard_wall_options {
 
 struct cor_disk_hard_wall {
     double one_minus_eps2;  /* energy left in the modes, as a fraction of (pi/2) v^2 */
-    double eps;             /* speed after over speed before */
+    double eps;             /* speed after/speed before */
     double contact_time;    /* from the first to the last touch, computed with the largest Omega */
     double max_compression; /* largest x_0 + 1 */
     double error_estimate;  /* estimated absolute error of one_minus_eps2 */

@@ -218,11 +218,11 @@ COR_API void cor_hunt_crossley_time_of_max_overlap_array(const double *beta, dou
  *
  * A tangential spring with the stiffness k_t x^(a-1) at the overlap x acts together with an elastic force K x^a without
  * damping. The displacement s of the contact point obeys s'' + kappa x^(a-1) s = 0, where x'' = -x^a. Here kappa is
- * k_t/K times the effective mass over the effective mass of the contact point in the tangential direction: (7/2) k_t/K
+ * (k_t/K) (effective mass)/(effective mass of the contact point in the tangential direction), which is (7/2) k_t/K
  * for homogeneous spheres (cor_tangential_kappa of contact.h). */
 
 /* double cor_tangential_no_slip(double kappa, double elastic_exponent): the tangential velocity of the contact point
- * after the collision over its velocity before,
+ * after the collision, divided by its velocity before,
  *
  *     u'/u = cos(pi sqrt((a - 1)^2 + 8 (a + 1) kappa)/(2 (a + 1)))/cos(pi (a - 1)/(2 (a + 1)))
  *

@@ -54,8 +54,8 @@ double cor_law_force_max(const struct cor_exponents *exponents, double damping);
 
 /* ---- spheres that yield, spheres in a liquid ---- */
 
-/* Return three numbers of elastic-plastic spheres (Thornton 1997): eps at x = v/v_y, the impact speed over the yield
- * speed; 1 - eps at x; and x for a given eps. With r = 1/x and t = r sqrt(5/(6 - r^2)): eps^4 = 108 t/((t + 2) (t^2 +
+/* Return three numbers of elastic-plastic spheres (Thornton 1997): eps at x = v/v_y, the impact speed v divided by
+ * the yield speed; 1 - eps at x; and x for a given eps. With r = 1/x and t = r sqrt(5/(6 - r^2)): eps^4 = 108 t/((t + 2) (t^2 +
  * 5)^2). eps = 1 for x <= 1. The bounds below are in units in the last place. The bound for eps counts roundings
  * (docs/theory.md, 21); the others are sampled in tests/unit/test_scene_plastic.c. Special values: x = +inf -> eps 0; x
  * negative or NaN, eps not in [0, 1] -> NaN; eps = 0 -> x = +inf. An x too large for a double is +inf, too. */
@@ -174,8 +174,8 @@ int cor_scene_tangential(double *stiffness_n_m, double *damping_n_s_m, const str
  * - COR_END_ZERO_OVERLAP: the contact ends at x = 0.
  * - COR_END_ZERO_FORCE, the surface: the contact ends where the force of spring and damper vanishes, at an overlap x_f
  *   with the outward speed v_f. The bodies then fly against force_n to x = 0 and arrive with (v_f^2 - 2 force_n
- *   x_f/m)^(1/2). eps is this speed over the impact speed. The duration includes the flight. For b >= a the two ends
- *   are the same.
+ *   x_f/m)^(1/2). eps is this speed divided by the impact speed. The duration includes the flight. For b >= a the
+ *   two ends are the same.
  *
  * Each end has a sticking speed. Up to this speed the bodies come to rest in contact: eps is 0 and the duration
  * infinite (docs/theory.md, 24). The largest force does not include force_n. Accuracy: COR_SCENE_PRESSED_ERROR bounds
@@ -503,8 +503,8 @@ int cor_scene_equivalent(struct cor_scene *spring, struct cor_scene_contact *her
  * NaN: a scene without bodies. Accuracy: 1e-14, relative. Source: [LIGGGHTS], fix check/timestep/gran. */
 double cor_scene_rayleigh_step_s(const struct cor_scene *scene);
 
-/* Fills *contacts, and sets *count to 1. Sets it to 2 if a restitution or a duration is given without its end, and the
- * end matters: one contact for each possible end. Returns COR_OK, the fault, or the result of the solver. After a
+/* Fills *contacts, and sets *count to 1. Sets it to 2 if a restitution or a duration is given without the end of contact,
+ * and the end matters: one contact for each possible end. Returns COR_OK, the fault, or the result of the solver. After a
  * failure *fault has the details, and *count is 0.
  * Accuracy of `damping`: 1e-14 relative; of a stiffness from a duration: 1e-11. Sampled in tests/gen/test_contact.c. */
 int cor_scene_contacts(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *count, struct cor_scene_fault *fault,

@@ -181,7 +181,8 @@ class Struct:
 
 
 def pointer(struct: Any, name: str, argument: str = "") -> Any:
-    """Returns the address of a struct of this name. A number is accepted as the tolerance of a rigid wall."""
+    """Returns the address of a struct of this name. A number is accepted in place
+    of the struct of a rigid wall, as its tolerance."""
     if getattr(struct, "_struct", None) == name:
         return struct._c
     if name == "cor_disk_hard_wall_options" and isinstance(struct, (int, float, np.number)):

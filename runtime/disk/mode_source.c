@@ -135,7 +135,7 @@ static void set_amplitudes(struct cor_disk_mode *mode, const struct cor_mode_poi
  * sign that it has at omega = 0, because it is at most -(1 + nu)(n(n-1)/2 - 5 omega^2). */
 long cor_mode_orders(double omega)
 {
-    /* n - 1 exceeds the rounded product x, so n (n - 1) > x^2 + x. The term x exceeds the rounding errors of x^2. */
+    /* n - 1 exceeds the rounded product x, so n (n - 1) > x^2 + x. The addend x exceeds the rounding error of x^2. */
     return (long)(omega * sqrt(10.0)) + 2;
 }
 

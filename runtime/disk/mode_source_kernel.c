@@ -139,7 +139,7 @@ static void kernel_equation(struct cor_mode_point *restrict point, const struct 
         const double f = round > 0 ? x : r - half * t0;
         const double f1 = round > 0 ? x1 : r + r1 - half * t0_1;
         const double f2 = round > 0 ? x2 : r + 2 * r1 + r2 - half * t0_2;
-        /* f1 vanishes between two roots; the step 2 is invalid, because 1 - step is negative */
+        /* f1 is 0 between two roots. Then step = 2 marks an invalid step, because 1 - step is negative. */
         const double slope = f1 == 0 ? 1 : f1, newton = f / slope, bend = newton * (f2 - f1) / (2 * slope);
         const double rest = 1 - (bend > -0.5 ? bend : -0.5), divisor = rest == 0 ? 1 : rest;
         point->step[i] = f1 == 0 || rest == 0 ? 2 : newton / divisor;

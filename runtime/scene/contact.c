@@ -40,7 +40,7 @@ double cor_scene_speed_exponent(const struct cor_scene_contact *contact)
 
 #define LAW(law, array) COR_LAW_##law,
 
-/* Returns the law with functions that has these exponents, or COR_LAWS. */
+/* Returns the law that has these exponents and functions of its own, or COR_LAWS if none has. */
 static enum cor_law law_named(const struct cor_exponents *law)
 {
     static const enum cor_law with_functions[] = {COR_LAWS_WITH_FUNCTIONS(LAW)};

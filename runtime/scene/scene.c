@@ -384,7 +384,8 @@ static int set_liquid(struct cor_scene_contact *contact, struct cor_scene_fault 
 
 /* ---- a damping from measurements ---- */
 
-/* Sets the damping. Makes one contact for each possible end if a restitution or a duration is given without its end. */
+/* Sets the damping. Makes one contact for each possible end if a restitution or a duration is given without its
+ * end of contact. */
 static int set_damping(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *count, struct cor_scene_fault *fault,
                        const struct cor_scene *scene)
 {

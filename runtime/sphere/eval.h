@@ -163,7 +163,7 @@ COR_INLINE double cor_inline_eps_zero_force_root(double x)
 
 /* ---- 1 - eps = beta (c_0 + row) ---- */
 
-/* Returns beta (c_0 + row). A tiny beta is scaled, because the halves of the products would be subnormal. */
+/* Returns beta (c_0 + row). A tiny beta is scaled, because parts of the products would be subnormal. */
 COR_INLINE double cor_inline_loss_product(struct cor_inline_place place, double beta)
 {
     if (cor_inline_below(beta, COR_INLINE_2_M900))

@@ -190,7 +190,7 @@ COR_INLINE struct cor_inline_pair cor_inline_beta_power(double beta, struct cor_
 
 /* ---- rows ---- */
 
-/* Returns x times a row. A tiny x is scaled, because the halves of the products would be subnormal. */
+/* Returns x times a row. A tiny x is scaled, because parts of the products would be subnormal. */
 COR_INLINE double cor_inline_law_product(struct cor_inline_place place, double x)
 {
     if (cor_inline_below(x, COR_INLINE_2_M900))
@@ -293,7 +293,7 @@ COR_KERNEL struct cor_inline_pair cor_inline_law_linear(struct cor_inline_law_qu
     if (!(om2.hi > 1e-18))
         return cor_pair(1e9, 0);
     const struct cor_inline_pair om = cor_pair_root(om2);
-    if (beta < COR_INLINE_2_M300) { /* the halves of a product would be subnormal */
+    if (beta < COR_INLINE_2_M300) { /* parts of a product would be subnormal */
         const struct cor_inline_pair slope = cor_pair_over(pi, om);
         const struct cor_inline_pair l = cor_inline_pair_times(slope, cor_pair(beta * COR_INLINE_2_500, 0));
         return cor_pair((l.hi + l.lo) / COR_INLINE_2_500, 0);
@@ -449,7 +449,7 @@ COR_KERNEL struct cor_inline_pair cor_inline_law_beta_of_power(struct cor_inline
 
 /* Returns beta of an eps below the rows. At zero overlap eps is the power v_f beta^(-1/q). At zero force
  * eps = beta^power (a_0 + ...), so beta = R (1 + x)^s. R is beta without the other terms, and x is the sum of these
- * terms over a_0, below 1e-5. The loop iterates ln(beta) = ln(R) + s x. */
+ * terms divided by a_0, below 1e-5. The loop iterates ln(beta) = ln(R) + s x. */
 COR_KERNEL double cor_inline_law_beta_far(struct cor_inline_law_quantity q, double eps)
 {
     int exponent;

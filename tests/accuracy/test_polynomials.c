@@ -38,7 +38,8 @@ static const struct polynomial {
     ROW("phase, zeta < 1", cor_ratio_phase_polynomial, "s^2", "s + s^3*p - atan", 0, 0.41437, 1, 0x1p-57),
     ROW("phase, zeta > 1", cor_ratio_phase_polynomial, "-s^2", "s - s^3*p - (log(1 + s) - log(1 - s))/2", 0, 0.41437, 1,
         0x1p-57),
-    /* Error of the formula: the error of the polynomial times sinh(s) >= s; s coth(s) - 1 is at least 0.29 s^2 */
+    /* The error of this formula is sinh(s), which is at least s, times the error of the polynomial. s coth(s) - 1 is at
+     * least 0.29 s^2. */
     ROW("s coth(s) - 1", cor_hc_coth_polynomial, "s^2",
         "(s^2*(1/3 + s^2*p) + 1)*(exp(s) - exp(-s))/2 - s*(exp(s) + exp(-s))/2", 0, 1.503, 3, 0.29 * 0x1p-55),
     ROW("atanh, approach only", cor_hc_atanh_polynomial, "s^2", "s + s^3*(1/3 + s^2*p) - (log(1 + s) - log(1 - s))/2",

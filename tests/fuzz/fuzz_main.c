@@ -69,7 +69,7 @@ static void run(const uint8_t *input, size_t size)
     free(copy);
 }
 
-/* Replaces \n, \\ and \x with two digits by bytes. Returns the size. */
+/* Converts the escapes \n, \\ and \xHH, with two hexadecimal digits H, to bytes. Returns the size. */
 static size_t unpack(const char *line, uint8_t *input)
 {
     size_t size = 0;

@@ -419,7 +419,7 @@ TEST(thresholds_of_a_constant_force)
             }
 }
 
-/* The time step is the least of duration / number of steps over all impacts, in any order of the speeds. */
+/* The time step is the shortest duration of all impacts, divided by the number of steps, in any order of the speeds. */
 TEST(the_time_step_is_for_all_speeds)
 {
     enum { SPEEDS = 5, STEP_COLUMN = 8 };
@@ -480,7 +480,8 @@ TEST(the_step_for_a_tolerance_is_rounded_down)
                                            .speed_m_s = (SPEED_M_S),                                                   \
                                            .speeds = 1})
 
-/* Counts the models whose lines contain their number, and checks that this number gives eps. */
+/* Counts the models in the text for a host. Checks that the lines of each model contain the number that the host needs
+ * for eps, and that this number gives eps. */
 static size_t host_realises(const char *host, int law, const struct given *bodies, const struct given *given)
 {
     struct contacts contacts = contacts_of(law, COR_BOTH_ENDS, bodies, given);

@@ -33,8 +33,8 @@ static void function_at(arb_t y, enum quantity quantity, double u)
     arb_poly_get_coeff_arb(y, f, 0);
 }
 
-/* The enclosed functions contain the collisions inside the intervals, at their ends, and above the last one, where 210
- * mu u^2 is below 2^-70. */
+/* The enclosures of the functions overlap enclosed collisions. The places are inside the intervals, at their ends, and
+ * above the last interval, where 210 mu u^2 is below 2^-70. */
 TEST(test_collisions)
 {
     static const double places[] = {9.41, 12, 20.25, 37.99, 38, 44};

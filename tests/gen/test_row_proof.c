@@ -302,8 +302,8 @@ static void creep_rest(arb_t rest, arb_t Y, arb_t bound, const struct creep_seri
     creep_series_remainder(bound, s, r);
 }
 
-/* a_1 = 2, a_2 = 3/2, a_3 = 3, a_4 = 9 by hand. Enclosed collisions give the same constant C = rest within the
- * remainder, even where Y is small and the remainder large. Without the last term they disagree. */
+/* a_1 = 2, a_2 = 3/2, a_3 = 3, a_4 = 9 are computed by hand. `rest` is the constant C, so all enclosed collisions give
+ * the same `rest` within the remainder, even where Y is small. Without the last term they disagree. */
 TEST(test_creep_series)
 {
     static const double first[] = {2, 1.5, 3, 9};

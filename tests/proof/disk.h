@@ -426,8 +426,8 @@ static void check_law(void)
                 check_law_at(f, datum, exponent);
 }
 
-/* Checks log1p near the limit: it receives (limit - x)/x. The limit, without rounding, is its number at nu = 0 times (1
- * + s)^512, with ten terms of s = exp(slope nu/512) - 1. */
+/* Checks log1p near the limit: it receives (limit - x)/x. Without rounding, the limit is its value at nu = 0 times (1 +
+ * s)^512, where s has ten terms of the series of exp(slope nu/512) - 1. */
 static void check_limit(void)
 {
     start();

@@ -50,8 +50,8 @@ static long double energy(long double z)
     return z * z * sum;
 }
 
-/* Returns h = beta eps by Newton's method for f(-h) = f(beta), on the side of the root where f is convex towards it. If
- * h is 1 up to its last bits, iterates 1 - h = exp(-f - h). */
+/* Returns h = beta eps, the root of f(-h) = f(beta), by Newton's method. f is convex, so from the second iterate on all
+ * are on one side of the root. If h is near 1, iterates 1 - h = exp(-f - h) instead. */
 static long double rebound(long double beta)
 {
     const long double wanted = energy(beta);

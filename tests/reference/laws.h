@@ -7,7 +7,7 @@
 
 #include "cor/law.h"
 
-/* Returns L of the linear dashpot and Tsuji's damping for zeta > 0, from acos, acosh or, at zeta = 1, one formula. */
+/* Returns L of the linear dashpot and Tsuji's damping for zeta > 0, from inverses of cos, tan, cosh and tanh. */
 long double reference_ratio_exponent(enum cor_end end, long double zeta);
 
 /* Returns L of Hunt and Crossley's law from f(-h) = f(beta), with f by its series or log1pl; beta > -1, not 0. */

@@ -36,7 +36,7 @@ MEASURED = np.array([[2.238, 0.7965], [4.218, 0.7463], [9.842, 0.6755], [20.218,
 
 
 def mindlin(kappa: float, springs: int = 1200, steps: int = 6000, angles: np.ndarray = ANGLES) -> np.ndarray:
-    """Returns u'/u. x'' = -x^(3/2) in the units of the collision, in which the springs give (3/2) dz."""
+    """Returns u'/u. In the units of the collision x'' = -x^(3/2), of which the spring at z gives (3/2) (x - z^2) dz."""
     z = (np.arange(springs) + 0.5) / springs * math.sqrt(1.1)
     dz = z[1] - z[0]
     w = angles * 3.5 * FRICTION / kappa

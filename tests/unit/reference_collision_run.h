@@ -40,8 +40,8 @@ static void NAME(gauss_rule)(REAL node[GAUSS], REAL weight[GAUSS])
 struct NAME(series) {
     REAL *table;           /* [point][row]: displacement of the rim per unit of the row's sum */
     REAL *shape, *weight;  /* [point]: alpha (cos(phi) - 1); weights of the rule, for both quadrants */
-    REAL *position;        /* [k][1 + n]: x_0 + 1 and Q; the state is k = 0 and 1 */
-    REAL *rise, *pressure; /* [k][point]: alpha k x_k, x without cos(phi) - 1; pressure times weight */
+    REAL *position;        /* [k][1 + n]: x_0 + 1, then Q; rows 0 and 1: positions, velocities */
+    REAL *rise, *pressure; /* [k][point]: alpha k x_k, see rim(); pressure times weight */
     REAL *sum;             /* [row] */
 };
 
@@ -85,7 +85,7 @@ static void NAME(place_points)(const struct disk *disk, const struct NAME(series
     }
 }
 
-/* Computes alpha k x_k, or alpha x_0 for k = 0, at the active points. x excludes cos(phi) - 1. */
+/* Computes alpha k x_k, or alpha x_0 for k = 0, at the active points. Omits the part cos(phi) - 1 of x_0. */
 static void NAME(rim)(const struct disk *disk, const struct NAME(series) * s, int k)
 {
     const REAL *const position = s->position + (size_t)k * (1 + disk->n);

@@ -655,7 +655,7 @@ TEST(refusals)
                                         {INT_MAX, 0, 9, 1, 1},
                                         {COR_DISK_MODES_MAX_N + 1, 0, 9, 1, 1},
                                         {2, 0, some[3].omega, 1, 1}};
-    for (size_t i = 0; i + 1 < 2 * COUNT_OF(bad); i++) { /* each as mode 5 and mode 1, the last as mode 5 */
+    for (size_t i = 0; i + 1 < 2 * COUNT_OF(bad); i++) { /* as mode 5 and as mode 1; the last only as mode 5 */
         some[i % 2 ? 0 : 4] = bad[i / 2];
         refused(&mine, i % 2 ? 1 : 5, &good, 0.1, COR_ERROR_MODES);
         some[0] = modes->mode[0];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The public functions of the rigid wall (runtime/disk/hard_wall.c): values from another program, the error against two
- * more levels, all speeds down to the smallest double, details, workspaces, refusals. */
+/* Tests the public functions of the rigid wall (runtime/disk/hard_wall.c) against values from another program, and the
+ * error estimate against results with two more levels. Speeds go down to the smallest double. */
 #include "check.h"
 
 #include <cor/disk.h>
@@ -445,7 +445,7 @@ TEST(refusals)
     mode[1700].n = COR_HARD_WALL_MAX_N + 1;
     assert_int_equal(cor_disk_hard_wall(&wrong, 1800, &good, 0.1, &out), COR_ERROR_MODES);
     mode[1700] = modes->mode[1700];
-    mode[1799].omega = 1000; /* at every level this mode is too fast to move */
+    mode[1799].omega = 1000; /* omega is above Omega at every level */
     for (int i = 0; i < 2; i++) {
         mode[1799].n = COR_DISK_MODES_MAX_N + i;
         struct cor_disk_hard_wall high;

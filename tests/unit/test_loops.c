@@ -69,9 +69,9 @@ static int same(const struct loop *l, const void *a, const void *b)
 
 /* ---- arguments ---- */
 
-/* Draws arguments of every kind, so that a vector has numbers inside and outside the tables. Later blocks have only
- * numbers for which every function has rows, numbers near 0, or numbers whose products may be subnormal floats. seam:
- * places where rows end or change. */
+/* Draws arguments of every kind, so that a vector has numbers inside and outside the tables. Each of the later blocks
+ * has one kind: numbers for which every function has rows; numbers near 0; numbers whose products may be subnormal
+ * floats. seam: places where rows end or change. */
 static void fill(double *drawn)
 {
     static const double special[] = {0.0,     -0.0,  NAN,  INFINITY, -INFINITY, -1,      4.9406564584124654e-324,

@@ -89,7 +89,7 @@ TEST(every_law)
         }
         if (q > 0)
             check_near(1 - scene_eps(&c, cor_scene_damping(&c, COR_SCENE_G_STAR) * pow(1e-7, 1 / q), 0), 1e-7, 1e-5);
-        /* a restitution without its end gives a contact for each end, if the ends of the law differ */
+        /* if the end of the restitution is not given and the ends of the law differ, each end gives a contact */
         struct cor_scene scene = scene_without_numbers((enum cor_law)(i % COR_LAW_PLATE));
         struct cor_scene_contact both[COR_SCENE_ENDS], wet = c;
         struct cor_scene_fault fault;

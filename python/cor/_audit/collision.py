@@ -5,7 +5,7 @@ file, so it imports only the standard library."""
 import math
 from typing import Callable, Tuple
 
-SMALL = 100  # the deck's time step over the small step of the second measurement
+SMALL = 100  # the deck's time step divided by the small step of the second measurement
 PHASES = 4  # start phases within a time step; a measured eps is the mean over them
 FEW, MOST = 2000, 2_000_000  # least and largest number of steps of a collision
 

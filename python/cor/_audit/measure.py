@@ -20,7 +20,7 @@ from .collision import Failed
 from .deck import Contact, Options, Row
 from .process import ALL_S, Process, copy_folder_of
 
-SLOW = 0.01  # impact speed times duration over radius, if eps is the same at every speed
+SLOW = 0.01  # impact speed times duration, divided by the radius, if eps is the same at every speed
 TOLERANCE = 2e-3  # allowed |measured eps - computed eps|, before allowances for the error of the step
 
 

@@ -110,7 +110,7 @@ def _starts(p: Problem, extra: Sequence[float]) -> List[List[float]]:
 
 
 def _lines(p: Problem, extra: Sequence[float]) -> List[List[float]]:
-    """Return starts. For a constant: the weighted mean. For others: the line of ln eps over ln v, and the mean."""
+    """Return starts. For a constant: the weighted mean. For others: a line through ln eps in ln v, and the mean."""
     flights = p.at(np.array([*([0.0] * len(p.curve.kinds)), *extra]))
     eps, weight = flights.eps, (p.spread(flights) * np.ones(p.size)) ** -2
     if p.curve is CONSTANT:

@@ -312,7 +312,7 @@ class Problem:
         return np.asarray(z[1:] * np.exp((determinant[1:] - determinant[0]) / (2 * self.size))[:, None])
 
     def time_sigma(self, theta: Floats, scale: float) -> Tuple[float, float]:
-        """Return s of a time or height, and the scatter of eps."""
+        """Return two standard deviations: s, of a measured time or height, and the scatter of eps."""
         ratio = math.exp(self.log_ratio) / self.mean_square
         determinant, _ = self.whiten(self.parts(theta), [0.0, ratio])
         sigma = scale / math.exp((determinant[1] - determinant[0]) / (2 * self.size))
@@ -324,7 +324,7 @@ class Problem:
         return 1.0 if variance is None else np.sqrt(variance[0] + variance[1]) / flights.weight
 
     def z(self, theta: Floats) -> Any:
-        """Return the residuals over their standard deviations, or over `scale`."""
+        """Return the residuals divided by their standard deviations, or by `scale`."""
         if self.plain or self.sample.is_points:
             return self.eps_residual(theta) / (self.spread(self.at(theta)) * self.scale)
         z = self.z_at(self.parts(theta), [self.log_ratio])[0]

@@ -39,8 +39,8 @@
 /* Normal speeds beyond 10 v_T have the weight exp(-50). eps is smooth in s = g^(1/5). */
 #define SPEED_MAX 10.0
 #define NODES 64
-/* Three effects of finite overlaps, each to first order in x_max/d, the largest overlap over the diameter; the last two
- * for weak damping. B is Euler's beta function.
+/* Three effects of finite overlaps, each to first order in x_max/d, the largest overlap divided by the diameter. The
+ * last two are for weak damping. B is Euler's beta function.
  *
  * TURNING: the tangential speed g_t turns the pair during the contact, and the centrifugal acceleration a = g_t^2/d
  * pushes the spheres apart. It changes the loss by the fraction -turning(beta) (g_t/g)^2 x_max/d; <g_t^2> = 2 v_T^2.

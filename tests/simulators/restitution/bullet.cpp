@@ -2,7 +2,7 @@
 /* Collides two equal spheres head-on in Bullet, or one with a plane, with the lines of corgen contact --for bullet. The
  * file bullet_cases.inc, which measure.py writes, contains the array bullet_cases. The first overlap depends on the
  * moment within a time step at which the bodies meet. The program prints for each case the smallest and the largest
- * restitution over 64 such moments. For a spring it prints the mean twice, because corgen states the mean:
+ * restitution over 64 such moments. For a spring both numbers are the mean, because corgen states the mean.
  *     eps NAME 64 SMALLEST LARGEST */
 #include <btBulletDynamicsCommon.h>
 

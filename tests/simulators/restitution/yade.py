@@ -2,7 +2,7 @@
 # Head-on collisions in YADE with the text of corgen contact --for yade: of two spheres, or of one with a wall.
 #     yade -x -n -j1 yade.py RUN [RUN]...        or RUNs on lines of standard input; "done" ends each answer
 # Each RUN is a dict of Python. paste: the file of the text. duration: s. n: numbers of steps. Optional are wall, speed,
-# g, side (tangential speed over speed), radius, and material, the numbers of the two materials; collide has their
+# g, side (tangential speed divided by speed), radius, and material, the numbers of the two materials; collide has their
 # defaults. With g, a ball returns to the wall at this speed. The script prints for each n, with duration/(n + 1/2) as
 # the time step,
 #     eps PASTE N VALUE CHANGE
