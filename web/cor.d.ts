@@ -37,7 +37,7 @@ export type Simulator = string;
 
 /** The options of `corgen contact`, with _ for each hyphen: bodies or a spring, one way to give the damping, a law.
  * gravity presses body 1 to a wall or a plate. restitution is eps measured at the speed `at`, and at the end
- * `end` of contact or, without `end`, at either. time_step_s: the shortest duration divided by steps (default: 50) */
+ * `end` of contact or, without `end`, at either. time_step_s is the shortest duration/steps (default: 50). */
 export type ContactOptions = Partial<Record<"young" | "poisson" | "radius" | "density" | "mass" | "young_2" | "poisson_2"
     | "radius_2" | "density_2" | "mass_2" | "plate_thickness" | "gravity" | "duration" | "stiffness" | "effective_mass"
     | "dissipation_time" | "dissipation_time_2" | "g_star" | "restitution" | "at" | "damping_coefficient" | "beta"
@@ -57,8 +57,8 @@ type EndName = "zero_overlap" | "zero_force" | "surface";
 export type Impacts = Record<"beta" | `eps_${EndName}` | `duration_s_${EndName}` | "max_overlap_m" | "max_force_n"
     | "time_step_s", Float64Array>;
 
-/** Results are lists of one element. If a restitution is given without an end of contact, they have two: for eps measured
- * at zero overlap and at zero force. */
+/** Results are lists of one element. If a restitution is given without an end of contact, they have two: for eps
+ * measured at zero overlap and at zero force. */
 export interface Contact {
     readonly options: ContactOptions;
     readonly count: number;
