@@ -198,7 +198,7 @@ static double octave_of(double x)
 }
 
 /* The parts of the layout, in the order of enum law_part. In the texts, %s is the end of contact or the quantity.
- * holds: the quantity at zero overlap in tables for eps; -1: eps itself. stem: of tables for other quantities */
+ * holds: in tables for eps, the quantity at zero overlap; -1: eps itself. stem: of the tables for other quantities */
 static const struct part {
     int holds;
     const char *stem_of_eps, *title_of_eps, *stem;

@@ -377,8 +377,8 @@ static int try_precision(struct pade *f, arb_poly_t c, bool *regular, const stru
             *regular = pade_of_series(f, c, m, n, prec);
             break;
         }
-        /* use 1 over the series of 1/eps: a zero in it is known to be exact, but a linear system of balls could not
-         * show it */
+        /* use P = 1 and Q = the series of 1/eps. A zero in this series is known to be exact, but a linear system of
+         * balls could not show this. */
         arb_poly_one(f->p);
         restitution_power(f->q, c, (struct ratio){-1, 1}, &r->law, n + 1, prec);
         _arb_poly_normalise(f->q);

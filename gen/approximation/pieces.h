@@ -91,8 +91,8 @@ struct pieces_function pieces_of_collision(const struct interpolant *f);
 int pieces_make(struct pieces *p, struct pieces_function f);
 void pieces_clear(struct pieces *p);
 
-/* Computes the rows of p with the widest cells that meet the bounds: halves p's own width until no row misses a bound.
- * The caller sets `first`, `end` and the first step or octave_bits. The function sets `rows` and `plain`. */
+/* Computes the rows of p with the widest cells that meet the bounds. Halves the cells until no row misses a bound. The
+ * caller sets `first`, `end` and the first step or octave_bits. The function sets `rows` and `plain`. */
 int pieces_fit(struct pieces *p, struct pieces_function f);
 
 /* Writes the geometry of the table as macros, under NAME in capitals, and the function NAME(i) that returns row i. The

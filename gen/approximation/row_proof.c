@@ -295,7 +295,7 @@ static void piece_init(struct piece *w, const struct interpolant_proof *proof, c
         stored_on(eps, w, EPS_ZERO_FORCE, lo, hi);
         stored_on(time, w, DURATION_ZERO_FORCE, lo, hi);
         LET_FUNCTION(mu, "exp(-5*w->x/3)", w->x);
-        interpolant_proof_creep(w->stored, w->proof, eps, time, w->x, mu); /* leave y not finite without a proof */
+        interpolant_proof_creep(w->stored, w->proof, eps, time, w->x, mu); /* not finite without a proof */
     } else {
         stored_on(w->stored, w, stored, lo, hi);
     }

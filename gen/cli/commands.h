@@ -35,7 +35,7 @@ struct pade_arguments {
 
 struct collide_arguments {
     struct option_common common;
-    struct decimal beta, stiffness, effective_mass, damping_coefficient, speed; /* `beta`, or the other four */
+    struct decimal beta, stiffness, effective_mass, damping_coefficient, speed; /* either `beta` or the other four */
     struct decimal force;                                                       /* text NULL: no force */
     bool threshold;
     int end; /* enum cor_end; OPTIONS_NOT_GIVEN: both */

@@ -54,8 +54,8 @@ enum { CONTACT_DIGITS = 12, CONTACT_DIGITS_TEXT = 6 };
 void contact_summary(struct table *table, const struct contacts *contacts, double friction, double tangential,
                      int digits);
 
-/* Prints the meaning of Rayleigh's time step (if the rows use a different time step), of Tabor's number and of an
- * equivalent spring. */
+/* Prints the meaning of Tabor's number and of an equivalent spring. Also prints the meaning of Rayleigh's time step if
+ * the rows use a different time step. */
 void contact_print_ranges(FILE *file, const struct contacts *contacts, bool rows);
 
 /* Adds a row for each contact and speed of the request, with its time step, in the columns of corgen contact. Two

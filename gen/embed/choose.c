@@ -16,7 +16,7 @@ enum {
     POLYNOMIAL_MAX = 24,
     RATIONAL_MAX = 40, /* largest sum of degrees */
     PADE_MAX = 40,
-    PADE_SKEW = 6, /* largest degree of the denominator minus degree of the numerator */
+    PADE_SKEW = 6, /* largest difference of the degrees of denominator and numerator */
     PIECE_DEGREE_MAX = 9,
     LARGE_PIECE_DEGREE_MAX = 11, /* largest degree of pieces in large tables */
     FRACTION_BITS_MAX = 8,

@@ -127,7 +127,7 @@ struct embed_program {
         slong degree, stride;
     } step[EMBED_STEPS];
     int count;
-    int x, argument; /* x: step of the root of the speed; argument: step x, or the step of its place in a row */
+    int x, argument; /* steps: x: the root of the speed; argument: x itself, or the place of the root in a row */
     int p, q;        /* steps of the polynomials; q = 0: no denominator */
 };
 /* Returns the program of a form, which points to the numbers of the form. */
@@ -186,8 +186,9 @@ void embed_search(struct embed_form *form, const struct embed_scene *s);
 /* Returns the cheapest family for a purpose, or FAMILIES if no form was found. */
 enum embed_family embed_choose(const struct embed_form *form, enum embed_purpose purpose);
 
-/* ---- the proof (proof.c, docs/embed.md, "Tolerance"): it bounds a form's error at every speed of its scene ---- It
- * bounds the difference between the formula and eps, and adds the rounding errors. eps is a closed form, the proved
+/* ---- the proof of a form's error at every speed of its scene (proof.c, docs/embed.md, "Tolerance") ----
+ *
+ * It bounds the difference between the formula and eps, and adds the rounding errors. eps is a closed form, the proved
  * interpolant of the collision, or the proved limit at large beta (row_proof.h). */
 
 /* eps at zero overlap is h*^5 beta^-5 (1 - d) with 0 < d < EMBED_FAR_ERROR for beta >= EMBED_FAR.
@@ -199,7 +200,7 @@ struct embed_proof {
     double error;    /* relative error of the header's eps; infinite without a proof */
     double formula;  /* the error of the formula without rounding */
     double rounding; /* the error of the rounding */
-    bool proved;     /* the error is proved at every speed of the range >= from, m/s */
+    bool proved;     /* the error is proved at the speeds >= from (m/s) of the range */
     double from;
 };
 
@@ -212,7 +213,7 @@ int embed_prove(struct embed_proof *proof, const struct embed_form *f, const str
  * operations. */
 struct embed_rounding {
     double error; /* relative error of the result; includes the error of the root of the speed */
-    double root;  /* relative error of that root */
+    double root;  /* relative error of the root of the speed */
     double place; /* absolute error of x slope + shift (pieces in beta); 0 for other forms */
 };
 

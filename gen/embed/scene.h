@@ -30,7 +30,7 @@ struct embed_scene {
     arb_t press, sticking_speed;
     double sticking_log; /* ln(beta) at that speed */
     double origin;       /* a double below sticking_speed; subtracted from every speed of the scene except the onset */
-    double onset;        /* 0: none; up to this speed eps is 1 (0 if pressed), and the forms begin above it */
+    double onset;        /* up to this speed eps is 1 (0 if pressed); the forms begin above it; 0: none */
     bool constant;       /* eps is the same at every speed: no damping, or q = 0 */
     arb_t eps;           /* the value of the constant eps */
     arb_t beta_per_root; /* beta = beta_per_root speed^q, q = 1/5 for spheres */

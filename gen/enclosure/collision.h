@@ -22,11 +22,11 @@ int collision_solve_below(struct collision *c, const arb_t beta, double below, c
  * needs no complete unloading and is fast for any damping. Otherwise the two ends coincide. */
 int collision_solve_force(struct collision *c, const arb_t beta, const struct cor_exponents *law, slong bits);
 
-/* Solves x'' + beta x^b x' + x^a = force >= 0 (docs/theory.md, 24) at one end, an enum cor_end, or at both, -1. The
- * fields of the other end are undefined. Under a force > 0, eps_zero_force and t_zero_force are values at the surface:
- * the bodies fly from zero force to x = 0. Bodies that are proved to stay together have eps exactly 0 and t = +inf.
- * Under a force > 0 the function fails very close to the threshold, and if the damping is too strong for the
- * integration. */
+/* Solves x'' + beta x^b x' + x^a = force >= 0 (docs/theory.md, 24). end: an enum cor_end, or -1 for both ends. The
+ * fields of an end that is not requested are undefined. Under a force > 0, eps_zero_force and t_zero_force are values
+ * at the surface: the bodies fly from zero force to x = 0. Bodies that are proved to stay together have eps exactly 0
+ * and t = +inf. Under a force > 0 the function fails very close to the threshold, and if the damping is too strong for
+ * the integration. */
 int collision_solve_pressed(struct collision *c, const arb_t beta, const arb_t force, const struct cor_exponents *law,
                             int end, slong bits);
 

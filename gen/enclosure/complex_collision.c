@@ -133,9 +133,9 @@ static struct complex_ball kappa_at(double zeta)
     return ball_inv(ball_sqr(ball_of(zeta, 0)));
 }
 
-/* Follows the motion from zero force, k = 1 and Y = beta^2 y, to zero overlap with c1 = c2 = 1. Then eps is g^2/beta^5
- * with the last g, and times have the unit beta. A creeping path has the variable 1/Y until Y = LAST_Y, where
- * k hardly depends on its first value. Other paths start in k. Both end in zeta = k^(-1/2). */
+/* Follows the motion with c1 = c2 = 1 from zero force, where k = 1 and Y = beta^2 y, to zero overlap. eps is g^2/beta^5
+ * with the g of zero overlap, and beta is the unit of time. A creeping path has the variable 1/Y until Y =
+ * LAST_Y, where k hardly depends on its first value. Other paths start in k. Both end in zeta = k^(-1/2). */
 static bool fall_from_force(struct complex_collision *c, struct complex_ball beta, struct complex_ball at_force,
                             bool creeps)
 {

@@ -174,7 +174,7 @@ static bool manifold_make(struct slow_manifold *m, const struct cor_exponents *l
     return enclose_fall(m, eta);
 }
 
-/* All manifolds so far, the last one first. A thread that needs a manifold waits while another thread computes one. */
+/* All manifolds so far, newest first. A thread that needs a manifold waits while another thread computes one. */
 static struct slow_manifold *kept_manifolds;
 static pthread_mutex_t kept_lock = PTHREAD_MUTEX_INITIALIZER;
 

@@ -47,7 +47,7 @@ enum {
 #define LEAST_TOLERANCE 1e-6
 #define MIN_SPEED 1e-3 /* keeps alpha = 56/v below COR_DISK_COLLISION_MAX_ALPHA */
 #define COLLISION_TOLERANCE 1e-6
-/* Nanoseconds of a step of a collision, and of each mode in a step, measured once (docs/plan.md). */
+/* Nanoseconds, measured once (docs/plan.md). A step of a collision takes NS_STEP, and NS_STEP_MODE for each mode. */
 #define NS_STEP 1000.0
 #define NS_STEP_MODE 4.0
 #define NS_EPS_TABLE 14.0

@@ -71,8 +71,8 @@ void plan_clear(struct plan *plan);
 /* Adds a model with values NaN. The name is a format. The pointer is valid until the next call. */
 struct plan_model *plan_add(struct plan *plan, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Sets cost, leaves_out and use. Unless the error is promised, also sets error = |value/truth - 1|, or |value - truth|,
- * at every point. */
+/* Sets cost, leaves_out and use. Also sets error = |value/truth - 1|, or |value - truth|, at every point, unless the
+ * model has a promised error. */
 void plan_model_is(const struct plan *plan, struct plan_model *model, double cost, const char *leaves_out, char *use);
 
 /* Sets worst and verdict of all models, and `chosen`: the cheapest model whose error plus the uncertainty of the
@@ -82,8 +82,8 @@ void plan_choose(struct plan *plan);
 void plan_print(const struct plan *plan, enum output_format format, FILE *file);
 
 /* Fill a plan, which the caller always clears. Return STATUS_OK, or another status after a message. request, contact:
- * the scene without its constant force. with_force, pressed: the scene with the force; without a force, request and
- * contact again. points: 0 for the default. For disks the request has the speeds in sqrt(E/rho), tolerance and
+ * the scene without its constant force. with_force, pressed: the scene with the force. If no force acts, they equal
+ * request and contact. points: 0 for the default. For disks the request has the speeds in sqrt(E/rho), tolerance and
  * Poisson's ratio. */
 int plan_spheres(struct plan *plan, const struct embed_request *request, const struct cor_scene_contact *contact,
                  const struct embed_request *with_force, const struct cor_scene_contact *pressed, slong points);

@@ -29,8 +29,8 @@ enum { TRUTH_BITS = 64, PADE_BITS = 320, PADE_POINTS = 4096, ROOT_REFINEMENT = 2
 /* Error of beta in half ulps, if a caller writes factor * pow(speed, q) */
 #define ROUNDINGS_OF_BETA 2.0
 
-/* Nanoseconds of a single call, and of an element in a loop, measured once: published formulas and the library by
- * bench/run spheres, the others as in docs/plan.md */
+/* Nanoseconds of a single call, and of an element in a loop, measured once. bench/run spheres measured the published
+ * formulas and the library. docs/plan.md describes the other measurements. */
 static const double cost_published[USES] = {14.6, 14.6}, cost_mueller[USES] = {12.3, 12.3}, cost_power[USES] = {11, 11},
                     cost_simple[USES] = {66, 66}, cost_library[USES] = {4.4, 2.2}, cost_constant[USES] = {0, 0},
                     cost_crossley[USES] = {32, 19}, cost_function[USES] = {17, 17}, cost_pressed[USES] = {5e4, 5e4};
@@ -213,9 +213,9 @@ static void add_constants(const struct spheres *s)
     }
 }
 
-/* Adds eps = a g^-b, where b is the slope of ln eps between the ends: the best slope, because ln eps is a concave
- * function of ln g. eps g^b ranges from e^low to e^high, and a is the harmonic mean of these two numbers, which gives
- * the smallest relative error. */
+/* Adds eps = a g^-b. -b is the slope of the line between the ends of ln eps(ln g). It is the best slope, because the
+ * function is concave. eps g^b ranges from e^low to e^high, and a is the harmonic mean of these two numbers, which
+ * gives the smallest relative error. */
 static void add_power_law(const struct spheres *s)
 {
     struct plan *const plan = s->plan;
@@ -394,7 +394,7 @@ static void add_library(const struct spheres *s)
 }
 
 /* Adds a function of beta: cor_law_value for the Hertz dashpot and Hunt-Crossley's law, otherwise the header of corgen
- * law. The error is its bound plus the effect of rounding beta, which the caller computes from the speed. */
+ * law. The error is its bound plus the effect of rounding beta, because the caller computes beta from the speed. */
 static void add_function_of_beta(const struct spheres *s)
 {
     struct plan *const plan = s->plan;
@@ -462,7 +462,7 @@ static void add_other_end(const struct spheres *s)
 
 enum { SCAN = 200, BISECTIONS = 30 };
 
-/* True if the force changes eps by the tolerance at most; false if a collision cannot be solved */
+/* True if the force changes eps by at most the tolerance. False also if a collision cannot be solved. */
 static bool may_go(const struct cor_scene_contact *pressed, int end, double tolerance, double speed)
 {
     struct cor_scene_contact without_force = *pressed;

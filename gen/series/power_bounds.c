@@ -160,7 +160,7 @@ static bool bound_inverse(arb_t nu, mag_ptr column, const struct power_evidence 
  * s^J vanish, and the factor of Z^(i) P^(j) in N is j - p i. */
 static void bound_defect(arb_t y, mag_srcptr z, mag_srcptr power, slong J, struct ratio p)
 {
-    LOCAL(mag, exponent, sum, theta_sum, term, norm); /* sum, theta_sum: of |P^(j)|, of j |P^(j)| over j > J - i */
+    LOCAL(mag, exponent, sum, theta_sum, term, norm); /* sums of |P^(j)|, of j |P^(j)| for j > J - i */
     LOCAL(arb, ratio);
     LET(ratio, NORM_BITS, "p", p);
     arb_get_mag(exponent, ratio);

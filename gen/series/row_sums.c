@@ -257,7 +257,7 @@ static void error_block(struct row_sums *s, slong start, slong end)
                 s->error[n] += x_radius * y->size[n - j] + x_size * y->radius[n - j];
         }
     }
-    /* the factor covers the rounding errors of this sum, and the last term its underflows */
+    /* the factor exceeds the rounding errors of this sum, and 2^-900 exceeds its underflows */
     for (slong n = start; n < end; n++)
         s->error[n] = s->error[n] * (1 + 1e-6) + 0x1p-900;
 }

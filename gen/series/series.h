@@ -14,8 +14,8 @@ extern const char *const contact_end_options_pressed[]; /* also "surface" */
 extern const char *const contact_end_options_all[];     /* also "approach-only", COR_END_APPROACH_ONLY */
 extern const char *const contact_end_names[];           /* "zero_overlap", "zero_force", "surface" */
 
-/* The first function converts END_SURFACE of an option to COR_END_ZERO_FORCE, and the second converts back. pressed: a
- * constant force acts. The first returns STATUS_OK, or STATUS_USAGE after a message if there is no such end. */
+/* contact_end_given converts END_SURFACE of an option to COR_END_ZERO_FORCE. It returns STATUS_OK, or STATUS_USAGE
+ * after a message if there is no such end. contact_end_named converts back. pressed: a constant force acts */
 int contact_end_given(int *end, bool pressed);
 int contact_end_named(int end, bool pressed);
 

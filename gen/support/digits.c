@@ -87,7 +87,7 @@ struct precision precision_start(slong digits)
 
 struct precision precision_doubling(slong bits, slong limit)
 {
-    /* bits and step both double; the last value of bits is above limit/2 and at most the limit */
+    /* each attempt doubles bits and step; the last value of bits is above limit/2 and at most the limit */
     return (struct precision){.bits = bits, .step = bits, .limit = limit / 2 + 1};
 }
 

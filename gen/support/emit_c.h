@@ -11,7 +11,7 @@
 
 struct emit {
     FILE *file;
-    bool single;              /* the real type of emit_lines and the functions after it is float, not double */
+    bool single;              /* emit_lines and the functions after it write float instead of double */
     bool decimal;             /* rows and structs in 17 decimal digits, which every C and C++ compiler reads, instead of
                                * hexadecimal */
     bool shared;              /* rows always use the macros of runtime/table/rows.h */

@@ -36,7 +36,7 @@ struct operand {
     const arb_poly_struct *function;
     const fmpq *exact;
     struct ratio ratio; /* den = 0: absent */
-    slong whole;        /* used if all others are absent */
+    slong whole;        /* used if all other members are absent */
     double real;        /* NaN: absent */
     const struct cor_exponents *law;
 };

@@ -88,8 +88,8 @@ int table_read(struct table *t, const char *option, const char *path, const char
 void table_add(struct table *t, char *cell);            /* takes ownership, row-major order */
 void table_add_text(struct table *t, const char *text); /* escaped as by xprintable */
 void table_add_integer(struct table *t, long value);
-void table_add_number(struct table *t, double x, int digits); /* nan if x is NaN */
-void table_add_known(struct table *t, double x, int digits);  /* an empty cell if x is NaN, not known */
+void table_add_number(struct table *t, double x, int digits);                   /* adds nan if x is NaN */
+void table_add_known(struct table *t, double x, int digits);                    /* adds an empty cell if x is NaN */
 void table_print(const struct table *t, enum output_format format, FILE *file); /* not FORMAT_LATEX */
 /* Print the current rows of a table as a part of a longer table; only csv and json. first: no rows precede. */
 void table_print_start(const struct table *t, enum output_format format, FILE *file);

@@ -38,7 +38,7 @@ enum column_kind {
     COLUMN_PLACES = 'p', /* a result, up to the second digit of its error */
     COLUMN_DIGITS = 'd', /* a result during the contact: as many digits as eps has decimals */
     COLUMN_WHOLE = 'w',  /* a result with all digits */
-    COLUMN_SMALL = 's',  /* a result of which SMALL_DIGITS suffice */
+    COLUMN_SMALL = 's',  /* a result with SMALL_DIGITS digits */
     COLUMN_STEPS = 'n',
     COLUMN_ERROR = 'e', /* error estimate, rounded up to SMALL_DIGITS; the last column but one */
     COLUMN_STATUS = 't' /* the last column */

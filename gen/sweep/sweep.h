@@ -31,7 +31,7 @@ struct sweep {
 };
 
 struct sweep_row {
-    double speed, nu, alpha; /* alpha: infinite without a list */
+    double speed, nu, alpha; /* alpha: infinite if its list is empty */
     size_t modes;
 };
 

@@ -38,7 +38,7 @@ static const struct generated files[] = {
     {"disk_modes_nu033.h", NULL, "0.33"},
     {"disk_modes_nu090.h", NULL, "0.90"},
 };
-enum { FILES = sizeof files / sizeof *files, CONTENTS = FILES + 2 /* plus disk_limits.h and the manifest */ };
+enum { FILES = sizeof files / sizeof *files, CONTENTS = FILES + 2 /* with disk_limits.h and the manifest */ };
 
 /* The files of one material */
 static const struct {

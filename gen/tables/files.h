@@ -80,7 +80,7 @@ struct cor_disk_limit_piece;
 
 /* These functions return STATUS_OK, or STATUS_FAILED after reporting the reason. */
 int disk_limits_collide(void); /* computes all collisions */
-/* True if a table is in memory: the table of disk_limits_collide, otherwise the table with which corgen was built. If
+/* True if a table is in memory. It is from disk_limits_collide, or else it is the table with which corgen was built. If
  * `piece` is not NULL, the table in memory becomes the built-in table with these pieces. With COR_BOOTSTRAP, corgen has
  * no built-in table. */
 bool disk_limits_known(const struct cor_disk_limit_piece *piece);
@@ -119,7 +119,7 @@ struct tables_request {
     slong modes;            /* number of modes of that material; 0: DISK_TABLE_MODES */
     const char *directory;  /* NULL: generated, or the current directory for a material */
     bool check;             /* compare without writing */
-    bool digits;            /* write the digits of the coefficients to standard output instead, as csv */
+    bool digits;            /* write the digits of the coefficients as csv to standard output, and no files */
     bool all;               /* compute all collisions of disk_limits.h again */
     slong seed;             /* chooses the points at which a check recomputes collisions; below 0: by the clock */
 };

@@ -325,7 +325,7 @@ enum { FAR_BITS = 400 };
 struct time_rows {
     const char *name, *title, *variable;
     law_time *time;
-    const char *damping; /* zeta or beta as a function of y; NULL: it is y, and each octave has 1/step cells */
+    const char *damping; /* zeta or beta as a function of y; NULL: y itself, with 1/step cells in each octave */
     double from, step, end;
     double least_bits;
 };
@@ -381,7 +381,7 @@ static const struct time_rows disk_rows[] = {
 struct far_form {
     const char *name;
     const char *comment; /* comment above this form and the following ones */
-    /* sets equation i: sum_k c_k basis_k = value, an enclosed value of the function */
+    /* sets equation i: sum_k c_k basis_k = value. value encloses the function */
     void (*equation)(arb_ptr basis, arb_t value, const struct far_form *f, slong i);
     slong known, terms, split;
     /* for tsuji_equation */
@@ -464,7 +464,7 @@ static void overlap_equation(arb_ptr basis, arb_t value, const struct far_form *
         arb_pow_ui(basis + k, y, 2 * (ulong)k, FAR_BITS);
 }
 
-/* Checks that the relative error of y^(4/5) V(y) from the row is below 2^-57, sampled from y = OVERLAP_END to 115. */
+/* Checks that the row gives y^(4/5) V(y) with relative errors below 2^-57, at samples of y from OVERLAP_END to 115. */
 static int overlap_far_check(const struct far_form *f)
 {
     LOCAL_VECTOR(row, FAR_MOST);
@@ -606,8 +606,8 @@ static int rows_write(struct emit *e, const struct time_rows *rows, slong head_b
     return sampled_function_write(e, &p, time_at, rows);
 }
 
-/* Writes n tables, and the forms for strong damping. far: the forms; the last has no name. head_bits: bits of c_0 in
- * each row; 0: all */
+/* Writes n tables, and the forms for strong damping. far: the forms, ended by a form without a name. head_bits: bits
+ * of c_0 in each row; 0: all bits */
 static int file_write(FILE *file, const char *name, const char *what, const char *how, const struct time_rows *rows,
                       int n, slong head_bits, const struct far_form *far)
 {

@@ -54,8 +54,8 @@ double cor_law_force_max(const struct cor_exponents *exponents, double damping);
 
 /* ---- spheres that yield, spheres in a liquid ---- */
 
-/* Return three numbers of elastic-plastic spheres (Thornton 1997): eps at x = v/v_y, where v is the impact speed and v_y
- * the yield speed; 1 - eps at x; and x for a given eps. With r = 1/x and t = r sqrt(5/(6 - r^2)): eps^4 = 108 t/((t + 2)
+/* Return three numbers of elastic-plastic spheres (Thornton 1997): eps at x = v/v_y, 1 - eps at x, and x for a given
+ * eps. v is the impact speed and v_y the yield speed. With r = 1/x and t = r sqrt(5/(6 - r^2)): eps^4 = 108 t/((t + 2)
  * (t^2 + 5)^2). eps = 1 for x <= 1. The bounds below are in units in the last place. The bound for eps counts roundings
  * (docs/theory.md, 21); the others are sampled in tests/unit/test_scene_plastic.c. Special values: x = +inf -> eps 0; x
  * negative or NaN, eps not in [0, 1] -> NaN; eps = 0 -> x = +inf. An x too large for a double is +inf, too. */
@@ -503,9 +503,9 @@ int cor_scene_equivalent(struct cor_scene *spring, struct cor_scene_contact *her
  * NaN: a scene without bodies. Accuracy: 1e-14, relative. Source: [LIGGGHTS], fix check/timestep/gran. */
 double cor_scene_rayleigh_step_s(const struct cor_scene *scene);
 
-/* Fills *contacts, and sets *count to 1. If a restitution or a duration is given without the end of contact, and the end
- * matters, makes one contact for each end and sets *count to 2. Returns COR_OK, the fault, or the result of the solver.
- * After a failure *fault has the details, and *count is 0.
+/* Fills *contacts, and sets *count to 1. If a restitution or a duration is given without the end of contact, and the
+ * end matters, makes one contact for each end and sets *count to 2. Returns COR_OK, the fault, or the result of the
+ * solver. After a failure *fault has the details, and *count is 0.
  * Accuracy of `damping`: 1e-14 relative; of a stiffness from a duration: 1e-11. Sampled in tests/gen/test_contact.c. */
 int cor_scene_contacts(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *count, struct cor_scene_fault *fault,
                        const struct cor_scene *scene);

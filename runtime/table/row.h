@@ -51,8 +51,8 @@ COR_INLINE double cor_inline_row_value(struct cor_inline_place place)
     return place.row[0] + cor_inline_row(place);
 }
 
-/* Returns m (c_0 + row) for m >= 2^-900 and rows whose c_0 has at most 26 bits. m is split into two parts. Their products
- * with c_0 are exact, so the final addition causes nearly all of the rounding error. */
+/* Returns m (c_0 + row) for m >= 2^-900 and rows whose c_0 has at most 26 bits. m is split into two parts. Their
+ * products with c_0 are exact, so the final addition causes nearly all of the rounding error. */
 COR_INLINE double cor_inline_row_product(struct cor_inline_place place, double m)
 {
     const double head = cor_inline_head(m), tail = m - head;

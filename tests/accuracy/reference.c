@@ -160,7 +160,7 @@ static bool negative_at_end(arb_srcptr component)
  * steps. */
 static void motion_zero(arb_t sigma, arb_srcptr component)
 {
-    enum { HALVINGS = 12, NEWTON = 5 }; /* halvings give 12 bits, which Newton's method doubles 5 times */
+    enum { HALVINGS = 12, NEWTON = 5 }; /* halvings give 12 bits, and each Newton step doubles their number */
     LOCAL(arb, low, high, middle, y, slope);
     arb_set(high, m.step);
     for (int i = 0; i < HALVINGS; i++) {

@@ -39,7 +39,7 @@ struct search_options {
     double (*random_argument)(struct random_state *r, const struct search_function *f);
     void (*boundaries)(struct worst *worst, const struct search_function *f, const struct search_options *o);
     bool judges_specials;          /* tests values at 0, 1 and infinity, next to them, and outside the domain */
-    uint64_t largest_rise, radius; /* largest allowed rise of eps, in ulp; neighbours of the worst point to test */
+    uint64_t largest_rise, radius; /* allowed rise of eps, in ulp; number of neighbours of the worst point to test */
 };
 
 static inline bool search_is_inverse(const struct search_function *f)

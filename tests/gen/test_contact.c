@@ -316,7 +316,7 @@ TEST(other_laws)
 
 /* ---- a constant force: enclosed collisions against the integration in doubles ---- */
 
-static int stuck, held, parted; /* counts: no end at zero overlap, none at zero force, and an end at zero overlap */
+static int stuck, held, parted; /* scenes without zero overlap, without zero force, with zero overlap */
 
 static void check_pressed(const struct cor_exponents *exponents, double damping, double force_n, double speed)
 {

@@ -158,7 +158,7 @@ TEST(test_rows)
             memcpy(kept, c, sizeof kept);
             for (int k = 0; k <= DEGREE; k++, power *= width)
                 last += c[k] * power;
-            /* + BUMP eps (x/width)^5, or BUMP eps (1 - x/width)^5 */
+            /* adds BUMP eps (x/width)^5, or BUMP eps (1 - x/width)^5 */
             static const double binomial[] = {1, -5, 10, -10, 5, -1};
             power = 1;
             for (int k = 0; k <= DEGREE; k++, power /= width)

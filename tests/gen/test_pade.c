@@ -256,8 +256,8 @@ TEST(test_spurious_pair)
     assert_false(pade_analyse(a, f, PREC));
 }
 
-/* For each degree, the rounding of z, a product and a sum add u each: 3 n u for a polynomial without cancellation.
- * Rounding 1 adds u, the quotient 1 u, and the root in the loss 2 u. */
+/* Without cancellation a polynomial of degree n adds 3 n u: for each degree z, a product and a sum are rounded. The
+ * rest, 3 u, is from the roundings of its coefficients, of the denominator 1 and of the quotient. */
 TEST(test_evaluation_error)
 {
     const double u = 0x1p-53;

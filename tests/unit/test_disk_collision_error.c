@@ -108,7 +108,7 @@ static void scene_judge_by_tighter(const struct scene *s, struct tally *tally)
 {
     struct scene other = *s, tighter = *s;
     struct cor_disk_collision out, of_other, truth;
-    other.tolerance = 1e-8 / s->tolerance; /* is also from 1e-6 to 1e-2 */
+    other.tolerance = 1e-8 / s->tolerance; /* this tolerance is from 1e-6 to 1e-2, too */
     tighter.tolerance = 0.01 * s->tolerance;
     const int status = scene_collide(s, 0, &out);
     if (status != COR_OK)

@@ -128,8 +128,9 @@ static const struct cell *cell_beyond(const struct cell *at, int across, int las
     return ends ? NULL : cell_of(x, y);
 }
 
-/* Joins the polynomials by Neville's interpolation. On a side next to a smaller cell, the polynomial of the smaller
- * cell is right. It replaces the values on a side in nu. On a side in x, the difference and zeros are interpolated. */
+/* Returns the polynomial of a cell, joined to smaller neighbours. On a side next to a smaller cell it must equal the
+ * polynomial of the smaller cell. On a side in nu, that polynomial replaces the cell's own. On a side in x, the
+ * difference is interpolated with zeros elsewhere and added. */
 static long double joined(const struct cell *at, long double x, long double y, long double *uncertainty)
 {
     const long double x_in = (x - at->x) / at->side, y_in = (y - at->nu) / at->side;

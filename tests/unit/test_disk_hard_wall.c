@@ -529,7 +529,7 @@ TEST(parts_of_the_estimate)
 TEST(usual_errors)
 {
     leave_to_turn(1, 3);
-    if (points(10) < 10) /* the scenes of the test `errors` suffice for the use of memory */
+    if (points(10) < 10) /* tests of memory use need only the scenes of the test `errors` */
         skip();
     const size_t scenes = points(1), most = scenes < 20 ? 10 : COR_DISK_HARD_WALL_MAX_LEVELS;
     double worst = 0;

@@ -272,8 +272,9 @@ TEST(test_limits)
           "too fast");
 }
 
-/* Checks that each function refuses the arguments and changes no results. Omits the function for a list if the speed is
- * wrong, because a list has a status for each speed. Omits the function with a tolerance for a part of the modes. */
+/* Checks that each function refuses the arguments and changes no results. If the speed is wrong, omits
+ * cor_disk_rayleigh_array, which has a status for each speed. If n_modes is only a part of the modes, omits
+ * cor_disk_rayleigh_tolerance. */
 static void refused(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum, double speed,
                     int expected)
 {

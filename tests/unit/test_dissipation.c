@@ -109,7 +109,7 @@ TEST(finite_rates)
 
 TEST(limits)
 {
-    /* an incompressible solid has Y = 3 mu, and A is the shear viscosity over the shear modulus mu; (4) gives 0 */
+    /* an incompressible solid has Y = 3 mu, and A is (shear viscosity)/mu with the shear modulus mu; (4) gives 0 */
     check_near(cor_dissipation_time_viscous_s(2e3, 7, 3e6, 0.5), 1e3 / 1e6L, 1e-15);
     assert_true(cor_dissipation_time_s(2e3, 7e3, 3e6, 0.5) == 0);
     /* nu = 0: (4) is singular */

@@ -477,7 +477,7 @@ static void oblique_ratios(long double ratio[2], long double a, long double kapp
     long double y[OBLIQUE + 1] = {powl((a + 1) / 2, 1 / (a + 1)), 0, 1, 0, 0, 1, 0, 1, 1, 0, first};
     struct ode o = {.slopes = oblique_slopes, .of = a_kappa, .n = OBLIQUE + 1, .longest = 0.1L};
     ode_advance(&o, y, first);
-    /* s or f must be 0 at first contact. There the even solution is as at the end, the odd one has the other sign. */
+    /* s or f must be 0 at first contact. From first contact to the end, only the odd solution changes its sign. */
     ratio[0] = (y[2] * y[5] + y[4] * y[3]) / (y[2] * y[5] - y[4] * y[3]);
     ratio[1] = (y[8] * y[7] + y[6] * y[9]) / (y[8] * y[7] - y[6] * y[9]);
 }

@@ -19,7 +19,7 @@ static struct cor_scene_contact spheres(double dissipation_time_s, double adhesi
     return contact;
 }
 
-/* Returns the overlap, its slope over the contact radius, and the force, by the theory. */
+/* Returns the overlap, its derivative by the contact radius, and the force, by the theory. */
 static long double overlap_of(const struct cor_scene_contact *s, long double c, long double *slope, long double *force)
 {
     const long double modulus = 0.75L * (long double)s->stiffness / sqrtl(s->radius_m), w = s->adhesion_j_m2,

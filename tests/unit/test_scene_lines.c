@@ -425,7 +425,7 @@ TEST(several_materials)
         for (int j = i; j < TYPES; j++) {
             double other[OF_BODY];
             memcpy(other, n[place[j]], sizeof other);
-            other[4] *= i == 0 && j == 2 ? 2 : 1; /* the measured value, not the one from dissipation times */
+            other[4] *= i == 0 && j == 2 ? 2 : 1; /* this pair was measured */
             const struct cor_sphere_contact c = pair_of(n[place[i]], other, j > 1);
             if (i == 1 && j == 1)
                 pair[0].restitution = cor_contact_eps_zero_overlap(&c, 0.3);

@@ -312,7 +312,7 @@ TEST(against_another_method)
                   rescaled =
                       i.memory == COR_REMEMBERS_DISPLACEMENT_RESCALED || i.memory == COR_REMEMBERS_FORCE_RESCALED;
         i.constant_stiffness = !rescaled && random_below(&draw, 4) == 0;
-        i.law = rescaled && i.law == COR_LAW_LINEAR ? COR_LAW_VISCOELASTIC : i.law; /* no contact radius */
+        i.law = rescaled && i.law == COR_LAW_LINEAR ? COR_LAW_VISCOELASTIC : i.law; /* linear has no contact radius */
         i.damping = random_below(&draw, 2) || i.memory == COR_REMEMBERS_NOTHING ? random_log(&draw, 1e-3, 10) : 0;
         if (random_below(&draw, 4) == 0) /* kappa near 4.5: elastic spheres slip just before the end */
             i.kappa = 4.5 + random_uniform(&draw, -1, 1) * random_log(&draw, 1e-6, 0.3);

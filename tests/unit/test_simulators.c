@@ -206,7 +206,7 @@ static const struct damper {
 struct scaled_pair {
     const struct pair *s;
     enum cor_end end;
-    double damping, b, time; /* damping and b of the damping force with x^b v */
+    double damping, b, time; /* the damping force is damping x^b v */
 };
 
 /* Returns the force. COR_END_APPROACH_ONLY: it is damped only during the approach. COR_END_LIMITED: the damping force

@@ -229,7 +229,7 @@ TEST(falls_at_powers_of_two)
         }
 }
 
-/* Returns the slope of ln(f) over ln(beta): the difference quotient between beta and beta (1 + 2^-10). */
+/* Returns d ln(f)/d ln(beta), as the difference quotient between beta and beta (1 + 2^-10). */
 static double slope(sphere_function *f, double beta)
 {
     const double next = beta * (1 + 0x1p-10);

@@ -55,7 +55,7 @@ static void *call_with_all(void *unused)
     return NULL;
 }
 
-/* Returns the number of changed bytes of the stack after a thread called the function, or nothing for NULL. */
+/* Returns the bytes of stack that a thread used to call the function. NULL: the thread calls no function. */
 static size_t stack_taken(const struct public_function *function)
 {
     pthread_attr_t attributes;

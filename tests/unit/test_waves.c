@@ -66,7 +66,7 @@ TEST(collisions)
                    cor_half_space_wave_coefficient(nu) * powl(speed / sqrtl((long double)young / density), 0.6L),
                    5e-14);
     }
-    /* a rigid sphere with the density of the block has the coefficient 2.553631 or, at nu = 0.3, 2.600216 */
+    /* a rigid sphere with the density of the block has the coefficient 2.553631 at nu = 1/4, and 2.600216 at 0.3 */
     for (int k = 0; k < 2; k++) {
         const double nu = k ? 0.3 : 0.25, wanted = k ? 2.600216 : 2.553631;
         const struct cor_body rigid = sphere_of(INFINITY, 0.2, 2000, 0.01), wall = {1e10, nu, 0, INFINITY, INFINITY};
