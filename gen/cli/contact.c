@@ -301,9 +301,9 @@ static int run_contact(const void *arguments)
     if (status != STATUS_OK)
         return status;
     if (o->speed.count > 0)
-        contact_warn_yield(&contacts, o->speed.largest);
+        contact_warn(&contacts, o->speed.largest);
     else if (embed_given(&o->scene, COR_SCENE_AT))
-        contact_warn_yield(&contacts, embed_number(&o->scene, COR_SCENE_AT));
+        contact_warn(&contacts, embed_number(&o->scene, COR_SCENE_AT));
     if (o->simulator)
         return print_for_simulator(o, &contacts);
     if (o->plot)

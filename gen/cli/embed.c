@@ -26,7 +26,7 @@ static int run_embed(const void *arguments)
     if (status != STATUS_OK)
         return status;
     if (!own)
-        contact_warn_yield(&contacts, embed_number(&o->scene, EMBED_SPEED_MAX));
+        contact_warn(&contacts, embed_number(&o->scene, EMBED_SPEED_MAX));
     profile_step("collisions, series");
     status = embed_scene_init(&scene, &o->scene, &contacts.contact[0]);
     if (status == STATUS_OK)

@@ -43,7 +43,7 @@ static int plan_of_spheres(struct plan *plan, const struct plan_arguments *o)
         status = usage_error("corgen plan has models only of dry contacts that do not yield; for --law elastic-plastic "
                              "and --viscosity-liquid use corgen contact, sample or embed");
     if (status == STATUS_OK) {
-        contact_warn_yield(&contacts, embed_number(&scene, EMBED_SPEED_MAX));
+        contact_warn(&contacts, embed_number(&scene, EMBED_SPEED_MAX));
         status = plan_spheres(plan, &scene, contacts.contact, &o->scene, pressed.contact, o->points);
     }
     decimal_clear(&damping);

@@ -46,7 +46,7 @@ static int run_sample(const void *arguments)
         return status;
     if (!own.law) {
         request.end = (enum cor_end)contacts.scene.end;
-        contact_warn_yield(&contacts, request.speed_max);
+        contact_warn(&contacts, request.speed_max);
     }
     status = sample_choose(&sample, &request);
     if (status == STATUS_OK)

@@ -110,10 +110,15 @@ const char *contact_law_text(char text[CONTACT_LAW_TEXT], const struct cor_scene
     return text;
 }
 
-void contact_warn_yield(const struct contacts *contacts, double speed_m_s)
+void contact_warn(const struct contacts *contacts, double speed_m_s)
 {
     const struct cor_scene_contact *const c = &contacts->contact[0];
-    const double speed = speed_m_s - c->liquid_speed_m_s;
+    const double speed = speed_m_s - c->liquid_speed_m_s, overlap = cor_scene_elastic_overlap(c, speed);
+    if (isgreater(overlap, c->radius_m))
+        fail("warning: at %g m/s the overlap would be %.4g m, above the effective radius, %.4g m. Hertz's force does "
+             "not "
+             "hold. Check the units: Young's modulus in Pa, lengths in m, speeds in m/s.",
+             speed_m_s, overlap, c->radius_m);
     if (c->plastic || !(c->yield_speed_m_s > 0) || !(speed > c->yield_speed_m_s))
         return;
     fail("warning: at %g m/s the largest Hertzian pressure would be %.4g Pa. The bodies yield at %.4g Pa, 1.6 times "

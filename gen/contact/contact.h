@@ -28,8 +28,9 @@ int contacts_without_jkr(struct contacts *contacts, const struct embed_request *
 enum { CONTACT_LAW_TEXT = 256 };
 const char *contact_law_text(char text[CONTACT_LAW_TEXT], const struct cor_scene_contact *contact);
 
-/* Warns on stderr if the spheres of a law without yield would yield at this impact speed. */
-void contact_warn_yield(const struct contacts *contacts, double speed_m_s);
+/* Warns on stderr if the overlap at this impact speed exceeds the radius, or if spheres of a law without yield would
+ * yield. */
+void contact_warn(const struct contacts *contacts, double speed_m_s);
 
 /* Converts the status of a function of cor/scene.h, called for such a contact, to an exit status. */
 int contact_status(int status);
