@@ -6,7 +6,7 @@ import math
 import operator
 import re
 import warnings
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
 from .._cor import lib
@@ -709,7 +709,12 @@ class _Reader:
             c.gravity = pull[two.axis] if two.axis is not None else math.sqrt(sum(g * g for g in pull))
         self.set_model(c, one, two)
         self.owners.append((c, {id(one.material), id(two.material)}))
-        if one.clump or two.clump:
+        if (one.clump or two.clump) and c.number == c.bond == 0 and c.luding is None:  # elastic at each mass
+            c.notes.append("The contact has no damping: eps holds for impacts through the centres of the clumps.")
+            first, second = c.bodies
+            second = second if second.wall else replace(second, mass=(NAN, NAN))
+            c.bodies = replace(first, mass=(NAN, NAN)), second
+        elif one.clump or two.clump:
             c.unknown = c.unknown or "A clump rebounds with its own mass and shape, not with the sphere's."
         if math.isnan(self.damping):
             c.unknown = c.unknown or "The damping of NewtonIntegrator cannot be read as a number."
