@@ -494,8 +494,8 @@ COR_INLINE struct cor_inline_octaves cor_inline_octaves_of(double first, int bit
 }
 #define COR_INLINE_OCTAVES(table) cor_inline_octaves_of(table##_FIRST, table##_OCTAVE_BITS)
 
-/* Returns the row of x: the number of cells between first and x. The bits of x, read as an integer, grow equally from
- * cell to cell. */
+/* Returns the row of x: the number of cells between first and x. The bits of x, read as an integer, increase by the
+ * same amount from cell to cell. */
 COR_INLINE uint64_t cor_inline_octaves_row(struct cor_inline_octaves grid, double x)
 {
     return (cor_inline_bits(x) - cor_inline_bits(grid.first)) >> (52 - grid.bits);
@@ -663,9 +663,9 @@ COR_INLINE double cor_inline_eps_zero_force(double beta)
     return beta < COR_INLINE_EPS_LEAST ? 1 : cor_inline_eps_force_far(beta);
 }
 
-/* Return eps at beta = x^(1/5), where x is the product of an impact speed g and beta_per_root^5. For x from 2^-40 to
- * 2^14 or 2^20 (beta from 1/256 to 7 or 16), rows in x give eps without a root. Only a fifth of the relative rounding
- * error of this product reaches beta. For larger x, eps at zero overlap is h*^5/x. */
+/* Return eps at beta = x^(1/5), where x is the product of an impact speed g and beta_per_root^5. From x = 2^-40 (beta =
+ * 1/256), rows in x give eps without a root, up to x = 2^14 (beta = 7) at zero overlap and 2^20 (beta = 16) at zero
+ * force. Only a fifth of the relative rounding error of x reaches beta. For larger x, eps at zero overlap is h*^5/x. */
 COR_INLINE double cor_inline_eps_zero_overlap_root(double x)
 {
     const struct cor_inline_octaves grid = COR_INLINE_OCTAVES(COR_ROWS_POWER_EPS_ZERO_OVERLAP);

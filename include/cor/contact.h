@@ -292,8 +292,8 @@ COR_API double cor_plate_least_half_width_m(const struct cor_sphere_contact *con
  *     c_w = 0.8457421741960...
  *
  * with the density d of the block, rho and m of the contact, and c_w = |C_1| of the law x'' + beta x x' + x^(3/2) = 0.
- * The formula holds while the result is well below 1, the block is deeper than half the duration times the pressure
- * wave speed, and no material yields. To first order, other losses add to this loss.
+ * The formula holds while the result is well below 1, the block is deeper than the distance that a pressure wave
+ * travels in half the duration, and no material yields. To first order, other losses add to this loss.
  * Source: docs/laws.md; Hunter, J. Mech. Phys. Solids 5, 162 (1957), whose constant is 6 to 8 % smaller. */
 
 struct cor_half_space {

@@ -221,11 +221,11 @@ struct cor_disk_rayleigh {
 COR_API int cor_disk_rayleigh(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum,
                               double speed, struct cor_disk_rayleigh *out, double *mode_fraction);
 
-/* Does the same at n speeds with one table: out[i] belongs to speed[i], and mode_fraction[i n_modes + k], if
- * mode_fraction is not NULL, to mode k. The speeds share most of the work. If at least 28 speeds have 2 ln(limit/v)
- * between the same two powers of 4, the function interpolates the terms that vary slowly with v. Its results are within
- * the bounds of cor_disk_rayleigh. The other speeds of the list change the result at a speed by less than 1e-12. status
- * is NULL, or receives the status of each speed. out[i] is NaN if the speed is out of range.
+/* Does the same at n speeds with one table: out[i] belongs to speed[i]. mode_fraction is NULL, or mode_fraction[i
+ * n_modes + k] receives the fraction of mode k at speed[i]. The speeds share most of the work. If at least 28 speeds
+ * have 2 ln(limit/v) between the same two powers of 4, the function interpolates the terms that vary slowly with v. Its
+ * results are within the bounds of cor_disk_rayleigh. The other speeds of the list change the result at a speed by less
+ * than 1e-12. status is NULL, or receives the status of each speed. out[i] is NaN if the speed is out of range.
  * If n is 0, speed and out may be NULL. Callers may divide the speeds among threads.
  * Returns COR_OK, the first status of a speed that is not COR_OK, or, with nothing changed,
  *     COR_ERROR_NULL, COR_ERROR_MODES, COR_ERROR_DATUM, COR_ERROR_DISK_POISSON_RATIO as above, COR_ERROR_MEMORY */
@@ -233,8 +233,8 @@ COR_API int cor_disk_rayleigh_array(const struct cor_disk_modes *modes, size_t n
                                     const double *speed, size_t n, struct cor_disk_rayleigh *out, double *mode_fraction,
                                     int *status);
 
-/* Sums the smallest number of modes for which error_estimate is below tolerance times (fraction + tail). 0 < tolerance
- * < 1. *n_modes, if n_modes is not NULL, becomes that number. The tail is computed from only these modes. Returns a
+/* Sums the lowest modes until error_estimate is below tolerance times (fraction + tail). 0 < tolerance < 1. *n_modes,
+ * if n_modes is not NULL, becomes the number of summed modes. The tail is computed from only these modes. Returns a
  * status as above, COR_ERROR_TOLERANCE for a tolerance outside its range, or
  *     COR_TOLERANCE_NOT_REACHED  the table has too few modes; the results use all of them */
 COR_API int cor_disk_rayleigh_tolerance(const struct cor_disk_modes *modes, enum cor_disk_datum datum, double speed,
@@ -284,14 +284,14 @@ struct cor_disk_collision {
  * error_estimate is the sum of four parts: the remainder of the extrapolation, the quadrature over the rim, round-off,
  * and the wall's force before and after the contact. The last three are multiplied by a factor for the amplification of
  * errors by the collision. The amplification is estimated from the runs, or measured by a run with v changed by a
- * relative 2^-40. If the error of the quadrature may exceed a tenth of the tolerance, a run with angles shifted by half
- * their distance measures the effect of this error on eps. Accuracy is sampled in 8640 random scenes of 1 to 60 modes
- * of nu = 0.33 and 0.9 (alpha 200 to 8000, v 0.003 to 0.3, tolerances 1e-3 to 1e-11). Another 8640 scenes have 10 to
- * 1800 modes (alpha 100 to 8000, v 0.003 to 0.45, tolerances 1e-2 to 1e-6). Where the status is COR_OK the error is at
- * most 0.86 of the tolerance. In 6 scenes the error exceeds error_estimate, by a factor of at most 3.7:
- * docs/theory-disks.md, 15. Near chaos, round-off may prevent small tolerances; it usually prevents tolerances below
- * 1e-12. one_minus_eps2 is as accurate as eps. contact_time and max_compression are less accurate. energy_drift is
- * eps^2 + one_minus_eps2 - 1. Equal arguments give equal bits on every instruction set.
+ * relative 2^-40. If the error of the quadrature may exceed a tenth of the tolerance, another run measures the effect
+ * of this error on eps. Its angles are shifted by half the distance of neighbours. Accuracy is sampled in 8640 random
+ * scenes of 1 to 60 modes of nu = 0.33 and 0.9 (alpha 200 to 8000, v 0.003 to 0.3, tolerances 1e-3 to 1e-11). Another
+ * 8640 scenes have 10 to 1800 modes (alpha 100 to 8000, v 0.003 to 0.45, tolerances 1e-2 to 1e-6). Where the status is
+ * COR_OK the error is at most 0.86 of the tolerance. In 6 scenes the error exceeds error_estimate, by a factor of at
+ * most 3.7: docs/theory-disks.md, 15. Near chaos, round-off may prevent small tolerances; it usually prevents
+ * tolerances below 1e-12. one_minus_eps2 is as accurate as eps. contact_time and max_compression are less accurate.
+ * energy_drift is eps^2 + one_minus_eps2 - 1. Equal arguments give equal bits on every instruction set.
  *
  * Returns COR_OK if error_estimate is at most the tolerance. It returns, with the best numbers and their
  * error_estimate,
@@ -451,10 +451,10 @@ COR_API int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct co
  *     one_minus_eps2               energy left in the modes, as a fraction of (pi/2) v^2
  *     one_minus_eps2_uncertainty   1.5 times the largest error of the polynomial observed between the grid points of
  *                                  the cell, combined with the error estimates of the collisions: an estimate, not a
- *                                  bound. Near smaller cells it approaches their uncertainty. The error did not exceed
- *                                  it at 600 random points off the grid and 400 on and near borders of cells
- *                                  (tests/unit/test_disk_eps.c). It is at most COR_DISK_EPS_MAX_UNCERTAINTY for
- *                                  v <= COR_DISK_EPS_CALM_SPEED, and at most COR_DISK_EPS_MAX_UNCERTAINTY_FAST beyond
+ *                                  bound. Near smaller cells it approaches their uncertainty. At 600 random points off
+ *                                  the grid and 400 on and near borders of cells, the error did not exceed it
+ *                                  (tests/unit/test_disk_eps.c). For v <= COR_DISK_EPS_CALM_SPEED it is at most
+ *                                  COR_DISK_EPS_MAX_UNCERTAINTY, beyond at most COR_DISK_EPS_MAX_UNCERTAINTY_FAST
  *     eps, eps_uncertainty         the same for eps; eps_array gives the same numbers for many speeds
  * The functions are continuous: where v differs by 2e-13 v, or nu by 2e-13, 1 - eps^2 and eps differ by at most
  * COR_DISK_EPS_MAX_JUMP (sampled at 24 million places on borders). The uncertainty may jump.

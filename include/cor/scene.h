@@ -45,8 +45,8 @@ double cor_law_damping(enum cor_law law, enum cor_end end, double eps);
 /* Returns the largest value of x^a + beta x^b x' during the collision x'' + beta x^b x' + x^a = 0, x(0) = 0, x'(0) = 1.
  * The argument is zeta if q = 0, otherwise beta. In SI units the largest force is m g/T times this number, where T is
  * the unit of time. For q = 0 and for a = b the result is a closed form. Otherwise Taylor series integrate the motion
- * up to the largest overlap. For damping so strong that the spring is negligible, the result is its limit for beta ->
- * infinity.
+ * up to the largest overlap. If the damping is so strong that the spring is negligible, the result is the limit for
+ * beta -> infinity.
  * Accuracy: COR_LAW_FORCE_MAX_ERROR, relative; sampled in tests/unit/test_scene_force.c and tests/gen/test_contact.c.
  * Special values: damping negative, infinite or NaN, or above 1e100 (q = 0) or 1e280 (a = b) -> NaN. */
 #define COR_LAW_FORCE_MAX_ERROR 1e-12
@@ -105,7 +105,7 @@ struct cor_scene_contact {
     double force_n;           /* constant force that presses the bodies together, N: gravity, adhesion; 0: none */
     int plastic;              /* elastic-plastic spheres; `damping` is 0 */
     double yield_speed_m_s;   /* v_y; 0: not known */
-    double liquid_speed_m_s;  /* s, speed lost to a liquid on the way in and again on the way out; 0: a dry contact */
+    double liquid_speed_m_s;  /* speed s lost to a liquid on the way in and again on the way out; 0: a dry contact */
     double adhesion_j_m2;     /* work of adhesion w of JKR, J/m^2; the ends are then enum cor_jkr_end; 0: none */
 };
 
@@ -151,7 +151,7 @@ double cor_scene_elastic_overlap(const struct cor_scene_contact *contact, double
 double cor_scene_liquid_speed(const struct cor_scene_contact *contact, double viscosity_pa_s, double gap_outer_m,
                               double gap_inner_m);
 
-/* Returns Tabor's number of spheres that adhere, (R w^2/(E*^2 z^3))^(1/3), where z is the equilibrium distance of the
+/* Returns Tabor's number (R w^2/(E*^2 z^3))^(1/3) for adhering spheres, where z is the equilibrium distance of the
  * surfaces, about COR_TABOR_DISTANCE_M. JKR holds above about COR_TABOR_JKR, DMT below about COR_TABOR_DMT. Accuracy:
  * 1e-14, relative. Special values: unknown effective radius, numbers out of range -> NaN. */
 #define COR_TABOR_DISTANCE_M 3e-10
@@ -226,7 +226,7 @@ struct cor_step_error {
 };
 
 /* Computes the error of eps at an impact speed, with `steps` time steps in an elastic duration. The simulator damps the
- * bodies until they are apart (end: COR_END_ZERO_OVERLAP), or sets the contact force to zero where it would pull
+ * bodies until they are apart (end: COR_END_ZERO_OVERLAP), or removes a contact force that would pull
  * (COR_END_ZERO_FORCE; under a constant force this is the surface). The number of steps with contact force jumps at
  * some phases. The function finds these phases and integrates between them. A call takes 9 to 22 microseconds at 12
  * steps without a constant force. eps = 0 for bodies that would part with less than 1e-8 of the impact speed, and for
@@ -262,7 +262,7 @@ enum cor_tangential_memory {
     COR_REMEMBERS_DISPLACEMENT,          /* the force is k x^p s */
     COR_REMEMBERS_FORCE,                 /* the force is the integral of k x^p ds */
     COR_REMEMBERS_DISPLACEMENT_RESCALED, /* k x^(a-1) s; s shrinks like the contact radius x^(1/2) on the way back */
-    COR_REMEMBERS_FORCE_RESCALED,        /* the integral of k x^(a-1) ds; it shrinks like x^(1/2) on the way back */
+    COR_REMEMBERS_FORCE_RESCALED,        /* integral of k x^(a-1) ds; the force shrinks like x^(1/2) on the way back */
     COR_REMEMBERS_NOTHING,               /* no spring: only a damper acts */
     COR_TANGENTIAL_MEMORIES
 };
@@ -311,11 +311,12 @@ int cor_scene_tangential_scaled(struct cor_tangential *tangential, const struct 
                                 enum cor_tangential_id model_id, double stiffness, double damping_coefficient,
                                 double speed_m_s);
 
-/* An oblique impact. restitution: u'/u, the velocity of the contact point along the surface after the impact over
- * before (the tangential restitution coefficient of the literature is -u'/u). rebound_tangent: tangent of the rebound
- * angle, u'/(eps g). impulse: tangential impulse over m g. regime: a sum of enum cor_oblique_regime. time_step_s: an
- * estimate of the time step with which a simulation gives u'/u within COR_OBLIQUE_STEP_ERROR. It is infinite unless
- * damper_in_cap is true and the damping force exceeds the friction limit at the first touch. */
+/* An oblique impact. restitution: u'/u, where u and u' are the velocities of the contact point along the surface before
+ * and after the impact. (The tangential restitution coefficient of the literature is -u'/u.) rebound_tangent: tangent
+ * of the rebound angle, u'/(eps g). impulse: tangential impulse divided by m g. regime: a sum of enum
+ * cor_oblique_regime. time_step_s: an estimate of the time step with which a simulation gives u'/u within
+ * COR_OBLIQUE_STEP_ERROR. It is infinite unless damper_in_cap is true and the damping force exceeds the friction limit
+ * at the first touch. */
 enum cor_oblique_regime { COR_OBLIQUE_STICKS = 1, COR_OBLIQUE_SLIPS = 2 };
 struct cor_oblique_impact {
     double restitution, eps, rebound_tangent, impulse, time_step_s;
@@ -359,7 +360,7 @@ enum cor_scene_number {
     COR_SCENE_DISSIPATION_TIME_2,
     COR_SCENE_VISCOSITY_2,
     COR_SCENE_BULK_VISCOSITY_2,
-    COR_SCENE_BETA, /* beta at the speed COR_SCENE_AT; at every speed if q = 0, like the restitution */
+    COR_SCENE_BETA, /* beta at the speed COR_SCENE_AT; if q = 0, it is the same at every speed */
     COR_SCENE_AT,   /* m/s */
     COR_SCENE_STIFFNESS,
     COR_SCENE_DAMPING_COEFFICIENT, /* C, N s/m^(b+1) */
@@ -488,12 +489,12 @@ int cor_scene_check_bodies(struct cor_scene_fault *fault, const struct cor_scene
  * Unknown dissipation times are 0. */
 struct cor_body cor_scene_body(const struct cor_scene *scene, int body);
 
-/* Replaces the bodies of a scene with the linear law by a linear spring. At the speed V, COR_SCENE_AT, the spring has
- * the energy or the duration of Hertz's elastic contact: K = ((4/5) K_H)^(4/5) (m V^2)^(1/5), where K_H is Hertz's
- * stiffness, or K = m pi^2/T^2, where T is Hertz's duration. Restitution, beta, zeta or damping coefficient are
- * unchanged. A damping of viscoelastic spheres becomes the restitution of Hertz's contact at V and at the scene's end
- * of contact. *hertz receives Hertz's contact without damping, for a comparison at other speeds, where the spring
- * differs. Accuracy: COR_SCENE_MAX_ERROR. Returns COR_OK, or the fault. */
+/* Replaces the bodies of a scene with the linear law by a linear spring. At the speed V (COR_SCENE_AT) the spring has
+ * the energy or the duration of Hertz's elastic contact. For the energy, K = ((4/5) K_H)^(4/5) (m V^2)^(1/5) with
+ * Hertz's stiffness K_H. For the duration, K = m pi^2/T^2 with Hertz's duration T. Restitution, beta, zeta or damping
+ * coefficient are unchanged. A damping of viscoelastic spheres becomes the restitution of Hertz's contact at V and at
+ * the scene's end of contact. *hertz receives Hertz's contact without damping, for a comparison at other speeds, where
+ * the spring differs. Accuracy: COR_SCENE_MAX_ERROR. Returns COR_OK, or the fault. */
 enum cor_equivalence { COR_EQUIVALENT_NONE, COR_EQUIVALENT_ENERGY, COR_EQUIVALENT_DURATION };
 int cor_scene_equivalent(struct cor_scene *spring, struct cor_scene_contact *hertz, struct cor_scene_fault *fault,
                          const struct cor_scene *scene, int equivalence);
@@ -512,16 +513,16 @@ int cor_scene_contacts(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *c
 
 /* cor_scene_set_damping sets `damping` from one of DISSIPATION_TIME, G_STAR, DAMPING_COEFFICIENT, BETA, ZETA and
  * RESTITUTION. It needs the speed for BETA and RESTITUTION where q is not 0, and the end for RESTITUTION. It returns
- * COR_OK, COR_FAULT_SOLVER, COR_FAULT_NO_DAMPING or the result of the solver. cor_scene_damping returns a number except
- * RESTITUTION; BETA is at 1 m/s. NaN: the law has no such quantity, or a needed number is not known. */
+ * COR_OK, COR_FAULT_SOLVER, COR_FAULT_NO_DAMPING or the result of the solver. cor_scene_damping returns one of these
+ * numbers, except RESTITUTION; BETA is at 1 m/s. NaN: the law has no such quantity, or a needed number is not known. */
 int cor_scene_set_damping(struct cor_scene_contact *contact, int number, double value, double speed_m_s, int end);
 double cor_scene_damping(const struct cor_scene_contact *contact, int number);
 
-/* The quantities that corgen contact prints for a contact: name, number and unit. number: a constant of the next enum,
- * or enum cor_scene_number, where COR_SCENE_NUMBERS means q, COR_SCENE_YIELD_STRESS v_y and COR_SCENE_LIQUID_VISCOSITY
- * s. The function returns the value, or NaN if it is not known. It also returns NaN for a pressing force of 0, for
- * sticking speeds without pressing force, liquid or JKR, and for an eps that depends on the speed. Under a constant
- * force corgen prints sticking_speed_surface instead of sticking_speed_zero_force. */
+/* The quantities that corgen contact prints for a contact: name, number and unit. number: a constant of the next enum
+ * or of enum cor_scene_number. Here COR_SCENE_NUMBERS means q, COR_SCENE_YIELD_STRESS means v_y, and
+ * COR_SCENE_LIQUID_VISCOSITY means s. The function returns the value, or NaN if it is not known. It also returns NaN
+ * for a pressing force of 0, for sticking speeds without pressing force, liquid or JKR, and for an eps that depends on
+ * the speed. Under a constant force corgen prints sticking_speed_surface instead of sticking_speed_zero_force. */
 enum {
     COR_SCENE_PRESSING_FORCE = COR_SCENE_NUMBERS + 1,
     COR_SCENE_STICKING_ZERO_OVERLAP,
@@ -624,7 +625,7 @@ struct cor_simulator {
     const char *comment, *comment_end;
     const char *setup;     /* a sentence about the rest of the input */
     const char *time_step; /* template of lines that set the time step; NULL: none */
-    const char *version;   /* the version in Debian 12, whose models come first; NULL: none */
+    const char *version;   /* the version in Debian 12; its models have priority; NULL: none */
     long packaged;         /* the same version as a number, by cor_simulator_version; 0: none */
 
     /* For a wall the simulator divides Hertz's stiffness of two bodies by this number; 0: it does not. */
@@ -667,8 +668,8 @@ double cor_simulator_e(const struct cor_simulator_model *model, double requested
 void cor_simulator_reach(const struct cor_simulator_model *model, double *least, double *most);
 
 /* Returns eps of MuJoCo's contact, whose impedance d depends on the overlap x. d changes from solimp[0] at x = 0 to
- * solimp[1] at x = solimp[2], with the midpoint solimp[3] and the power solimp[4]. softness is 1, or with pyramidal
- * cones of friction mu and condim 3 or more, mu^2 (1 + mu^2)/(impratio (condim - 1)). With c = d/solimp[1],
+ * solimp[1] at x = solimp[2], with the midpoint solimp[3] and the power solimp[4]. softness is mu^2 (1 +
+ * mu^2)/(impratio (condim - 1)) for pyramidal cones of friction mu and condim >= 3, otherwise 1. With c = d/solimp[1],
  * D = d/(d + softness (1 - d)), frequency w in 1/s and the damping ratio zeta,
  *     x'' = -(D/solimp[1]) (2 zeta w x' + c w^2 x) + (1 - D) gravity
  * until the force of the contact vanishes. Only gravity acts on the way back to x = 0. The result is 0 if the ball does
@@ -689,9 +690,9 @@ struct cor_material {
     const char *made_of;  /* gives the elasticity, and the dissipation time if `body` has none; NULL: no material */
 };
 
-/* A restitution measured between the smallest balls of materials number a and b (from 0), or between a ball and a wall;
- * NaN: not measured. at_m_s: NaN means every speed, and is allowed only if q = 0. end: COR_BOTH_ENDS means the end of
- * the scene. friction: NaN means the friction of the request. */
+/* A restitution measured between the smallest balls of materials a and b (indices from 0), or between a ball and a
+ * wall. restitution: NaN means not measured. at_m_s: NaN means every speed, and is allowed only if q = 0. end:
+ * COR_BOTH_ENDS means the end of the scene. friction: NaN means the friction of the request. */
 struct cor_material_pair {
     size_t a, b;
     double restitution, at_m_s;
@@ -749,8 +750,8 @@ struct cor_simulator_request {
  * of the request. Under gravity the numbers describe the contact, and eps includes gravity. Adhering contacts have no
  * lines.
  * With materials the block has the lines of all their contacts, and one time step. A contact that was not measured has
- * the dissipation times of both materials. If one is unknown, the measured contact of two balls of this material gives
- * it.
+ * the dissipation times of both materials. If the time of a material is unknown, the measured contact of two balls of
+ * this material gives it.
  * Works like snprintf: writes at most `size` characters, the last of which is 0, and returns the length of the whole
  * text.
  * A negative result means that the simulator cannot realise the contact, or that the request is incomplete; the text
@@ -758,7 +759,7 @@ struct cor_simulator_request {
 enum { COR_SIMULATOR_REASON = 1200 };
 long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_request *request);
 
-/* Writes a list in the same way: a line for each simulator, or for each model of `named` if it is not NULL. */
+/* Writes a list in the same way: a line for each simulator or, if named is not NULL, for each of its models. */
 long cor_simulator_list(char *text, size_t size, const struct cor_simulator *named);
 
 #ifdef __cplusplus

@@ -69,9 +69,9 @@ extern "C" {
 /* double cor_sphere_eps_zero_overlap(double beta), cor_sphere_eps_zero_force: restitution coefficient. The name gives
  * the end of contact.
  * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_EPS_MAX_ULP. 0 <= eps <= 1. From one double beta to the next one, eps
- * never rises by more than one unit of its last place. Both are proved (docs/theory.md, 18).
- * Large beta: h*^5 beta^-5, h*^5 = 5.1583817..., exact in double precision for beta >= 7 (zero overlap); (3/2)^(2/3)
- * beta^(-5/3) with corrections of relative size beta^(-5/3) ln(beta) (zero force).
+ * never rises by more than one unit of its last place. This and the accuracy are proved (docs/theory.md, 18).
+ * Large beta, zero overlap: h*^5 beta^-5 with h*^5 = 5.1583817...; for beta >= 7 the relative difference is below
+ * 2^-75. Large beta, zero force: (3/2)^(2/3) beta^(-5/3) with corrections of relative size beta^(-5/3) ln(beta).
  * Special values: +-0 -> exactly 1, +inf -> 0; negative and NaN -> NaN.
  * Source: (10), from the equation of motion itself; docs/theory.md, 4 to 6 and 8. */
 COR_API double cor_sphere_eps_zero_overlap(double beta);
@@ -90,8 +90,9 @@ COR_API void cor_sphere_loss_zero_force_array(const double *beta, double *y, siz
 
 /* double cor_sphere_beta_zero_overlap(double eps), cor_sphere_beta_zero_force: the inverse functions, which return the
  * beta that has this eps. Domain: 0 <= eps <= 1. Accuracy: COR_SPHERE_BETA_MAX_ULP with the given double eps treated as
- * exact. (Near eps = 1, beta is (1 - eps)/|C_1|, so one unit of the last place of eps changes beta much. The condition
- * number is eps/(1 - eps).) Special values: 1 -> 0, +-0 -> +inf; outside [0, 1] and NaN -> NaN. Source: as for eps. */
+ * exact. (Near eps = 1, beta is (1 - eps)/|C_1|, so a change of eps by one unit of its last place changes beta much.
+ * The condition number is eps/(1 - eps).) Special values: 1 -> 0, +-0 -> +inf; outside [0, 1] and NaN -> NaN. Source:
+ * as for eps. */
 COR_API double cor_sphere_beta_zero_overlap(double eps);
 COR_API void cor_sphere_beta_zero_overlap_array(const double *eps, double *y, size_t n);
 COR_API double cor_sphere_beta_zero_force(double eps);

@@ -68,8 +68,8 @@ class Contact:
     in SI units. A keyword for damping replaces the dissipation times of the bodies.
 
         bodies      young, poisson, radius, density or mass; young_2, ...; wall=True; plate_thickness
-        a spring    stiffness or duration, and effective_mass; or law="linear", bodies, a speed `at` and equivalent
-                    ("energy" or "duration"): the spring that matches Hertz's contact at this speed
+        a spring    effective_mass with stiffness or duration; or bodies with law="linear", a speed `at` and
+                    equivalent ("energy" or "duration"): the spring that matches Hertz's contact at this speed
         an engine   erp, cfm and time_step with effective_mass: the linear spring of implicit steps, as in ODE
         damping     dissipation_time, viscosity and bulk_viscosity, g_star, restitution and at, damping_coefficient,
                     beta and at, or zeta
@@ -81,8 +81,8 @@ class Contact:
                     "zero_overlap" or "zero_force" ("surface" under a constant force); with JKR "tail", "largest_pull"
 
     Error bounds (cor/scene.h): COR_SCENE_MAX_ERROR; with a constant force COR_SCENE_PRESSED_ERROR, with JKR
-    COR_JKR_EPS2_MAX_ERROR. Without a constant force, exponents must belong to a named law or be equal. For others a
-    ValueError refers to corgen contact, which can compute them.
+    COR_JKR_EPS2_MAX_ERROR. Without a constant force, exponents must belong to a named law or be equal. For other
+    exponents a ValueError refers to corgen contact, which can compute them.
     """
 
     def __init__(
@@ -294,7 +294,7 @@ class Contact:
         angle_degrees: between the normal and the velocity of the contact point. speed_m_s: this velocity's normal part.
         tangential: a model of corgen contact --tangential, such as "mindlin_rescale", or the name of a simulator.
         tangential_stiffness: N/m^(1+p), where the stiffness is proportional to overlap^p; by default Mindlin's.
-        tangential_damping: tangential damper over normal damper, by default 0, or 1 for a model without a spring.
+        tangential_damping: tangential damper divided by normal damper; default: 0, for a model without a spring 1.
         COR_OBLIQUE_ERROR bounds the error of tangential_restitution, which is NaN if the bodies stay together.
         """
         contact = self._one()

@@ -182,8 +182,8 @@ def _record(struct: str, call: Callable[[Any], int]) -> Any:
 
 
 def _records(struct: str, speed: ArrayLike, function: Any, given: Tuple[Any, ...], more: Tuple[Any, ...] = ()) -> Any:
-    """Returns an array of records, shaped like speed, with results and status. more: arguments of function
-    after the results. If there are any, one call computes all speeds."""
+    """Returns an array of records, shaped like speed, with results and status. more: arguments of `function` after the
+    results. If `more` is not empty, one call computes all speeds."""
     speeds = np.array(speed, np.float64, order="C")
     mask = mask_of([speed], speeds.shape)
     out = np.zeros(speeds.size, plain_dtype(struct))

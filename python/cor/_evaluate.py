@@ -225,7 +225,8 @@ def prepared_array(array: Array, dtype: "np.dtype[Any]") -> Array:
 
 class _Function:
     """A function of C. names: the arguments except the struct of results, which is argument number `out` in C.
-    The first `fixed` arguments and all structs are shared by all elements; the others are numbers or arrays."""
+    fixed: number of leading arguments that all elements share. They also share the structs. All other arguments are
+    numbers or arrays."""
 
     def __init__(self, name: str, names: str, out: Optional[int] = None, fixed: int = 0) -> None:
         self._c = getattr(lib, name)
@@ -310,7 +311,7 @@ class Elementwise(_Function):
 
 
 def fits(out: Optional[Array], arrays: List[Array], shape: Tuple[int, ...], dtype: "np.dtype[Any]") -> bool:
-    """True if C may write to out: C can use its format, and no argument except out itself overlaps it."""
+    """True if C may write to out: it has the format of the results, and no other array overlaps it."""
     if not isinstance(out, np.ndarray) or out.dtype != dtype or out.shape != shape:
         return False
     if not (out.flags.c_contiguous and out.flags.aligned and out.flags.writeable):

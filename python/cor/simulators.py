@@ -211,8 +211,9 @@ def step_error(
     fields are the mean of the error over all phases of the first step (bias), the standard deviation (scatter), least
     and most. They are NaN if the motion leaves the range of doubles, or needs too many steps.
 
-    speed: m/s. steps: time steps in the duration of a contact without damping at this speed; by default the steps of a
-    contact with erp and cfm. integrator: by default implicit-euler with erp and cfm, otherwise verlet-half-step."""
+    speed: m/s. steps: time steps in the duration of a contact without damping at this speed. With erp and cfm the
+    default follows from time_step. integrator: by default implicit-euler with erp and cfm, otherwise
+    verlet-half-step."""
     made = _contact(contact, scene)
     own = made._options["time_step"]
     method = one_of("integrator", integrator or ("implicit-euler" if own else _VERLET), _INTEGRATORS)

@@ -11,7 +11,8 @@
 
 #include "runtime/number/inline.h"
 
-/* Sides of a root (an undivided cell) and of a square of the index below, in sides of the smallest piece */
+/* Sides of a square of the index (struct cor_disk_limit_table) and of a root, an undivided cell. The unit is the side
+ * of the smallest piece */
 enum { COR_DISK_LIMIT_SQUARE_BITS = 3, COR_DISK_LIMIT_PER_SQUARE = 8, COR_DISK_LIMIT_PER_ROOT = 16 };
 
 /* Distance beyond a cell's edge at which its neighbour is looked up, in sides of the cell. It is below the side of

@@ -2,7 +2,7 @@
 /* The laws whose restitution is a function of only the damping ratio zeta: the linear dashpot, Tsuji's damping, and
  * every law (a, b) with b = (a-1)/2 (docs/laws.md). L is -ln(eps) for an end of contact. All functions below use
  *
- *     A(zeta) = acos(zeta)/sqrt(1 - zeta^2), acosh(zeta)/sqrt(zeta^2 - 1) beyond 1, analytic in between, A(1) = 1
+ *     A(zeta) = acos(zeta)/sqrt(1 - zeta^2),   1 for zeta = 1,   acosh(zeta)/sqrt(zeta^2 - 1) for zeta > 1
  *     L = 2 zeta A(zeta) at zero force, zeta A(zeta) with damping during the approach only, pi zeta/sqrt(1 - zeta^2) at
  *     zero overlap; L of the limited damper is below
  *

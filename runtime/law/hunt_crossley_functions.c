@@ -370,8 +370,8 @@ static double crossley_duration_approach_only(double beta, double elastic_expone
 /* For larger beta, eps is computed in units of 2^-380, so that its fourth power is a normal number. */
 #define CROSSLEY_HUGE COR_INLINE_2_500
 
-/* Returns X^(1/(a + 1)), X = (a + 1)/2 eps^2, 0 <= a < inf, where eps is for damping during the approach only. It is
- * the fifth root of X^2 for a = 3/2, and the square root of X for a = 1. */
+/* Returns X^(1/(a + 1)), X = (a + 1)/2 eps^2, 0 <= a < inf, where eps is for damping during the approach only. The
+ * result is the fifth root of X^2 for a = 3/2, and the square root of X for a = 1. */
 static double crossley_max_overlap(double beta, double elastic_exponent)
 {
     const double a = elastic_exponent;

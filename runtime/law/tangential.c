@@ -28,7 +28,8 @@ static void tangential_product(double term[PRODUCT_TERMS], double x, double y)
     term[4] = xl * (yl - ylh);
 }
 
-/* Returns the sum of the terms. Each pass replaces the terms by partial sums and their rounding errors, exactly. */
+/* Returns the sum of the terms. Each pass turns the terms into partial sums and rounding errors, whose total is exactly
+ * the same. */
 static struct cor_inline_pair tangential_sum(double *term, int count)
 {
     double rest = 0;

@@ -9,7 +9,7 @@
 /* For |x| < 2^51, x + 1.5 2^52 - 1.5 2^52 is x rounded to an integer k. The last bits of k + 1.5 2^52 are k. */
 #define COR_KERNEL_INTEGER 6755399441055744.0
 
-/* pi, ln(2) and sqrt(2), rounded to doubles; TAIL: pi minus its double */
+/* pi, ln(2) and sqrt(2), rounded to doubles; COR_PI_TAIL: pi - COR_PI */
 #define COR_PI 3.14159265358979312
 #define COR_PI_TAIL 1.22464679914735321e-16
 #define COR_LN2 0.69314718055994531

@@ -5,9 +5,9 @@
 
 #include "runtime/number/inline.h"
 
-/* Sets *middle between two ends. Returns 0 if no double is between them. The caller replaces an end by the middle each
- * time. Convergence: each call halves the interval. At most 1076 + 53 calls are needed for ends of one sign, and about
- * 53 calls if the ends are within a factor of two. */
+/* Sets *middle between two ends. Returns 0 if no double is between them. After each call the caller sets one end to the
+ * middle, which halves the interval. At most 1076 + 53 calls are needed for ends of one sign, and about 53 calls if the
+ * ends are within a factor of two. */
 COR_INLINE int cor_halve(double *middle, double low, double high)
 {
     *middle = low + (high - low) / 2;

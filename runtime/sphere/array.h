@@ -6,9 +6,10 @@
 #include "cor/contact.h"
 #include "runtime/table/row_loops.h"
 
-/* A function of contact.h. table: its rows, in eps for CONTACT_DISSIPATION, beta^5 for CONTACT_EPS, otherwise beta.
- * of_eps: scalar function of CONTACT_DISSIPATION. one: scalar function of other kinds. Only CONTACT_EPS uses beyond and
- * eps_far_root. beyond: a table in beta for beta^5 outside `table`. eps_far_root: for larger beta^5; may be NULL. */
+/* A function of contact.h. table: rows in eps for CONTACT_DISSIPATION, in beta^5 for CONTACT_EPS, otherwise in beta.
+ * of_eps: scalar function of CONTACT_DISSIPATION. one: scalar function of other kinds. Only CONTACT_EPS uses `beyond`
+ * and `eps_far_root`. beyond: a table in beta for beta^5 outside `table`. eps_far_root: for larger beta^5; may be
+ * NULL. */
 struct cor_contact_function {
     enum cor_contact_kind { CONTACT_EPS, CONTACT_BETA, CONTACT_DURATION, CONTACT_OVERLAP, CONTACT_DISSIPATION } kind;
     const struct cor_row_table *table, *beyond;

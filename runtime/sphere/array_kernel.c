@@ -24,8 +24,7 @@ static void eps_before(void *context, const double *in, double *x, size_t m)
         x[j] = scale * choose_double(is_between(in[j], COR_SI_LEAST, limit), in[j], -1);
 }
 
-/* Where the rows in x end, uses rows in beta, the fifth root of x. Where these rows end, too, values are computed one
- * by one. */
+/* Beyond the rows in x, uses rows in beta = x^(1/5). Beyond the rows in beta, computes values one by one. */
 static void eps_after(void *context, const struct cor_row_block *block, double *value)
 {
     const struct call *const call = context;

@@ -241,7 +241,7 @@ double cor_dissipation_time_s(double eta1_pa_s, double eta2_pa_s, double young_m
     if (!(eta1_pa_s == 0 || cor_si_in_range(eta1_pa_s)) || !(eta2_pa_s == 0 || cor_si_in_range(eta2_pa_s)) ||
         !cor_si_in_range(young_modulus_pa) || !is_poisson_ratio(nu) || nu == 0)
         return NAN;
-    if (eta1_pa_s == 0 && eta2_pa_s == 0) /* the limit of 0/0 from every direction */
+    if (eta1_pa_s == 0 && eta2_pa_s == 0) /* (4) is 0/0 here; its limit is 0 from every direction */
         return 0;
     /* powers of two are handled separately, so that only the result can be out of range */
     int eta_exponent, young_exponent, nu_exponent;

@@ -25,7 +25,7 @@ COR_INLINE uint64_t cor_contact_speed_limit(double scale)
     return bits >= COR_INLINE_INFINITY_BITS ? 0 : limit < end ? limit : end;
 }
 
-/* Returns factor g^(1/5). The factor is split in halves, so that the first product is exact. */
+/* Returns factor g^(1/5). The factor is split into head and tail, so that the first product is exact. */
 COR_INLINE double cor_contact_beta_of_root(double factor, struct cor_inline_pair root)
 {
     const double head = cor_inline_head(factor), tail = factor - head;

@@ -112,7 +112,7 @@ struct float_table {
 /* 2^-100 and the part of a word that holds the sign, the exponent and the first five bits of the significand */
 enum { FLOAT_PRODUCT_LEAST = (127 - 100) << 23, FLOAT_HEAD = -(1 << 19) };
 
-/* Returns words whose sign is set if a number is outside the table. */
+/* Returns a word for each number. Its sign bit is set if the number is outside the table. */
 COR_KERNEL words float_outside(const struct float_table *table, words x)
 {
     const words last = WORDS_ALL(word_of_float(table->end) - 1), outside = WORDS_OR(x, WORDS_MINUS(last, x));

@@ -139,8 +139,8 @@ COR_INLINE struct cor_inline_octaves cor_inline_octaves_of(double first, int bit
 }
 #define COR_INLINE_OCTAVES(table) cor_inline_octaves_of(table##_FIRST, table##_OCTAVE_BITS)
 
-/* Returns the row of x: the number of cells between first and x. The bits of x, read as an integer, grow equally from
- * cell to cell. */
+/* Returns the row of x: the number of cells between first and x. The bits of x, read as an integer, increase by the
+ * same amount from cell to cell. */
 COR_INLINE uint64_t cor_inline_octaves_row(struct cor_inline_octaves grid, double x)
 {
     return (cor_inline_bits(x) - cor_inline_bits(grid.first)) >> (52 - grid.bits);

@@ -189,8 +189,8 @@ COR_KERNEL int reduce_parts(struct reduced *r, const struct cor_row_table *table
 
 /* ---- third loop ---- */
 
-/* Performs the operations of COR_INLINE_ROW and COR_INLINE_ROW_TIMES_S, with the last columns first. Fewer vectors are
- * live at a time, and the processor computes with the last columns while it loads the first. */
+/* Performs the operations of COR_INLINE_ROW and COR_INLINE_ROW_TIMES_S, beginning with the last columns of a row. Fewer
+ * vectors are then live at a time, and the processor computes with the last columns while it loads the first ones. */
 COR_KERNEL lanes evaluate_lanes(const struct reduced *r, size_t j, int has_s, enum cor_row_value kind)
 {
     const double *row[LANES];

@@ -28,7 +28,7 @@ enum cor_row_kind {
  * parts have rows of eps; EPS gives eps and LOSS the loss for every x. */
 enum cor_row_value { COR_ROW_SUM, COR_ROW_PRODUCT, COR_ROW_EPS, COR_ROW_LOSS };
 
-/* The table contains least <= x < end and the number `also`, which is a float. */
+/* The table contains every x from `least` to below `end`, and the number `also`, which is a float. */
 struct cor_row_table {
     enum cor_row_kind kind;
     enum cor_row_value value;

@@ -7,7 +7,7 @@ from typing import Optional, Tuple
 
 import numpy as np
 
-COLUMNS, DIRECTIONS, MOST = 120, 40000, 200  # columns per side of the grid; normals; spheres of a body
+COLUMNS, DIRECTIONS, MOST = 120, 40000, 200  # columns per side of the grid; number of normals; most spheres of a body
 Spheres = Tuple[Tuple[float, ...], ...]  # x, y, z, radius
 
 

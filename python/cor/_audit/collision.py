@@ -37,9 +37,9 @@ def eps_of(advance: Callable[[int], Tuple[float, float]], speed: float, touch: f
 
 
 def measured(collide: Callable[[float, float], Tuple[float, int]], dt: float, least: float) -> Tuple[float, float]:
-    """Returns eps with the time step dt, as the mean over the phases of a step, and eps with a small step. collide:
-    returns eps and the number of steps for a time step and a phase between 0 and 1. least: a time in which the bodies
-    cannot pass through each other; no larger time step is tried."""
+    """Returns two values of eps: with the time step dt, averaged over the phases of a step, and with a small step.
+    collide: returns eps and the number of steps for a time step and a phase between 0 and 1. least: a time in which the
+    bodies cannot pass through each other; no larger time step is tried."""
     eps, small = math.nan, least
     if dt < least:
         eps, steps = collide(dt, 0.5)

@@ -153,7 +153,7 @@ def _columns(row: Row) -> List[object]:
 def status_of(rows: List[Row]) -> int:
     """Returns the exit status of one file from its rows."""
     contacts = [row for row in rows if row.model]
-    if not any(row.judged or row.end for row in contacts):  # unjudged rows have an end if the version lacks the model
+    if not any(row.judged or row.end for row in contacts):  # if the version lacks the model, unjudged rows have an end
         return STATUS_USAGE
     if any(row.as_asked is False for row in contacts):
         return STATUS_NOT_AS_ASKED

@@ -37,7 +37,7 @@ class Spring(Enum):
     HERTZ = auto()  # stiffness: K/sqrt(R), Pa
     MATERIAL = auto()  # Hertz, from Young's modulus and Poisson's ratio of both bodies
     CHARACTERISTIC = auto()  # linear; LIGGGHTS: from the materials and the characteristic speed spring_speed
-    CONTACT_TIME = auto()  # linear; stiffness: in place of K, the duration of a contact that ends at zero overlap
+    CONTACT_TIME = auto()  # linear; `stiffness` is not K but the duration of a contact that ends at zero overlap
     PER_MASS = auto()  # linear; stiffness: K/m
 
 
@@ -94,7 +94,7 @@ class Contact:
     model: the id of a model of cor_simulators without COR_, such as "LAMMPS_HOOKE_VELOCITY". If it is "", cor does not
     support the model, and `unknown` is the reason. style: the deck's name of the model; reports prefer it to the name
     in cor_simulators. number: the model's input, which is e or a damping number. limited: the contact ends at zero
-    force. zeta_factor: damping of this contact over the damping that the model computes from e. slots: parts
+    force. zeta_factor: factor of the damping that the model computes from e. slots: parts
     [start, end) of repair.text that contain e. gravity: acceleration that presses a sphere against a wall.
     global_damping: the fraction by which YADE increases forces against the motion and decreases forces along it.
     losses: sentences about losses outside contacts. cohesion: LIGGGHTS's sjkr or sjkr2, and its energy density. notes:
@@ -138,7 +138,7 @@ class Contact:
 
 @dataclass(frozen=True)
 class Remark:
-    """A sentence about a line without a contact. matters: True if it hides contacts that could not be judged."""
+    """A sentence about a line without a contact. matters: True if the line hides contacts that cannot be judged."""
 
     file: str
     line: int

@@ -29,7 +29,7 @@ def words(values: Any) -> str:
 
 
 def model_of(pair: List[int], dt: float) -> Any:
-    """Returns a model of two spheres, or of one above a plane, with the numbers of two geoms or an explicit pair."""
+    """Returns a model of two spheres, or of one above a plane. Its numbers come from two geoms or their pair."""
     bodies = ""
     for k, geom in enumerate(pair):
         body = model.body_weldid[model.geom_bodyid[geom]]

@@ -86,8 +86,8 @@ class Cohort:
 class Coefficient:
     """A line that defines a normal force: a pair style, a pair_coeff line, or a wall.
 
-    at: the index in words of the model (granular) or K_n (gran). style: such as "hooke/history" or "granular". first
-    and last: the range of both types. part: the part of a hybrid style."""
+    at: index of a word, which is the model (granular) or K_n (gran). style: such as "hooke/history" or "granular".
+    first and last: the range of both types. part: the part of a hybrid style."""
 
     words: Words
     at: int
@@ -322,8 +322,8 @@ class Granular(System):
         return is_inside == ("out" not in region)
 
     def selected(self, how: str, what: Sequence[str]) -> Any:
-        """Returns a function of a cohort: True if the types, ids, group or region contain it, False, or None
-        (partly)."""
+        """Returns a function of a cohort: None if only a part of it is in the types, ids, group or region, otherwise
+        True or False."""
         if how in ("type", "id") and len(what) > 1 and re.match("[<>=!]", what[0]):
             x, y = number(what[1]), number(what[-1])
             sign: Any = SIGNS.get(what[0], lambda of, low: bool(low <= of <= y))
@@ -416,7 +416,8 @@ class Granular(System):
             self.velocities[words[1]] = tuple(0.0 if math.isnan(x) else x for x in values)
 
     def speeds_of(self, is_wall: bool) -> Tuple[float, ...]:
-        """Returns the script's impact speeds: of insertions, and of groups relative to each other or a wall at rest."""
+        """Returns the speeds of insertions and groups. Groups have speeds relative to each other, unless is_wall is
+        true."""
         moving = list(self.velocities.values())
         relative = [math.dist(a, b) for i, a in enumerate(moving) for b in moving[:i]]
         speeds = relative if relative and not is_wall else [math.hypot(*v) for v in moving]
@@ -750,7 +751,7 @@ class Granular(System):
         return is_whole and is_plain and all(_same(plain[0], b) for b in plain)
 
     def pair_contacts(self, moving: Dict[int, List[Moving]]) -> Iterator[Contact]:
-        """Yields the contacts of pairs. If all types are alike, a line for all of them gives one contact, *-*."""
+        """Yields the contacts of pairs. If one line defines all types and they are alike, yields only *-*."""
         everyone = [m for bodies in moving.values() for m in bodies]
         pairs = [(i, j, *self.resolve(i, j)) for i in sorted(moving) for j in sorted(moving) if i <= j]
         first = pairs[0][2]
@@ -818,7 +819,7 @@ class Granular(System):
         return contact
 
     def fix_one(self, contact: Contact) -> None:
-        """Corrects the damping if a body is neither integrated nor frozen. It does not move, but its mass counts."""
+        """Corrects the damping if a body is neither integrated nor frozen. Its mass counts, but it does not move."""
         masses = [b.mass[0] if b.mass else _sphere(b.radius[0], b.density) for b in contact.bodies]
         share = masses[contact.bodies[0].held is False] / sum(masses)
         name = contact.model.split("_", 1)[1].replace("_LIMIT", "")
@@ -898,7 +899,7 @@ class Granular(System):
             contact.tangential = Tangential(_OLD[of.style], spring, ratio, words.value(at + 4))
 
     def read_tangential(self, contact: Contact, words: Words, at: int) -> None:
-        """Sets the tangential force. A stiffness NULL of mindlin means 8 G*, from the numbers of hertz/material."""
+        """Sets the tangential force. For mindlin the stiffness NULL means 8 G*, computed from hertz/material."""
         name, k = words.after("tangential", at), words.find("tangential", at) + 2
         if name in ("", "none"):
             contact.tangential = NO_FRICTION

@@ -223,7 +223,7 @@ class Script:
         self.ask(*lines)
 
     def branch(self, words: List[str]) -> Optional[Tuple[str, str]]:
-        """Executes the commands of an if whose condition is true in the program."""
+        """Executes the branch of an `if` that the program would execute. Returns file and label of a jump."""
         jump, rest = None, words[1:]
         starts = [0] + [i + 1 for i, word in enumerate(rest) if word in ("elif", "else")]
         for start in starts:
@@ -308,7 +308,7 @@ class Script:
         self.dt, *self.middle = self.values(**places)
 
     def size(self, c: Collision, i: int) -> Tuple[float, float]:
-        """Returns a particle's diameter and mass from the audit, unless no particle of the program matches them."""
+        """Returns diameter and mass of a particle: from the audit, or else from the program's particles."""
         diameter, mass = c.diameters[i], c.masses[i]
         least, largest, light, heavy = self.sizes.get(c.types[i], [diameter, diameter, mass, mass])
         if not least * (1 - 1e-6) <= diameter <= largest * (1 + 1e-6):

@@ -34,9 +34,9 @@ _OTHER = {
     "YADE_EN": "YADE_EN_UNTIL_2023",
 }
 _COHESIVE = 600  # largest number of contacts with cohesion that are integrated for a deck
-_PHASES, _PHASES_LEAST, _STEPS_OF_PHASES = 128, 16, 2**20  # cor_scene_step_error: phases, least phases, step limit
+_PHASES, _PHASES_LEAST, _STEPS_OF_PHASES = 128, 16, 2**20  # of cor_scene_step_error: most, least phases; most steps
 _STEPS_IN_ALL = 2e8  # largest number of steps for a deck; they take some seconds
-_STEPS_OF_SEARCH, _LEAST_SEARCHED = 2e7, 1e-4  # cor_scene_step_for: steps of a call, least allowed error
+_STEPS_OF_SEARCH, _LEAST_SEARCHED = 2e7, 1e-4  # of cor_scene_step_for: steps of a call, least tolerance
 _LINEAR = (Spring.HOOKE, Spring.CHARACTERISTIC, Spring.CONTACT_TIME, Spring.PER_MASS)
 _SIZES = (", least", ", largest")
 _NEVER = 1e5  # m/s, Gazebo's default threshold; no impact is faster
@@ -134,7 +134,7 @@ class _Audit:
 
     def solve(self, row: Row, contact: Contact, model: Any, scene: Any, speed: float, ratio: float = 1) -> int:
         """Sets end, law, damping, eps and duration, in the deck's units. Returns the end. ratio: the mass that sets the
-        damping over the mass that moves."""
+        damping divided by the mass that moves."""
         end = lib.COR_END_ZERO_FORCE if contact.limited else model.end
         linear = contact.spring in _LINEAR
         law = lib.COR_LAW_LINEAR if model.law == lib.COR_LAW_TSUJI and linear else model.law
@@ -518,8 +518,8 @@ class _Audit:
         self.add_oblique(row, contact, scene, speed, end)
 
     def off_centre(self, row: Row, contact: Contact, model: Any, scene: Any, speed: float) -> Optional[float]:
-        """Returns the smallest eps at one point of contact of bodies other than spheres. They also turn, so that less
-        mass moves than the mass that sets the damping. NaN if the shape is unknown; None for spheres."""
+        """Returns the smallest eps of bodies that are not spheres and touch at one point. Such bodies also turn, so
+        that less mass moves than the mass that sets the damping. NaN if the shape is unknown; None for spheres."""
         shares = [(_inverse_mass(b, row.size), b.lever[contact.bodies[1].wall]) for b in contact.bodies]
         if all(lever == 0 for _, lever in shares):
             return None

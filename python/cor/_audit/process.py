@@ -20,8 +20,8 @@ MOST_BYTES, MOST_FILES = 200_000_000, 20_000  # limits of a copied folder
 
 
 def copy_folder_of(path: str, whole: str) -> str:
-    """Copies the folder of a file, up to a size, to three levels below `whole`, so that paths with ../ stay inside it.
-    Returns the path of the copied file. Copies only files, no devices."""
+    """Copies the folder of a file to a folder three levels below `whole`, so that paths with ../ stay inside `whole`.
+    Copies only files, no devices, up to a total size. Returns the new folder."""
     source, target = os.path.dirname(os.path.realpath(path)), os.path.join(whole, "1", "2", "3")
     size = files = 0
     for folder, folders, names in os.walk(source):

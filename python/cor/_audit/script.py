@@ -34,7 +34,7 @@ class OutOfBounds(Exception):
 
 class Variable(NamedTuple):
     style: str
-    values: Tuple[str, ...] = ()  # style equal: formula; format: variable, format; loop: first, format, last
+    values: Tuple[str, ...] = ()  # of style equal: formula; of format: variable, format; of loop: first, format, last
     at: int = 0
 
 
@@ -211,9 +211,9 @@ class Words(List[str]):
         return super().__getitem__(i) if isinstance(i, slice) or -len(self) <= i < len(self) else ""
 
     def slots(self, indices: Sequence[int]) -> Tuple[str, Tuple[Tuple[int, int], ...]]:
-        """Returns a text for the line and the parts of it that contain these words.
+        """Returns a text of the line, and the parts of this text that contain the words.
 
-        It is the raw text or, if a variable contains several words, the text with its variables replaced."""
+        The text is the raw line or, if a variable contains several words, the line with its variables replaced."""
         spans = []
         for i in indices:
             start, end = self.inside[i]

@@ -227,7 +227,7 @@ class _Model:
         if not (types[0][0] & types[1][1] or types[1][0] & types[0][1]):
             return False
         if "1" in one.suffix + two.suffix and not "" < one.suffix < two.suffix:
-            return False  # represented by a contact of first copies
+            return False  # the contact of the first copies represents it
         if {one.type, two.type} <= {"plane", "hfield"}:
             return False
         welds = self.weld[one.body], self.weld[two.body]
@@ -331,7 +331,7 @@ def read_mujoco(text: str, name: str, options: Options) -> Deck:
 
 
 def read_gazebo(text: str, name: str, options: Options) -> Deck:
-    """Reads a Gazebo world or model: each collision with a restitution_coefficient, paired with each other one."""
+    """Reads a Gazebo world or model. Elements `collision` of different models form pairs, unless both are static."""
     deck = Deck(name, "gazebo")
     root = parse(text, name)
     found: List[Tuple[str, bool, int, float, float]] = []

@@ -854,7 +854,7 @@ class _Reader:
         return self.match(value, a, b) if isinstance(value, Thing) and value.name == "MatchMaker" else (value, node)
 
     def friction(self, functor: Optional[Thing], a: Optional[Thing], b: Optional[Thing]) -> float:
-        """Returns the coefficient of friction: from the functor, or the smaller angle of both materials."""
+        """Returns the coefficient of friction, from the functor's angle or from the smaller angle of both materials."""
         if functor is not None and "frictAngle" in functor.values:
             return math.tan(number_of(self.value_of(functor, "frictAngle", a, b)[0]))
         angles = [m.number("frictionAngle", 0.5) if m else 0.5 for m in (a, b)]

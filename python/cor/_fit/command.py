@@ -104,7 +104,7 @@ def add_arguments(parser: Parser) -> None:
 
 
 def _text_table(rows: Sequence[Sequence[str]]) -> str:
-    """Return columns side by side. If one has negative numbers, the others have space for a sign."""
+    """Return columns side by side. In a column with negative numbers, the other texts begin with a blank."""
     columns = []
     for column in zip(*rows):
         signed = any(text.startswith("-") for text in column)

@@ -33,7 +33,7 @@ class Estimate:
     problem: Problem
     theta: Floats
     minimum: float  # Q
-    scale: float  # s; for times and heights s (det W/det B)^(1/(2 n)), see likelihood; nan if errors are given
+    scale: float  # s, for times and heights times (det W/det B)^(1/(2 n)) (module likelihood); nan if errors are given
     intervals: Any = None  # [coordinate, level, side], infinite beyond the range of theta
     determined: Tuple[bool, ...] = ()  # False: the minimum is flat
     rms: float = math.nan
@@ -216,7 +216,7 @@ class Outlier(NamedTuple):
 def distances(e: Estimate) -> Tuple[Ints, Floats]:
     """Return the lines and their distances from the curve in standard deviations. The distance of a point is
     (eps - eps(v))/s. The error of a time or a height is estimated from the bounces that it affects. Its distance is
-    this estimate over the estimate's deviation."""
+    this estimate divided by the standard deviation of the estimate."""
     p, sample, n = e.problem, e.problem.sample, e.problem.size
     theta = finite_theta(e)
     if not sample.is_chain:
@@ -230,7 +230,7 @@ def distances(e: Estimate) -> Tuple[Ints, Floats]:
     place = np.where(numbers < 0, -1, numbers - np.where(numbers[0] < 0, numbers[1], numbers[0])[start][drop])
     known, at = np.unique(numbers, return_index=True)
     known, at = known[known >= 0], at[known >= 0]
-    groups = int(place.max()) // REACH + 1  # number of groups in a drop: numbers REACH apart do not affect each other
+    groups = int(place.max()) // REACH + 1  # groups in a drop: bounces REACH apart do not affect each other
     found = np.empty(known.size)
     for colour in range(min(REACH, int(place.max()) + 1)):
         use = (place >= 0) & (place % REACH == colour)
@@ -247,7 +247,7 @@ def distances(e: Estimate) -> Tuple[Ints, Floats]:
 def _distance_of(e: Estimate, line: int) -> float:
     lines, found = distances(e)
     mine = found[lines == line]
-    return float(mine[np.argmax(np.abs(mine))]) if mine.size else 0.0  # 0: its bounces also need another omitted line
+    return float(mine[np.argmax(np.abs(mine))]) if mine.size else 0.0  # 0: its bounces need another omitted line, too
 
 
 def _squares(e: Estimate) -> float:
@@ -258,9 +258,10 @@ def find_outliers(data: Data, sample: Sample, models: Sequence[Model], setup: Se
     """Return the lines that are too far from the curve of the robust fit with the least AIC.
 
     The farthest line is removed while n normal errors would reach its distance with a probability below 1/20, up to
-    MAX_OUTLIERS lines and a fourth of the points. A removed line has the probability of Student's t, or of the normal
-    distribution if errors are given, times the number of lines. While this is SIGNIFICANCE or more for some lines, the
-    nearest one is restored. Errors that are too small for the other points are first scaled to chi^2 = n - k."""
+    MAX_OUTLIERS lines and a fourth of the points. The probability of a removed line is the tail of Student's t, or of
+    the normal distribution if errors are given, times the number of lines. While it is SIGNIFICANCE or more for some
+    removed lines, the nearest of them is restored. Errors that are too small for the other points are first scaled to
+    chi^2 = n - k."""
     if sample.size > MANY:
         return []
     special = scipy("special")
@@ -302,7 +303,7 @@ def find_outliers(data: Data, sample: Sample, models: Sequence[Model], setup: Se
             f = estimate(curve, rest(put_back=outlier.line), plain, False, e)
             assert f is not None
             distance = _distance_of(replace(e, problem=_on(e.problem, f.problem.sample)), outlier.line)
-            if sample.is_chain:  # e was fitted without these bounces; if smaller, use the distance in f
+            if sample.is_chain:  # use the smaller distance: from e, fitted without these bounces, or from f
                 other = _distance_of(f, outlier.line)
                 other *= math.sqrt((f.problem.freedom - 1) / max(f.problem.freedom - other**2, 1e-9))
                 distance = other if abs(other) < abs(distance) else distance

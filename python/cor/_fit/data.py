@@ -73,7 +73,7 @@ class Data:
     balls: Tuple[str, ...] = ()
     unused: Tuple[str, ...] = ()  # names of the columns that are not read
     remarks: Tuple[str, ...] = ()  # sentences about the reading, such as the number of bounces in a track
-    row_word: str = "line"  # lines count from 1 with the header; "row": elements of arrays, from 0
+    row_word: str = "line"  # "line": counted from 1 with the header; "row": element of arrays, from 0
 
     def of_ball(self, ball: int) -> "Data":
         """Return the data of one ball, balls[ball]."""

@@ -147,7 +147,7 @@ def settle(p: Problem, theta: Floats) -> Floats:
 
 def minimise_with_noise(p: Problem, near: Optional[Floats] = None) -> Floats:
     """Return the minimum over theta and, for unknown errors, over lambda. Set the scale (1 unless robust) and lambda.
-    near: the theta of data that differ by a few bounces; p contains their scale and lambda."""
+    near: theta of a fit to data that differ by a few bounces; p has the scale and lambda of that fit."""
     if near is not None:
         theta = settle(p, near)
         p.scale = p.scale if p.robust else 1.0
@@ -163,7 +163,7 @@ def minimise_with_noise(p: Problem, near: Optional[Floats] = None) -> Floats:
     first, theta = theta, settle(p, theta)
     best = (p.scale, p.log_ratio, theta)
     if p.scatters and not p.robust:
-        starts = [(first, -80.0), (first, math.log(1e8))]  # no scatter; no errors of times
+        starts = [(first, -80.0), (first, math.log(1e8))]  # first: no scatter; second: no errors of times
         if p.curve.dry:
             dry = p.like(p.curve.dry)
             without = minimise_with_noise(dry)
@@ -193,7 +193,7 @@ def whole_q(p: Problem, theta: Floats) -> float:
 
 
 def profile(p: Problem, theta: Floats, held: Sequence[int]) -> Tuple[float, Floats]:
-    """Return the least Q with the held coordinates fixed at their values in theta, and the theta of this Q."""
+    """Return the least Q with the held coordinates fixed at their values in theta, and the theta that has this Q."""
     free = [j for j in range(p.parameters) if j not in held]
     q = math.inf
     while True:
@@ -206,7 +206,7 @@ def profile(p: Problem, theta: Floats, held: Sequence[int]) -> Tuple[float, Floa
 
 
 def covariance_of(p: Problem, theta: Floats) -> Any:
-    """Return the coordinates' covariance for errors of 1 by linear propagation. It is large along a flat valley."""
+    """Return the covariance of the coordinates if z has the standard deviation 1. It is large along a flat valley."""
     base = p.residuals(theta)
     step = 1e-6 * np.maximum(np.abs(theta), 1)
     step = np.where(theta + step > p.high, -step, step)

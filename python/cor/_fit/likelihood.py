@@ -29,7 +29,7 @@ LEAST_RESIDUAL = float(np.finfo(float).eps)  # smaller residuals are raised to t
 SLOPE_STEP = 1e-4  # in ln v
 STEEPEST = 5.0  # bound on |eps + d eps/d ln v| in a_k; first order fails where eps drops to 0
 LOG_RATIO = (math.log(1e-10), math.log(1e8))  # range of ln(lambda times the mean square of c)
-MANY = 20000  # with more bounces: class Reduced, and no search for outliers
+MANY = 20000  # with more bounces, class Reduced is used and no outliers are sought
 
 
 @lru_cache(maxsize=None)
@@ -122,7 +122,7 @@ class Flights(NamedTuple):
 
 
 class Sample:
-    """The bounces of a record. without: lines to omit, together with the bounces that need them"""
+    """The bounces of a record. without: omitted lines. Bounces that need such a line are omitted, too."""
 
     def __init__(self, data: Data, without: Sequence[int] = ()) -> None:
         record = data.record
@@ -162,7 +162,7 @@ class Sample:
         self.pilot: Any = None
 
     def _bounces(self, record: Any) -> Tuple[Ints, Ints, Ints, Any]:
-        """Return the indices of the measured numbers of each bounce, or -1, and a mask of the drops' first bounces."""
+        """For each bounce, return the indices of three measured numbers (-1: none), and True if it begins a drop."""
         if isinstance(record, (Points, Heights)):
             last = np.arange(record.line.size)
             middle = last if isinstance(record, Heights) else np.full(last.size, -1)
@@ -233,7 +233,7 @@ class Sample:
 
 
 class Problem:
-    """The residuals z of a curve. Its coordinates theta are followed by drag and gravity, if these are free."""
+    """The residuals z of a curve. theta: the coordinates of the curve, then drag and gravity if they are free."""
 
     def __init__(self, curve: Curve, sample: Sample, field: Field, free: Sequence[str], robust: bool) -> None:
         self.curve, self.sample, self.field, self.free, self.robust = curve, sample, field, tuple(free), robust
@@ -305,7 +305,7 @@ class Problem:
         return determinant, z.reshape(-1, self.size)
 
     def z_at(self, parts: Tuple[Floats, Floats, Floats], log_ratios: Any) -> Floats:
-        """Return z, including the determinants. log_ratios: logarithms of lambda times the mean square of c"""
+        """Return z with the factor of the determinants. log_ratios: values of ln(lambda times the mean square of c)"""
         if not self.sample.scatters:
             return self.whiten(parts, [0.0])[1]
         determinant, z = self.whiten(parts, [0.0, *(math.exp(u) / self.mean_square for u in log_ratios)])
@@ -344,7 +344,7 @@ class Problem:
         return q if math.isfinite(q) else math.inf
 
     def scale_of(self, z: Floats) -> Any:
-        """Return sqrt(sum z^2/(n - k)), or if robust sqrt(n/(n - k)) median |z|/0.6745, for each row of z."""
+        """Return sqrt(sum z^2/(n - k)), or sqrt(n/(n - k)) median |z|/0.6745 in the robust fit, for each row of z."""
         if self.robust:
             found = np.median(np.abs(z), axis=-1) / 0.67448975019608171 * math.sqrt(self.size / self.freedom)
         else:
@@ -384,8 +384,8 @@ KNOTS = 32
 
 
 class Reduced(Problem):
-    """Very many bounces with one scale and lambda. z is linear in eps, which cubic polynomials between KNOTS speeds
-    interpolate. So Q is a sum of KNOTS squares and a constant. lambda and the slopes of the covariance come from a
+    """Very many bounces, with lambda fixed. Cubic polynomials between KNOTS speeds interpolate eps, and z is linear in
+    eps. Therefore Q is a sum of KNOTS squares plus a constant. lambda and the slopes of the covariance come from a
     `pilot`, a fit of a part of the bounces."""
 
     def __init__(self, curve: Curve, sample: Sample, field: Field, pilot: Optional[Tuple["Problem", Floats]]) -> None:

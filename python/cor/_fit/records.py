@@ -13,7 +13,7 @@ from .data import MAX_BEYOND, MAX_FLIGHT_RATIO, Apexes, Data, DataError, Floats,
 from .track import find_bounces
 
 MAX_ROWS, MAX_COLUMNS, MAX_LINE, BLOCK, SHOWN = 1000000, 256, 65536, 1 << 22, 40
-MAX_ABOVE, MAX_GAP = 50, 5  # rows above the names; successive rows of a track without a height
+MAX_ABOVE, MAX_GAP = 50, 5  # limits: rows above the names; successive rows without height in a track
 WAVEFORM_ROWS = 100  # this number of equal steps means samples, not bounces
 
 # ---- names of columns ----
@@ -270,7 +270,7 @@ def _read_csv(table: Table, file: Any, progress: Callable[[str], None]) -> None:
 
 def _find_names(table: Table, number: int, lines: List[str]) -> int:
     """Set the names of the columns. Return the number of lines above the rows of numbers, or 0 if there are only
-    comments. Rows above the names, as in files of Tracker or Logger Pro, are not read. Units may follow in a row."""
+    comments. Rows above the names, as in files of Tracker or Logger Pro, are not read. A row of units may follow."""
     rows = [(at, line) for at, line in enumerate(lines[:MAX_ABOVE], 1) if _split(table, number + at, line, ",")]
     if not rows:
         return 0
@@ -372,7 +372,7 @@ def choose_columns(table: Table) -> Tuple[str, List[str]]:
 
 
 def _factor(table: Table, key: str, unit: Optional[str], given: Dict[str, str], without: List[str]) -> float:
-    """Return the factor to SI units. given: the units of --unit; without: dimensions of columns without units."""
+    """Return the factor to SI units. given: the units of --unit. without: dimensions of columns without a unit."""
     dimension, line = QUANTITIES[key].dimension, table.header_line
     if dimension not in UNITS:
         return 1.0
@@ -508,7 +508,7 @@ def _refuse_waveform(table: Table, key: str, flight: Floats) -> None:
 
 
 def _leave_out_gaps(table: Table) -> None:
-    """Leave out the rows of a track without a time or a height, at most MAX_GAP in succession inside it."""
+    """Leave out the rows of a track that lack time or height. Refuse more than MAX_GAP such rows in succession."""
     empty = [any(c.lower() in ("", "nan") for c in pair) for pair in zip(table.labels("t"), table.labels("h"))]
     rows = np.flatnonzero(np.logical_not(empty))
     for k in np.flatnonzero(np.diff(rows) > MAX_GAP + 1):

@@ -228,7 +228,7 @@ class Result:
     # ---- predictions ----
 
     def _region(self, model: Model, e: Estimate, group: str) -> List[List[Floats]]:
-        """For each level, return points on the boundary of a region of theta. Its projections are the intervals."""
+        """For each level, return boundary points of a region of theta. Its projections are the intervals of theta."""
         key = (group, id(e))
         if key in self._regions:
             return list(self._regions[key])

@@ -9,7 +9,7 @@ from .data import Floats, Ints
 from .likelihood import scipy
 
 LEAST_SAMPLES = 4  # samples of a flight
-FREE_BEND, FREE_SKEW = 8, 12  # samples from which a flight has its own quadratic, cubic term (drag)
+FREE_BEND, FREE_SKEW = 8, 12  # least samples for a flight's own quadratic term, and for a cubic term (drag)
 ALLOWED = "a track of at least three bounces with heights that grow upward, 4 samples or more in each flight"
 
 
