@@ -122,8 +122,8 @@ class Shape:
 
 
 def drawing(point, circles, radii, angles, steps, stride):
-    """Returns circles, the rim and radii of a distorted disk as rows name,x,y, a row for each point. point(r, phi):
-    the displaced point. An empty row ends each curve, for gnuplot."""
+    """Returns circles, the rim and radii of a distorted disk as rows name,x,y, one for each point. point(r, phi): the
+    displaced point. An empty row ends each curve, for gnuplot."""
     rows = []
     for i in range(1, circles + 1):
         rows += ["%s,%.4f,%.4f" % ("circle" if i < circles else "rim", *point(i / circles, 2 * math.pi * k / angles))

@@ -13,7 +13,7 @@ enum {
     ARRAY = 1,      /* one call computes all eps; the arrays fit the first-level cache */
     LARGE = 2,      /* also timed on arrays larger than the last-level cache */
     INTEGRATES = 4, /* takes microseconds for each eps, so it is timed at fewer speeds */
-    FLOAT = 8       /* `in` and `out` are arrays of float; the exact eps belongs to the float argument */
+    FLOAT = 8       /* `in` and `out` are arrays of float; errors compare with eps of the rounded argument */
 };
 
 struct method {

@@ -76,7 +76,7 @@ static int run_word(const struct subcommand *const *table, const char *version, 
     const struct subcommand *const cmd = subcommand_named(table, argc < 2 ? NULL : name);
     if (!cmd)
         return STATUS_USAGE;
-    struct option_common *const common = xmalloc(cmd->size); /* the whole struct of arguments starts with it */
+    struct option_common *const common = xmalloc(cmd->size); /* start of the struct of arguments */
     memcpy(common, cmd->defaults, cmd->size);
     bool help;
     progress_start(cmd->name);

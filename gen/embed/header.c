@@ -233,7 +233,7 @@ static void emit_step(struct emit *e, const struct embed_form *f, const struct e
                                         [STEP_OFF] = "    const $T $s = 1.0$F - $s * $s;\n"};
     const char *const x = p->step[s->x].name, *const y = p->step[s->y].name;
     int half = 1;                                      /* the first step of a search */
-    if (strchr(s->name, ' ') || s->code == STEP_CLAMP) /* has no line, or emit_clamped has written it */
+    if (strchr(s->name, ' ') || s->code == STEP_CLAMP) /* this step has no line, or emit_clamped wrote it */
         return;
     switch (s->code) {
     case STEP_START:

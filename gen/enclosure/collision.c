@@ -233,7 +233,7 @@ int collision_final_speed(arb_t v_f, const struct cor_exponents *law, slong bits
 {
     if (law_fall_power(law).num <= 0)
         return fail("beta^(1/q) eps has a limit only for q > 0");
-    /* the manifold's motion from `last` contracts by exp(-depth), and its intervals grow by the inverse factor */
+    /* the motion on the manifold from `last` contracts by exp(-depth), and its intervals grow by exp(depth) */
     const slong manifold_bits = bits + MANIFOLD_BITS;
     slong prec = bits + GUARD_BITS + (slong)(slow_manifold_depth(law, manifold_bits) / log(2));
     for (int i = 0; i < ATTEMPTS; i++) {

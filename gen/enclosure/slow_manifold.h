@@ -25,7 +25,7 @@ struct slow_manifold {
     arb_t nu;           /* bound of |N(P)| */
     arb_t time_error;   /* bound of the integral of |1/P - inverse|/(n y^(1+kappa)) over (0, last] */
     arb_t final_speed;  /* speed at z = 0 of every trajectory within eta at `last`: v_f = lim beta^(1/q) eps */
-    arb_t t_fall;       /* time t' of these trajectories from `last` to z = 0 */
+    arb_t t_fall;       /* time t' of every such trajectory from `last` to z = 0 */
     slong bits;
     bool closed;                /* the precision sufficed */
     struct slow_manifold *next; /* next manifold in the list of stored ones */

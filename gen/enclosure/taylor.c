@@ -71,7 +71,7 @@ void taylor_init(struct taylor *y, const struct cor_exponents *law, slong degree
     y->elastic = power_of_w(y, law->elastic - m);
     arb_struct *const outer = power_of_w(y, law->denominator - 1 + m), *const damping = power_of_w(y, law->damping - m);
     y->damped = damping == y->one ? y->v : product_new(y, 0, damping, y->v);
-    y->whole_force = product_new(y, 0, outer, y->force); /* the last product */
+    y->whole_force = product_new(y, 0, outer, y->force); /* computed last */
     FOR_ALL(mag, init, y->error_w, y->error_v, y->error_t);
     FOR_ALL(arb, init, y->c1, y->c2, y->c3, y->step);
 }

@@ -39,7 +39,7 @@ struct spheres {
     struct plan *plan;
     const struct embed_request *request, *with_force;
     const struct cor_scene_contact *contact, *pressed;
-    struct embed_scene scene, pressed_scene; /* without and with the constant force; headers use the latter */
+    struct embed_scene scene, pressed_scene; /* without and with the constant force */
     struct embed_form form[FAMILIES];
     arb_t h_star;        /* of spheres */
     arb_t force, damped; /* at 1 m/s: the force in units of m g/T, and beta with this force */

@@ -18,7 +18,7 @@ static size_t smaller_of(size_t x, size_t y)
 
 size_t slips_between(const char *a, const char *b)
 {
-    size_t slips[WORD_MOST + 1][WORD_MOST + 1]; /* [i][j]: distance of the first i and j letters */
+    size_t slips[WORD_MOST + 1][WORD_MOST + 1]; /* [i][j]: distance of i letters of a to j of b */
     const size_t m = strlen(a), n = strlen(b);
     for (size_t i = 0; i <= m; i++)
         for (size_t j = 0; j <= n; j++) {

@@ -261,7 +261,7 @@ static void fill_cell(struct cell *cell, const struct scenes *scenes)
 {
     int32_t estimate = 0;
     double missed = 0;
-    for (int odd = 0; odd < 2; odd++) /* the values, then the tests (point_of) */
+    for (int odd = 0; odd < 2; odd++) /* first the values, then the tests; see point_of */
         for (int k = 0, i, j; k < PLACES; k++) {
             const struct scene *const s = known_scene(scenes, point_of(cell, k, &i, &j));
             double x_weight[SIDE], nu_weight[SIDE];
@@ -424,7 +424,8 @@ static bool add_pieces(const struct part *part, uint16_t piece_at[ROWS][COLUMNS]
     return true;
 }
 
-/* Returns the least n such that the piece does not change along an axis inside any of 2^n equal strips of a square. */
+/* Divides an axis of a square into 2^n equal parts. Returns the least n for which the piece does not change along this
+ * axis within a part. */
 static int square_bits(uint16_t piece_at[ROWS][COLUMNS], int x, int nu, int axis)
 {
     int bits = 0;

@@ -316,7 +316,7 @@ TEST(other_laws)
 
 /* ---- a constant force: enclosed collisions against the integration in doubles ---- */
 
-static int stuck, held, parted; /* scenes without zero overlap, without zero force, with zero overlap */
+static int stuck, held, parted; /* numbers of scenes; check_pressed counts them */
 
 static void check_pressed(const struct cor_exponents *exponents, double damping, double force_n, double speed)
 {
@@ -345,8 +345,8 @@ static void check_pressed(const struct cor_exponents *exponents, double damping,
         assert_true((impact.eps[end] == 0) == (isinf(impact.duration_s[end]) != 0));
         assert_true(damping > 0 || (impact.eps[end] == 1 && eps[end] == 1));
     }
-    stuck += isinf(time[0]) != 0;
-    held += isinf(time[1]) != 0;
+    stuck += isinf(time[0]) != 0; /* never ends at zero overlap */
+    held += isinf(time[1]) != 0;  /* never ends at zero force */
     parted += !isinf(time[0]);
 }
 

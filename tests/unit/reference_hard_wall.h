@@ -8,7 +8,7 @@
 #include <cor/disk.h>
 
 struct reference_wall {
-    double omega;  /* modes below omega move */
+    double omega;  /* only modes below omega move */
     int fade_next; /* w = (1 - r^2)^2 (1 + fade_next r^2) */
     double h;
     int nyquist; /* angles are pi/nyquist apart; n goes up to nyquist */

@@ -53,7 +53,7 @@ TEST(test_values)
         check(fabs(fractions[0] / rows[i].lowest - 1) < COR_DISK_RAYLEIGH_MAX_ERROR, "v = %g: %.15g", rows[i].speed,
               fractions[0]);
         check(fabs(sum / rows[i].sum - 1) < COR_DISK_RAYLEIGH_MAX_ERROR, "v = %g: %.15g", rows[i].speed, sum);
-        const double time = cor_disk_contact_time(rows[i].speed, 0.33, COR_DISK_DATUM_PRINTED); /* by another route */
+        const double time = cor_disk_contact_time(rows[i].speed, 0.33, COR_DISK_DATUM_PRINTED); /* another method */
         check(fabs(out.contact_time / time - 1) <= 2 * COR_DISK_CONTACT_TIME_MAX_ERROR, "v = %g", rows[i].speed);
     }
     /* cos(omega tau/2) nearly vanishes */

@@ -210,7 +210,7 @@ static void fill_contacts(struct cor_sphere_contact contact[CONTACTS])
     assert_int_equal(cor_sphere_contact_init(&contact[5], NULL, NULL), COR_ERROR_NULL); /* all NaN */
 }
 
-/* Lists the functions of laws, each once, because linear and Tsuji share some functions, and some ends do as well. */
+/* Lists each function of laws only once, because linear and Tsuji, and some ends, share functions. */
 static size_t law_loops(struct loop *loops)
 {
     size_t count = 0;
