@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# eps of a material over the speed, and the results of simulators for one e: cor_realised speeds.
+# eps of a material as a function of the speed, and the results of simulators for one e: cor_realised speeds.
 #     gnuplot -e "csv = 'speeds.csv'; svg = 'speeds.svg'" bench/plots/speeds.gp
 stem = "speeds"; home = "docs/laws"; width = 800; height = 430
 load "docs/style.gp"
