@@ -234,7 +234,7 @@ TEST(known)
 TEST(known_in_turn)
 {
     leave_to_turn(2, 3);
-    scenes_known(KNOWN - LONG_ONLY - IN_TURN, KNOWN - LONG_ONLY - (points(2) < 2)); /* few points omit the longest */
+    scenes_known(KNOWN - LONG_ONLY - IN_TURN, KNOWN - LONG_ONLY - (points(2) < 2)); /* a small run omits the last */
 }
 
 /* ---- the amplification of errors ---- */
