@@ -91,7 +91,8 @@ struct relaxed_disk *relaxed_disk_of_all_modes(double nu, double alpha, size_t p
     return disk;
 }
 
-/* Returns the number of unknowns. Later points have a negligible pressure in the integral, so their f is explicit. */
+/* Returns the number of unknowns. Later points have a negligible pressure in the integral, so f follows directly
+ * there. */
 static size_t active_points(const struct relaxed_disk *disk)
 {
     double largest = 0;

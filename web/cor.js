@@ -10,7 +10,7 @@ export class CorError extends Error {
     }
 }
 
-// Returns the bytes of the module, which is next to this file, in node and in a page.
+// Returns the bytes of the module, a file next to this one. Works in node and in a page.
 async function bytes() {
     const place = new URL("./cor.wasm", import.meta.url);
     if (place.protocol === "file:")

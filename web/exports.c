@@ -377,7 +377,7 @@ WEB_EXPORT(web_lines) const char *web_lines(int step_errors)
     return put_lines(&lines);
 }
 
-/* Returns the lines of several materials in one block, or NULL as web_lines. names: one name in a line. number: for
+/* Returns the lines of several materials in one block, or NULL like web_lines. names: one name in a line. number: for
  * each of the n/6 materials Young's modulus, Poisson's ratio, density, radius (NaN: a wall), eps (NaN: not known) and
  * its speed. eps is between two balls of the material, or between the wall and a ball of any material. */
 WEB_EXPORT(web_block) const char *web_block(char *names, const double *number, size_t n)

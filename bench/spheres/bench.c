@@ -176,8 +176,8 @@ static void measure_scene(FILE *const csv[2], const struct methods *methods, con
     inputs_free(&in);
 }
 
-/* Returns the number of elements of an array with the size of the last-level cache, 512 MiB if it is unknown. The size
- * is at least 64 MiB, and at most 512 MiB and an eighth of the memory. */
+/* Returns the number of elements of an array with the size of the last-level cache, or 512 MiB if the cache is unknown.
+ * The size of the array is at least 64 MiB, and at most 512 MiB and an eighth of the memory. */
 static size_t large_elements(void)
 {
     const double mib = 1 << 20;

@@ -48,7 +48,7 @@ APPROXIMANTS
 #undef X_overlap
 #undef X_force
 
-/* Methods that compute beta from the speed by pow, as users write it today. None of these loops can be vectorised. */
+/* Methods that compute beta from the speed by pow, as in programs of users. None of these loops can be vectorised. */
 #ifndef __AVX2__
 #define X_overlap(NAME, CURVE, SETTING)                                                                                \
     FORM_OF(double, NAME##_speed, const double unit = scene->contact.beta_per_root, NAME(pow(g, 0.2) * unit))

@@ -150,10 +150,10 @@ struct cor_collision_run {
     double start, end; /* times at which the contact begins and ends; NaN if unknown */
 };
 
-/* Computes a collision with steps run->h. `before` is a run with larger steps, or NULL. Its largest load defines the
- * start and the end of this run's contact. `average`, if not NULL, receives the mean energy of each mode during the
- * contact of `before`. The function calls detail->observe, if not NULL, at every step. On return the modes are in their
- * final state. */
+/* Computes a collision with steps run->h. `before` is a run with larger steps, or NULL. The largest load of `before`
+ * defines the start and the end of this run's contact. `average`, if not NULL, receives the mean energy of each mode
+ * during the contact of `before`. The function calls detail->observe, if not NULL, at every step. On return the modes
+ * are in their final state. */
 enum cor_collision_outcome cor_collision_run(struct cor_motion *m, struct cor_collision_run *run,
                                              const struct cor_collision_run *before, double *average,
                                              const struct cor_disk_collision_detail *detail);

@@ -131,7 +131,7 @@ static double first_exponent(const struct cor_motion *m)
     return log(negligible_load(m) * sqrt(m->alpha / (2 * COR_PI)));
 }
 
-/* False if the negligible load underflows, or COR_DISK_COLLISION_MAX_STEPS steps h are certainly too few. */
+/* False if the negligible load underflows, or if COR_DISK_COLLISION_MAX_STEPS steps of h are certainly too few. */
 static int in_sight(const struct cor_motion *m, double h)
 {
     /* a collision lasts at least twice the time from the first moment to the touch */

@@ -13,7 +13,7 @@
 
 enum { LEVELS = COR_COLLISION_LEVELS };
 
-/* First powers of h in the errors of quantities measured after the contact and during it */
+/* Lowest power of h in the error of a quantity: measured after the contact, or during it */
 enum { AFTER = 4, AMIDST = 2 };
 
 /* Computes the weights of the last `levels` runs in the extrapolation of a series in h^first, h^(first + 2), ... by
@@ -256,8 +256,8 @@ static void runs_restart(struct runs *runs, double h)
     runs->h = h;
 }
 
-/* Multiplies the number of angles by 1 + growth, up to phi_limit, and starts again. Returns 0 if it is phi_limit
- * already. */
+/* Multiplies the number of angles by 1 + growth, up to phi_limit, and starts again. Returns 0 if the number is
+ * phi_limit already. */
 static int runs_restart_finer(struct cor_motion *m, struct runs *runs, double growth, double h)
 {
     if (m->phi >= m->phi_limit)

@@ -53,7 +53,7 @@ enum {
  * of the tolerance and COR_TUNING_WALL_TOLERANCE. Chosen: see COR_TUNING_WALL_IN_EPS. */
 #define COR_TUNING_WALL_LEFT 1e-6
 #define COR_TUNING_WALL_TOLERANCE 1e-4
-/* The wall's force is neglected below this fraction of the load at the first and the last moment. Chosen. */
+/* Loads of the wall below this fraction of the load at the first and the last moment are neglected. Chosen. */
 #define COR_TUNING_NO_LOAD 1e-3
 /* Load at which a contact begins and ends, relative to the largest load. Derived: from the definition in cor/disk.h. */
 #define COR_TUNING_CONTACT_LOAD 1e-3
@@ -85,8 +85,8 @@ enum {
  * in calm collisions, and not much larger than it near chaos. */
 #define COR_TUNING_QUADRATURE_IN_EPS 0.1
 #define COR_TUNING_BOUND_AMPLIFIES 1e-3
-/* Error of eps divided by the change of eps if the angles are shifted by half their distance. Derived: 1/2 to first
- * order. Fitted: 1.7 occurred where the change is too large for first order. */
+/* Error of eps divided by the change of eps if the angles are shifted by half the distance of neighbours. Derived: 1/2
+ * to first order. Fitted: 1.7 occurred where the change is too large for first order. */
 #define COR_TUNING_ANGLES_IN_EPS 3.0
 /* If more than this fraction of the tolerance may be due to the angles, a run with shifted angles measures it. Chosen:
  * a tenth allows for errors of the estimate. */

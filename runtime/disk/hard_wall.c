@@ -27,10 +27,10 @@ enum { MAX_LEVELS = COR_DISK_HARD_WALL_MAX_LEVELS, LEAST_LEVELS = 2 };
 #define RANGE 2.6       /* range of the angles divided by sqrt(v) */
 
 /* The error estimate is the sum of three parts. The first is the largest of the last changes of the extrapolated value,
- * times the weights below. It is at least EXTRAPOLATED times the distance of this value from the highest level. The
- * second bounds the effect of waves that no level has shown yet and that return while contact ends or splits. The third
- * is the noise of steps and angles. Fitted: with these factors the estimate is at least the error, as two more levels
- * show, in 200 random scenes at six tolerances. */
+ * after multiplication by the weights below. It is at least EXTRAPOLATED times the distance of this value from the
+ * highest level. The second bounds the effect of waves that no level has shown yet and that return while contact ends
+ * or splits. The third is the noise of steps and angles. Fitted: with these factors the estimate is at least the error,
+ * as two more levels show, in 200 random scenes at six tolerances. */
 static const double calm_weight[] = {3, 1, 0.3, 0.1};
 #define EXTRAPOLATED 0.25
 #define UNSEEN 0.07 /* the second part times Omega^2 */
@@ -157,7 +157,7 @@ static double noise_of(double tolerance)
     return NOISE * pow(fineness_of(tolerance), NOISE_POWER);
 }
 
-/* Returns the largest of the last changes of the extrapolated value, times weights. */
+/* Multiplies the last changes of the extrapolated value by weights. Returns the largest product. */
 static double changes_of(const struct level_sequence *sequence, const double *weight)
 {
     const size_t last = sequence->levels - 1, changes = sizeof calm_weight / sizeof *calm_weight;

@@ -2,18 +2,18 @@
 /* Contact of the rim with a rigid wall: y >= 0, reach - K y <= 0, y (reach - K y) = 0, where the positive definite
  * matrix K is the compliance that acts at once. docs/theory-disks.md, 17.
  *
- * Nearly always the contact is one piece, angles 0 to m - 1. The leading block of the Cholesky factor, K = L L', is the
- * factor of the leading block, so one factor serves every m. z = L^-1 reach determines m: If angles 0 to j - 1 are in
- * contact, z_j <= 0 means that angle j is not. The solver then checks that no force pulls and that no other angle
- * reaches into the wall. If a check fails, block principal pivoting (Judice and Pires, 1994) finds the contact,
- * starting from the contact of the previous step. */
+ * Nearly always the contact is one piece, angles 0 to m - 1. K = L L' (Cholesky). The leading block of L is the factor
+ * of the leading block of K, so one L serves every m. z = L^-1 reach determines m: If angles 0 to j - 1 are in contact,
+ * z_j <= 0 means that angle j is not. The solver then checks that no force pulls and that no other angle reaches into
+ * the wall. If a check fails, block principal pivoting (Judice and Pires, 1994) finds the contact, starting from the
+ * contact of the previous step. */
 #include <math.h>
 #include <string.h>
 
 #include "runtime/disk/hard_wall_parts.h"
 
-/* Number of rounds of pivoting without progress in which all wrong angles change sides. After these rounds one angle
- * changes at a time, which always terminates (Murty). */
+/* PATIENCE: number of rounds of pivoting without progress. In these rounds all wrong angles change sides. Then one
+ * angle changes at a time, which always terminates (Murty). */
 enum { PATIENCE = 10, MAX_ROUNDS = 10000 };
 /* Pulling forces below this fraction of the largest force are rounding errors. */
 #define FORCE_ROUNDING 1e-12
@@ -230,7 +230,7 @@ static void solve_part(struct cor_hard_wall_contact *contact, const double *reac
         y[contact->wanted[i]] = z[i];
 }
 
-/* Marks the angles whose force pulls or that reach into the wall. Returns their number, and the last in *last. */
+/* Marks the angles whose force pulls or that reach into the wall. Returns their number. *last: the last of them. */
 static size_t find_faults(struct cor_hard_wall_contact *contact, const double *reach, double negligible,
                           const double *y, size_t *last)
 {

@@ -81,7 +81,7 @@ static void sum_clenshaw(size_t count, const double *factor, size_t points, cons
     }
 }
 
-/* Sums over b, then over a, as struct cor_hard_wall_angles describes. It treats COLUMNS vectors of r at a time, so that
+/* Sums over b, then over a, as struct cor_hard_wall_angles describes. Processes COLUMNS vectors of r at a time, so that
  * their sums stay in the nearest cache. */
 static void kernel_cosines(const struct cor_hard_wall_angles *angles, size_t count, const double *factor, size_t points,
                            double *result)

@@ -3,8 +3,8 @@
  *
  * Lengths, forces and amplitudes are in units of the speed v, so that nothing underflows for slow disks. Under kicks at
  * intervals h a mode has the static compliance (h/(2 omega)) cot(omega h/2) instead of 1/omega^2. The compliance that
- * acts at once is the static compliance of all modes, minus this one for the moving modes, plus h^2/12 for the centre
- * of mass. The error of the kicks is then of order h^4, not h^2. */
+ * acts at once is the static compliance of all modes, minus this compliance of the moving modes, plus h^2/12 for the
+ * centre of mass. The error of the kicks is then of order h^4, not h^2. */
 #include <math.h>
 #include <string.h>
 
@@ -335,7 +335,7 @@ static void follow_load(struct motion *motion, const struct level *level, double
     motion->load = load;
 }
 
-/* Returns the energy of a mode relative to (pi/2) v^2, at a kick between the amplitudes before and next. */
+/* Returns the energy of a mode at a kick, relative to (pi/2) v^2. before, q, next: its amplitudes at three kicks. */
 static double energy_of(const struct level *level, size_t i, double before, double q, double next)
 {
     const double sine = level->sine[i], p = 0.5 * (next - before);

@@ -133,7 +133,7 @@ struct cor_hard_wall_settings {
     const struct cor_hard_wall_loops *loops; /* NULL: the loops of the widest set */
 };
 
-/* Multiplications of a call without max_steps. At 0.06 to 0.12 ns each it takes 5 to 10 s, like cor_disk_collision. */
+/* Multiplications of a call without max_steps; it takes 5 to 10 s at 0.06 to 0.12 ns each, like cor_disk_collision. */
 #define COR_HARD_WALL_WORK 8e10
 /* Ratio of the multiplications of two successive levels: sqrt(2) for the steps times 2 for modes or angles */
 #define COR_HARD_WALL_GROWTH 2.8284271247461903

@@ -55,7 +55,8 @@ static double first_order(double z, long m)
     return 0.75 * z / (double)(m + 1);
 }
 
-/* Returns how many orders above N > kappa a recurrence starts. Each reduces the error by (J_(N+1)/J_N)^2 at least. */
+/* Returns how many orders above N > kappa a recurrence starts. Each order reduces the error by the factor
+ * (J_(N+1)/J_N)^2 or less. */
 static double orders_above(double N, double kappa)
 {
     return 2 + 0.35 * (DOUBLE_BITS + START_BITS) / acosh(N / kappa);
@@ -237,7 +238,7 @@ struct search {
     const struct cor_mode_material *material;
     const struct cor_mode_loops *loops;
     struct recurrences wave[2];
-    double *memory, *place, *below, *guess; /* place: frequencies; below: roots below each; guess: Halley's */
+    double *memory, *place, *below, *guess; /* place: frequencies; below: roots below; guess: Halley's root */
     long places, room, first, n;            /* first: the first place at which roots of n are counted */
     struct group *group;
 };
@@ -355,7 +356,7 @@ static int is_alone(const struct root_search *b)
     return b->below_high - b->below_low == 1;
 }
 
-/* Bisects the bracket, or follows Halley's method if the bracket contains one root only. */
+/* Bisects the bracket, or follows Halley's method if the bracket contains only one root. */
 static double next_place(const struct root_search *b)
 {
     return is_alone(b) && b->guess > b->low && b->guess < b->high ? b->guess : b->low + (b->high - b->low) / 2;

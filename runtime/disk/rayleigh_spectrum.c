@@ -17,7 +17,7 @@
  * tests/accuracy/test_disk_rayleigh.c assert the resulting error.
  *   LEG_ENOUGH    the largest Re(p) times the lowest frequency: exp(-omega p) is then 2^-86, small enough for any sine
  *   LEG_FARTHEST  the largest distance from the base to the end of a leg
- *   LEG_NEAREST   distance of the first node, times the largest omega and the root of q0/2 + LEG_DEPTH
+ *   LEG_NEAREST   distance of the first node, multiplied by the largest omega and by sqrt(q0/2 + LEG_DEPTH)
  *   LEG_TILT      the ray turns by 1/(1 + LEG_TILT q0): less for large q0, where exp(-omega p) hardly oscillates */
 #define LEG_ENOUGH 60.0
 #define LEG_FARTHEST 20.0
@@ -188,8 +188,8 @@ static int may_have_edges(const struct branch_point *point, double first)
     return point->theta < 1 || first * pow(point->theta - 1, 1.5) < 1.5 * LEFT_OUT;
 }
 
-/* Computes b where it is not negligible, or in `edges` octaves if edges >= 0. It overwrites the caller's leg, because
- * two legs would need 34 kB of stack. */
+/* Computes b where it is not negligible or, if edges >= 0, in this number of octaves. Overwrites the caller's leg,
+ * because two legs would need 34 kB of stack. */
 static void init_edges(struct cor_spectrum *spectrum, struct cor_leg *leg, const struct cor_leg_rule *rule,
                        struct cor_leg_path path, const struct branch_point *point, double nearest, double enough,
                        int edges)
@@ -206,7 +206,7 @@ static void init_edges(struct cor_spectrum *spectrum, struct cor_leg *leg, const
     path.from_zero = 0;
     path.q0 = path.pi = 0;
     path.scale = 1 + point->x;
-    /* a shorter leg suffices, because exp(-omega Y) multiplies b; interpolation in q0 (edges >= 0) needs all of it */
+    /* a shorter leg suffices, because exp(-omega Y) multiplies b; if edges >= 0, interpolation in q0 needs it whole */
     leg_init(leg, spectrum->set, rule, &path, nearest, edges < 0 ? enough - spectrum->decay : enough);
     spectrum->set->octaves(leg, spectrum->first, spectrum->edges, spectrum->b, unused);
     for (int k = 0; k < spectrum->edges; k++)

@@ -149,7 +149,7 @@ static struct number number_text(double value, int digits)
 
 /* ---- the request to a simulator ---- */
 
-/* PAIR: bodies 1 and 2. LIKE_1: two of body 1. LIKE_2: two of body 2. PAIRS and above, for time steps: with a wall */
+/* PAIR: bodies 1 and 2. LIKE_1, LIKE_2: two copies of body 1, of body 2. The others: with a wall, for time steps */
 enum { PAIR, LIKE_1, LIKE_2, PAIRS, CONTACTS = PAIRS + 4 };
 static const struct {
     int body, other, wall;
@@ -408,8 +408,8 @@ static int has_contact(const struct block *block, const struct task *task, int p
 
 /* Returns the time step of one contact at a speed: its duration divided by the number of steps, or the largest step for
  * the tolerance. The result is infinite if the bodies never part, and NaN if it is not known. *steps: the requested
- * number; for PAIR the function sets it to the number used. Users may change the damping of other contacts, so their
- * result is the smallest step for both ends and without damping. */
+ * number. For PAIR it becomes the number that was used. Users may change the damping of other contacts. Their result is
+ * therefore the smallest of the steps for either end and for no damping. */
 static double step_of(const struct cor_scene_contact *c, const struct task *task, int pair, int end, double speed,
                       double *steps)
 {
@@ -1346,9 +1346,9 @@ static int check_task(struct task *task)
            refuse_task(task, "no model of %s has lines for a wall; leave out --wall", task->simulator->title);
 }
 
-/* Replaces a law that no model has by a linear spring whose undamped contact has the same duration T at the speed: K =
- * m (pi/T)^2. Returns 0 if the simulator has no linear model, the mass is not known, eps is not known or above 1, or
- * the new scene has a fault. Also returns 0 for constant forces, plates and plastic bodies. */
+/* If no model has the law, replaces it with a linear spring. Its undamped contact has the same duration T at the speed:
+ * K = m (pi/T)^2. Returns 0 if the simulator has no linear model, the mass is not known, eps is not known or above 1,
+ * or the new scene has a fault. Also returns 0 for constant forces, plates and plastic bodies. */
 static int replace_law(struct cor_simulator_request *request, struct cor_scene *scene,
                        struct cor_scene_contact contacts[COR_SCENE_ENDS], const struct task *task)
 {
@@ -1538,8 +1538,8 @@ static int check_materials(struct task *task)
             if ((p->a == other->a && p->b == other->b) || (p->a == other->b && p->b == other->a))
                 return refuse_task(task, "%s and %s: two pairs of these materials; leave out one", a->name, b->name);
     }
-    /* turn 0: contacts of a type without `made_of` with itself. turn 1: the same for a type with `made_of`; it may use
-     * the damping of the type it names. turn 2: contacts of two types. */
+    /* turn 0: the contact of each type without `made_of` with itself. turn 1: the same for a type with `made_of`; it
+     * may use the damping of the type it names. turn 2: contacts of two types. */
     for (int turn = 0; turn < 3; turn++)
         for (size_t i = 0; i < balls; i++)
             for (size_t j = i; j < types; j++)

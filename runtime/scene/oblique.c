@@ -438,8 +438,8 @@ NOT_INLINE int follow_impact(struct cor_oblique_impact *oblique, const struct co
 
 /* Returns time_step_s. If the damper exceeds the cap at first touch, the first step gives the spring an opposite force,
  * which then grows faster than the damper's. At `spread` times the overlap of the first step the contact slips
- * backwards, up to the overlap slip_end. With infinitely small steps it slips backwards from the touch on. Until it
- * does, the force is wrong by at most twice the cap; up to the overlap `early` this is tolerable. */
+ * backwards, up to the overlap slip_end. With infinitely small steps it slips backwards immediately. Before it slips,
+ * the force is wrong by at most twice the cap. This error is tolerable up to the overlap `early`. */
 static double needed_step(const struct cor_scene_contact *contact, const struct cor_tangential *t, double friction,
                           double speed_m_s, double tangent)
 {

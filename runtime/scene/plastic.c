@@ -68,7 +68,8 @@ double cor_elastic_plastic_loss(double speed_ratio)
 }
 
 /* Returns t for an eps by Newton's method. P/D is loss_factor. Near eps = 1 it solves sqrt(1 - eps^4) = u sqrt(P/D) for
- * u = 1 - t, elsewhere eps^4 = 108 t/D for ln t. It starts on the side from which it does not cross the root. */
+ * u = 1 - t, elsewhere eps^4 = 108 t/D for ln t. Newton's method starts on the side from which it does not cross the
+ * root. */
 static double force_ratio_of_eps(double eps)
 {
     const double fourth = eps * eps * (eps * eps);

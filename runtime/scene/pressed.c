@@ -229,7 +229,7 @@ int cor_pressed_solve(struct cor_full_impact *impact, const struct cor_exponents
         solve_slow(impact, law, damping, speed);
         return COR_FAULT_NONE;
     }
-    if (speed < SLOWEST && damping < WEAK) /* too slow for the series, and is_slow excludes solve_slow */
+    if (speed < SLOWEST && damping < WEAK) /* too slow for the series, and solve_slow does not apply */
         return COR_FAULT_PRESSED;
     const struct scales unit = motion_scales(law, damping, fmax(speed, SLOWEST), &is_forced);
     const double acceleration = cor_quiet_quotient(unit.length, cor_quiet_product(unit.time, unit.time));

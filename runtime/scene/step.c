@@ -276,7 +276,7 @@ static int is_within(int *status, const struct cor_scene_contact *contact, doubl
 int cor_scene_step_for(double *steps, const struct cor_scene_contact *contact, double speed_m_s, int end,
                        double tolerance, int integrator)
 {
-    static const double ratio = 1.2, scanned = 4; /* the scan ends at `scanned` times the last failure */
+    static const double ratio = 1.2, scanned = 4; /* the scan ends at this multiple of the last n that failed */
     struct stepped m;
     int status = isgreater(tolerance, 0) ? COR_FAULT_NONE : COR_FAULT_STEP;
     *steps = (double)NAN;
