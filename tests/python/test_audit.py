@@ -234,6 +234,13 @@ def test_reasons(tmp_path, old, new, reason):
         ("kratos-linear.json", "0.99", '"high"', "COEFFICIENT_OF_RESTITUTION is not a number."),
         ("kratos-linear.json", '.*RESTITUTION": 0.99,', "", "sets no contact itself"),
         ("lethe-mixer.prm", "(particles *=) 0.5", r"\1 high", "of a partner is missing, or not a number."),
+        (
+            "pfc-deform.dat",
+            "model linear",
+            "model lineardipole",
+            "does not support the dashpot of the model lineardipole",
+        ),
+        ("mfix-cgs.mfx", "'LSD'", "'SPRING'", "cor does not support DES_COLL_MODEL = SPRING."),
         ("pfc-deform.dat", "(dp_nratio) [0-9.]+", r"\1 [high]", "dp_nratio or damp is not a number."),
         ("mercury-tutorial.cpp", "(setDissipation).0.0", r"\1(high()", "is not a literal number"),
     ],
@@ -332,6 +339,15 @@ def test_species(tmp_path, kind, radius, wanted):
     assert list(found) == ["s-s", "s-wall"] and list(found.values()) == [
         w and pytest.approx(w, abs=1e-5) for w in wanted
     ]
+
+
+def test_masks_of_gazebo(tmp_path):
+    """Two collisions whose masks have no common bit never touch."""
+    box = '<model name="m{0}"><link><collision name="c"><surface><contact><collide_bitmask>{0}</collide_bitmask>'
+    box += "</contact></surface></collision></link></model>"
+    world = "".join(box.format(bits) for bits in ("0x01", "2", "0x3"))
+    out = run("audit", write(tmp_path, "a.sdf", f"<sdf><world>{world}</world></sdf>"), "--format", "json")[1]
+    assert [row["pair"] for row in json.loads(out)] == ["m0x01/c-m0x3/c", "m2/c-m0x3/c"]
 
 
 def test_unmeasured_step():

@@ -222,6 +222,8 @@ def read_mfix(text: str, name: str, options: Options) -> Deck:
             c.line = next((source.line(m.start()) for m in re.finditer(key, text, re.I)), 1)
         if cohesion:
             c.unknown = "The cohesion changes eps."
+        elif not hertz and word("DES_COLL_MODEL") not in ("", "LSD"):
+            c.unknown = f"cor does not support DES_COLL_MODEL = {word('DES_COLL_MODEL')}."
         elif math.isnan(c.number):
             c.unknown = "The number of this contact could not be read."
         masses = [x.radius[0] ** 3 * x.density for x in (a, b)]
@@ -387,7 +389,7 @@ def read_pfc(text: str, name: str, options: Options) -> Deck:
             c.limited, c.style = True, "linear, dp_nratio, without tension"
         if math.isnan(c.number) or math.isnan(damp):
             c.unknown = "dp_nratio or damp is not a number."
-        elif model and not model.startswith(("linear", "rrlinear")):
+        elif model and model not in ("linear", "linearcbond", "linearpbond", "rrlinear"):
             c.style, c.unknown = model, f"cor does not support the dashpot of the model {model}."
         elif "bond" in model:
             c.notes.append("eps holds for contacts whose bond is broken or absent.")

@@ -2,6 +2,7 @@
 """Reads XML: models of MuJoCo, worlds of Gazebo (SDF)."""
 
 import math
+import re
 import xml.etree.ElementTree as ET
 from typing import Any, Dict, List, Optional, Set, Tuple
 from xml.parsers import expat
@@ -334,7 +335,7 @@ def read_gazebo(text: str, name: str, options: Options) -> Deck:
     """Reads a Gazebo world or model. Elements `collision` of different models form pairs, unless both are static."""
     deck = Deck(name, "gazebo")
     root = parse(text, name)
-    found: List[Tuple[str, bool, int, float, float]] = []
+    found: List[Tuple[str, bool, int, float, float, int]] = []
     step = next(iter(_numbers(root.findtext(".//physics/max_step_size"))), NAN)
     engines = {physics.get("type", "ode") for physics in root.iter("physics")} - {"ode"}
     for model in root.iter("model"):
@@ -344,10 +345,20 @@ def read_gazebo(text: str, name: str, options: Options) -> Deck:
             e = next(iter(_numbers(bounce.findtext("restitution_coefficient"))), 0.0) if bounce is not None else 0.0
             least = next(iter(_numbers(bounce.findtext("threshold"))), 1e5) if bounce is not None else 1e5
             line = int((collision if bounce is None else bounce).get(" line", 0))
-            found.append((f"{model.get('name', '')}/{collision.get('name', '')}", static, line, e, least))
+            mask = re.fullmatch(
+                r"\s*(0x[0-9a-fA-F]+|\d+)\s*", collision.findtext("surface/contact/collide_bitmask") or ""
+            )
+            bits = int(mask[1], 0 if "x" in mask[1] else 10) if mask else 0xFFFF
+            found.append((f"{model.get('name', '')}/{collision.get('name', '')}", static, line, e, least, bits))
     for i, one in enumerate(found):
         for two in found[i + 1 :]:
-            if one[1] and two[1] or len(deck.contacts) >= MAX_PAIRS or one[0].split("/")[0] == two[0].split("/")[0]:
+            if (
+                one[1]
+                and two[1]
+                or not one[5] & two[5]
+                or len(deck.contacts) >= MAX_PAIRS
+                or one[0].split("/")[0] == two[0].split("/")[0]
+            ):
                 continue
             a, b = sorted((Body(x[0], wall=x[1]) for x in (one, two)), key=lambda body: body.wall)
             c = Contact(name, max(one[2], two[2]), "gazebo", (a, b), "GAZEBO_BOUNCE", pair=f"{one[0]}-{two[0]}")
