@@ -199,7 +199,7 @@ await type("materials", "glass; 70 GPa; 0,24; 2500; 2 mm; 0.9; 1\nsteel; 210 GPa
 check("several materials and a wall have one block", /glass, radius 0.002 m[^]*steel, radius 0.001 m[^]*floor, a wall[^]*pair_coeff 2 2/.test(await textOf(page, "#lines")),
     await textOf(page, "#lines") + await textOf(page, "#lines-wrong"));
 await page.click("#ask .term");
-check("a term is explained", (await textOf(page, ".help:not([hidden])")).includes("rebound speed over impact speed"));
+check("a term is explained", (await textOf(page, ".help:not([hidden])")).includes("rebound speed"));
 
 // ---- wrong input ----
 
