@@ -127,7 +127,7 @@ def test_bounds(monkeypatch):
     for copies in (1, 3):  # each value is shorter than the bound
         _, interpreter = printed(f"variable a string {'x' * 60}\nprint '{'${a}' * copies}'", monkeypatch)
         assert ("make a line of more than 150" in str(interpreter.remarks)) == (copies == 3)
-    _, interpreter = printed("shell rm x\npython f source here\nplugin load x", monkeypatch)
+    _, interpreter = printed("shell rm x\nshell gmsh x\npython f source here\nplugin load x", monkeypatch)
     assert [r.matters for r in interpreter.remarks.values()] == [False] * 3
 
 
@@ -280,4 +280,4 @@ def test_liggghts():
     used += "fix i all insert/pack seed 1 distributiontemplate d\n"
     assert [p for p, _ in rows(used, "liggghts") if "wall" not in p] == ["1-1"]
     for body in ("fix f all multisphere\n", "fix g all rigid/small molecule\n"):
-        assert "rigid bodies" in dict(rows(used + body, "liggghts"))["1-1"].advice
+        assert "centre of mass" in dict(rows(used + body, "liggghts"))["1-1"].advice

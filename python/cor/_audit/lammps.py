@@ -764,7 +764,7 @@ class Granular(System):
         for i, j, own, other in pairs:
             for m, one in enumerate(moving[i] if own else ()):
                 for two in moving[j][m if i == j else 0 :]:
-                    is_one_body = one.rigid.startswith("fix") and one.body.mass == one.body.mass
+                    is_one_body = one.rigid.startswith("fix") and not math.isnan((one.body.mass or (NAN,))[0])
                     is_same_body = is_one_body and one.rigid == two.rigid
                     if own and not (one.held and two.held) and not is_same_body and not self.is_excluded(one, two):
                         contact = self.between(own, other, one.body, two.body)
