@@ -30,12 +30,12 @@ struct relaxed_disk {
 
 /* Return a disk that has not touched the wall yet; NULL if memory is short (16 points^2 bytes). Free it with free().
  * The points are equally spaced on the quadrant 0 < phi < pi/2. The error of the sum over them falls faster than any
- * power once the edge of the contact, about alpha^(-2/3) wide, spans a few points. At delta <= 0.3, sampled with twice
- * the points, it is below 1e-12 of the load for alpha = 500 and 192 points, and below 1e-7 for alpha = 20000 and 512
- * points.
+ * power once the edge of the contact, about alpha^(-2/3) wide, spans a few points. At delta <= 0.3 it
+ * is below 1e-12 of the load for alpha = 500 and 192 points, and below 1e-7 for alpha = 20000 and 512 points. These
+ * bounds come from runs with twice the number of points.
  *
- * relaxed_disk_of_modes: the disk has the lowest n_modes of a table. relaxed_disk_of_all_modes: it has all modes with n
- * < 2 points, from the static compliance of a disk under tractions cos(n phi), sin(n phi) with its centre of mass held:
+ * relaxed_disk_of_modes: the disk has the lowest n_modes of a table. relaxed_disk_of_all_modes: it has all modes n <
+ * 2*points, from the static compliance of a disk under tractions cos(n phi), sin(n phi) with its centre of mass held:
  *     A_n = D_n = (2n - 1 + nu)/(n^2 - 1),  B_n = (n (1 - nu) - 2)/(n^2 - 1)                       n >= 2
  *     A_1 = B_1 = (1 - nu)/2,  D_1 = (3 + nu)/2,     A_0 = (1 - nu)/2,  B_0 = D_0 = 0 */
 struct relaxed_disk *relaxed_disk_of_modes(const struct cor_disk_modes *modes, size_t n_modes, double alpha,

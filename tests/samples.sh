@@ -3,8 +3,8 @@
 # work (a directory) and, for C, library (libcor.a).
 #
 #         $ corgen ...         a command of corgen, cor or cc; \ continues it; its output is indented below it
-#     ```c                     a program, after a line <!-- NAME.c -->, or lines that replace the loop in the
-#     ```                      page's first program; its output, if shown, is the next indented block
+#     ```c                     after a line <!-- NAME.c -->: a program, or lines that replace the loop in the first
+#     ```                      program of the page; its output, if shown, is the next indented block
 #
 # samples_of PAGE [NEW-PAGE]: gives one verdict for each example; writes the page with the current outputs to NEW-PAGE.
 

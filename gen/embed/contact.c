@@ -143,7 +143,7 @@ void embed_elastic_plastic_eps(arb_t eps, const arb_t speed, const arb_t yield_s
     LET(eps, prec, "(108*t/((t^2 + 5)^2*(t + 2)))^(1/4)", t);
 }
 
-/* Computes the measured eps minus eps. The difference falls with the yield speed. */
+/* Subtracts the eps of a yield speed from the measured eps. The difference falls with the yield speed. */
 static bool eps_below(arb_t f, const arb_t yield_speed, const void *context, slong prec)
 {
     const struct measured *const m = context;

@@ -428,7 +428,8 @@ static void add_function_of_beta(const struct spheres *s)
     flint_free(beta);
 }
 
-/* Adds the library under the constant force. It integrates collisions, and bounds the absolute error of eps^2. */
+/* Adds cor_scene_eps to the plan of contacts under the constant force. This function integrates collisions, and bounds
+ * the absolute error of eps^2. */
 static void add_pressed(const struct spheres *s)
 {
     const struct cor_scene_contact *const c = s->pressed;

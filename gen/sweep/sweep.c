@@ -36,7 +36,7 @@ enum column_kind {
     COLUMN_LIST = 'l',   /* a number of a list, unchanged */
     COLUMN_COUNT = 'c',  /* number of modes, also from a list */
     COLUMN_PLACES = 'p', /* a result, up to the second digit of its error */
-    COLUMN_DIGITS = 'd', /* a result during the contact: as many digits as eps has decimals */
+    COLUMN_DIGITS = 'd', /* a time or a compression; its number of digits is the number of decimals of eps */
     COLUMN_WHOLE = 'w',  /* a result with all digits */
     COLUMN_SMALL = 's',  /* a result with SMALL_DIGITS digits */
     COLUMN_STEPS = 'n',

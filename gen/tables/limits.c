@@ -324,7 +324,7 @@ static int cell_refine(struct scenes *scenes, struct cell **cell, int *cells)
 
 /* ---- pieces ---- */
 
-/* A part of a cell. Lengths are in sides of the smallest piece; [0] is in x, [1] in nu. */
+/* A part of a cell. The unit of length is the side of the smallest piece; [0] is in x, [1] in nu. */
 struct part {
     const struct cell *cell;
     int first[2], side[2];

@@ -152,7 +152,7 @@ COR_API double cor_contact_dissipation_time_s_zero_force(const struct cor_sphere
 
 /* ---- arrays ---- */
 
-/* Set y[i] to the bits of the function without _array at speed_m_s[i], or at speed_m_s[i] and eps[i], for i < n. If n
+/* For i < n, set y[i] to the same bits that the function without _array returns for speed_m_s[i] (and eps[i]). If n
  * is 0, the array pointers may be NULL. y may be the same array as speed_m_s or eps; other overlaps are not allowed. */
 COR_API void cor_contact_beta_array(const struct cor_sphere_contact *contact, const double *speed_m_s, double *y,
                                     size_t n);

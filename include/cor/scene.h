@@ -626,7 +626,7 @@ struct cor_simulator {
     const char *setup;     /* a sentence about the rest of the input */
     const char *time_step; /* template of lines that set the time step; NULL: none */
     const char *version;   /* the version in Debian 12; its models have priority; NULL: none */
-    long packaged;         /* the same version as a number, by cor_simulator_version; 0: none */
+    long packaged;         /* cor_simulator_version of `version`; 0: none */
 
     /* For a wall the simulator divides Hertz's stiffness of two bodies by this number; 0: it does not. */
     double wall_divides;

@@ -15,8 +15,8 @@
  * of the smallest piece */
 enum { COR_DISK_LIMIT_SQUARE_BITS = 3, COR_DISK_LIMIT_PER_SQUARE = 8, COR_DISK_LIMIT_PER_ROOT = 16 };
 
-/* Distance beyond a cell's edge at which its neighbour is looked up, in sides of the cell. It is below the side of
- * every neighbour */
+/* Distance beyond a cell's edge at which its neighbour is looked up. The unit is the side of the cell. The distance is
+ * below the side of every neighbour */
 #define COR_DISK_LIMIT_BEYOND 0x1p-10
 
 /* A piece. x, nu: the corner with the smallest coordinates in the plane. per_x, per_nu: inverse sides. coefficient[4 j
@@ -41,7 +41,7 @@ struct cor_disk_limit_table {
     const struct cor_disk_limit_piece *piece;
 };
 
-/* Return coordinates in the plane, in sides of a root: 0 to x_roots and 0 to nu_roots. */
+/* Return the coordinates of a point of the plane, 0 to x_roots and 0 to nu_roots. The unit is the side of a root. */
 COR_INLINE double cor_disk_limit_x(const struct cor_disk_limit_table *table, double speed)
 {
     return (sqrt(sqrt(sqrt(speed))) - table->x_first) * (1 / table->x_step);

@@ -33,8 +33,8 @@ enum { MAX_LEVELS = COR_DISK_HARD_WALL_MAX_LEVELS, LEAST_LEVELS = 2 };
  * as two more levels show, in 200 random scenes at six tolerances. */
 static const double calm_weight[] = {3, 1, 0.3, 0.1};
 #define EXTRAPOLATED 0.25
-#define UNSEEN 0.07 /* the second part times Omega^2 */
-#define NOISE 8e-7  /* the third part divided by fineness^NOISE_POWER */
+#define UNSEEN 0.07 /* waves that no level has shown yet add UNSEEN/Omega^2 */
+#define NOISE 8e-7  /* the noise adds NOISE fineness^NOISE_POWER */
 #define NOISE_POWER 2.5
 /* Number of levels that an accepted estimate needs */
 enum { ENOUGH_LEVELS = 5 };

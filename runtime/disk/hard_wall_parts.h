@@ -87,7 +87,7 @@ struct cor_hard_wall_contact {
      * constant. */
     double *same, *across, *cosine;
     double *far;                       /* far[k]: upper bound on |compliance| between angles at distance k or more */
-    struct cor_hard_wall_factor whole; /* factor of angles 0, 1, 2, ..., as far as needed so far */
+    struct cor_hard_wall_factor whole; /* factor of the first angles 0, 1, 2, ... It grows when needed */
     struct cor_hard_wall_factor part;  /* factor of the angles of the last contact in several pieces */
     size_t *wanted;
     double *z, *row;

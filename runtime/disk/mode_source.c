@@ -132,8 +132,9 @@ static void set_amplitudes(struct cor_disk_mode *mode, const struct cor_mode_poi
 
 /* ---- all n at one frequency ---- */
 
-/* With t = g/N^2 < 1/5, a_n <= (s g/(2N))(1 + s t) and b_n <= (g/N)(1 + 2 t). For n >= 2 the equation times n keeps the
- * sign that it has at omega = 0, because it is at most -(1 + nu)(n(n-1)/2 - 5 omega^2). */
+/* With t = g/N^2 < 1/5, a_n <= (s g/(2N))(1 + s t) and b_n <= (g/N)(1 + 2 t). For n >= 2, the
+ * left side of the equation, times n, is at most -(1 + nu)(n(n-1)/2 - 5 omega^2). While this is negative, the left side
+ * keeps the sign that it has at omega = 0. */
 long cor_mode_orders(double omega)
 {
     /* n - 1 exceeds the rounded product x, so n (n - 1) > x^2 + x. The addend x exceeds the rounding error of x^2. */

@@ -167,8 +167,8 @@ COR_KERNEL double cor_kernel_exp(double x)
 
 /* ---- ln ----
  *
- * Functions of a single number use log of the C library, which needs fewer operations. These are cor_inline_log of
- * pair.h for powers of beta, and cor_log_ratio of lambert_w.h, whose bounds are proved from the error of log. */
+ * Functions of a single number use log of the C library, which needs fewer operations. The bounds of cor_inline_log of
+ * pair.h, for powers of beta, and of cor_log_ratio of lambert_w.h are proved from the error of log. */
 
 /* A number as 2^k (1 + (f + lo)), sqrt(1/2) <= 1 + f < sqrt(2), |lo| of the order of the last place of 1 + f */
 struct cor_kernel_split {

@@ -326,7 +326,7 @@ static void fill_pairs(struct task *task, const struct cor_scene_contact *contac
     }
 }
 
-/* Returns the end of the requested eps. */
+/* Returns the end of contact for which eps is requested. If both ends are requested, it is zero overlap. */
 static int end_of(const struct cor_scene *scene)
 {
     return scene->end == COR_BOTH_ENDS ? COR_END_ZERO_OVERLAP : scene->end;

@@ -16,7 +16,7 @@
 #include "runtime/scene/motion.h"
 
 enum { ORDER = MOTION_ORDER, MOST_STEPS = 20000, MOST_IDLE = 6, MOST_PARTS = 200 };
-#define TOLERANCE 2e-15 /* a test counts as 0 below this fraction of the sum of its terms */
+#define TOLERANCE 2e-15 /* a value below this fraction of the sum of its terms counts as 0 */
 #define RATIO 0.26      /* largest step as a fraction of the radius of convergence: RATIO^ORDER = 1e-14 */
 #define STRETCH 1.6     /* largest step as a multiple of the step of motion.c, whose last terms are 1e-17 */
 #define MOMENT 1e-11    /* negligible fraction of a step */
@@ -201,9 +201,9 @@ static double longest_step(const double *c, double size)
     return RATIO * exp2(-growth);
 }
 
-/* Begins a mode at the start of the step of m. A contact that slipped and now sticks keeps its spring force. At x = 0 a
- * damper in the cap leaves a spring force of the order of x^b, b < a. If b < r, this force needs an infinite q; the
- * contact then slips in the opposite direction. */
+/* Begins a mode at the start of the step of m. A contact that slipped and now sticks keeps its spring force. If the
+ * cap includes the damper, the spring force near x = 0 is of the order of x^b, b < a. If b < r, this force needs an
+ * infinite q. The contact then slips in the opposite direction. */
 static void change_mode(struct slide *s, int mode, double side)
 {
     const int touches = cor_motion_start(&s->m) == 0, order = (int)lround(s->r * s->d);

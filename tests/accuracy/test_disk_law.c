@@ -46,8 +46,9 @@ static double random_nu(void)
 #define COMPRESSION "load/pi*(log(4*pi/load) + b)"
 #define ENERGY "load^2/(2*pi)*(log(4*pi/load) + b - 1/2)"
 
-/* The tested functions, with formulas in the argument x, in b, and in w = -W_-1(-z). x and load: the exact x and load;
- * if z is NULL, x is the load. law: x as a function of the load, which must agree. */
+/* The tested functions. In the formulas, x is the argument at first, then the value of the formula `x`: the compression
+ * or energy that determines the load. If z is NULL, it is the load itself. w is -W_-1(-z). load: the exact load. law:
+ * the formula for x from the load, which must agree. */
 static const struct disk_function {
     const char *name;
     double (*value)(double argument, double nu, enum cor_disk_datum datum);

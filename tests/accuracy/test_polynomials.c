@@ -19,7 +19,7 @@ enum { BITS = 400, LENGTH = 20 };
 
 static const double exp_polynomial[] = COR_KERNEL_EXP_POLYNOMIAL, log_polynomial[] = COR_KERNEL_LOG_POLYNOMIAL;
 
-/* A polynomial p of an argument and its error. The error, below bound |s|^power, is a formula of s, p and atan(s). */
+/* A polynomial p of `argument`. error: a formula in s, p and atan(s), whose value is below bound |s|^power */
 static const struct polynomial {
     const char *name;
     const double *c;
@@ -44,7 +44,7 @@ static const struct polynomial {
         "(s^2*(1/3 + s^2*p) + 1)*(exp(s) - exp(-s))/2 - s*(exp(s) + exp(-s))/2", 0, 1.503, 3, 0.29 * 0x1p-55),
     ROW("atanh, approach only", cor_hc_atanh_polynomial, "s^2", "s + s^3*(1/3 + s^2*p) - (log(1 + s) - log(1 - s))/2",
         0, 0.5, 3, 0x1p-55),
-    /* Formula: t - ln(1 + t) - s^2/2. The error of t is larger by 1 + 1/t, and is at most 2^-55.6 s. */
+    /* Formula: t - ln(1 + t) - s^2/2. The error of t is 1 + 1/t times as large, and at most 2^-55.6 s. */
     ROW("W_-1 near its branch point", lambert_series, "s", "s + s^2*p - log(1 + s + s^2*p) - s^2/2", 0,
         COR_PROOF_SERIES_MAX_P, 3, COR_PROOF_SERIES_DEFECT),
 };

@@ -163,7 +163,7 @@ WRAPPED(int, disk_modes_rounded, struct cor_disk_modes *modes, const fmpq_t nu, 
     return planning ? fail("the fuzzer finds no modes here") : __real_disk_modes_rounded(modes, nu, count);
 }
 
-/* Ends embed and plan where their collisions would begin. */
+/* Makes the subcommands embed and plan fail where they would compute collisions. */
 WRAPPED(struct interpolant *, interpolant_new, const struct interpolant_layout *layout, double beta_min,
         double beta_max)
 {

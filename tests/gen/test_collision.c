@@ -393,9 +393,10 @@ TEST(test_below_threshold)
 
 /* ---- asymptotics ---- */
 
-/* For large beta, with the limit Xinf of the largest overlap, zero force has eps = mu Xinf^(a-b) (1 - 2 (a-b)
- * Xinf^(a-2b-1) mu ln(1/mu) + O(mu)) and the time beta^(-1/(b+1)) (2 Xinf^-b ln(1/mu) + O(1)). The remainders O(mu)/mu
- * and O(1) vary little with beta. */
+/* Let Xinf be the limit of the scaled largest overlap for large beta. At zero force
+ *     eps = mu Xinf^(a-b) (1 - 2 (a-b) Xinf^(a-2b-1) mu ln(1/mu) + O(mu)),
+ *     duration = beta^(-1/(b+1)) (2 Xinf^-b ln(1/mu) + O(1)).
+ * The remainders O(mu)/mu and O(1) vary little with beta. */
 TEST(test_strong_force)
 {
     static const char *const laws[][2] = {{"3/2", "0"},   {"1", "0"}, {"3/2", "1/4"},

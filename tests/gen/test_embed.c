@@ -72,7 +72,7 @@ static double solved(const struct embed_scene *s, double speed)
     return middle(s->end == COR_END_ZERO_OVERLAP ? c->eps_zero_overlap : c->eps_zero_force);
 }
 
-/* eps at speeds evenly spaced in their logarithm, with both ends, solved once for all forms of a scene */
+/* eps at speeds from speed_min to speed_max, evenly spaced in their logarithm. Solved once for all forms of a scene */
 enum { SOLVED = 5 };
 struct solved {
     double speed[SOLVED], eps[SOLVED];

@@ -400,8 +400,8 @@ static void assert_same_fraction(const struct pade_request *r, const struct pade
     assert_int_equal(a->zeros.count, arb_poly_degree(g->p));
 }
 
-/* By the involution (docs/theory.md, 4), 1/eps of the sphere and eps of the law (3/2, 0) have no term beta^10. Balls
- * cannot prove an exact zero. */
+/* By the involution (docs/theory.md, 4), 1/eps of the sphere and eps of the law (3/2, 0) have no term beta^10. Ball
+ * arithmetic cannot prove that a number is exactly zero. */
 TEST(test_exact_zeros)
 {
     LOCAL(series, s);

@@ -340,7 +340,7 @@ struct law_formula {
     bool inverse; /* t is t(q), otherwise q */
     int multiple; /* q is this multiple of the logarithm */
     formula *of;
-    const struct cor_logarithm *constant; /* NULL, or a of a leading logarithm ln(a/x) */
+    const struct cor_logarithm *constant; /* the a of a leading logarithm ln(a/x), or NULL */
 };
 
 /* Checks that a function of the law, without rounding, is its formula in x, t and a root r. x = 0.75 2^exponent is far

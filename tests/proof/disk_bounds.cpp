@@ -190,7 +190,7 @@ static double step_error(double low, double high, const library &n)
         const ball r = v * e + e2 * W, b = 2 * v * v + ball(4) / 3 * v * r;
         const ball divisor = v * (b + 2 * r);
         const ball missed = e2 * e2 * (v * v * V + W * W * (ball(1) + 4 * v / ball(3))) / divisor;
-        /* error of r, from q.lo, log and two roundings; times `derivative` it is an error of the step */
+        /* The error of r comes from q.lo, log and two roundings. The step multiplies it by `derivative`. */
         const ball residual = ball(u) * (1.1 * q + (2 * n.log) * log(start) + q + v + ball(1));
         const ball N = r * (b + r),
                    dN = 4 * v * v + (ball(16) / 3 * v + ball(2)) * r - 2 * v * v - (ball(8) / 3 * v) * r;
@@ -409,7 +409,7 @@ static bool has_power_of_two(double low, double high)
     return ulp(low * (1 - 1e-9)) < ulp(high * (1 + 1e-9));
 }
 
-/* Adds the errors of t of q and of the functions of t, for t from 2^-47 to 2000. */
+/* Adds the errors of t(q) and of the functions of t, for t from 2^-47 to 2000. */
 static void sum_over_t(double limit)
 {
     bound t_of_q = {}, law[T_LAWS] = {};
@@ -512,12 +512,12 @@ static void sum_over_rows(void)
     bound_report("load of a compression, rows", load, COR_DISK_LAW_MAX_ULP, 0);
 }
 
-/* Functions of q itself: a power of constant + q, times the power 1 + square of the argument */
+/* Functions of q itself: argument^(1 + square) (constant + q)^power */
 static const struct {
     const char *name;
     double constant, power;
     int square;
-    double factor; /* if not 0: a leading logarithm with the value factor exp(-(1 + square) q) q^power */
+    double factor; /* if not 0: a leading logarithm, whose value is factor exp(-(1 + square) q) q^power */
     double least;  /* least q */
 } q_laws[] = {{"compression of a load", 1, 1, 0, 0, least_depth},
               {"energy of a load", 0.5, 1, 1, 0, least_depth},

@@ -58,7 +58,7 @@ static void check_rows_at_speed(const evaluator &f, const char *file)
     }
 }
 
-/* Checks the other ways to compute eps, each for beta^5 from x onward. */
+/* Checks the other ways to compute eps. Each is used if beta^5 >= x. */
 static void check_eps_sums(void)
 {
     const struct {

@@ -153,7 +153,7 @@ inline Real variable(const std::string &name, number value)
 /* Returns the result of an operation with one operand or two. */
 inline Real result_of(operation what, Real x, number value, const Real *y = nullptr)
 {
-    if (x.constant() && (!y || y->constant())) /* compilers compute constants, exactly or rounded as at run time */
+    if (x.constant() && (!y || y->constant())) /* a compiler may compute it, with or without rounding */
         return Real(value);
     return recording ? Real(value, node_of(what, x.node(), y ? y->node() : -1, value)) : Real(value, 0);
 }

@@ -359,7 +359,7 @@ def test_unmeasured_step():
 
 
 def test_shapes():
-    """Volumes and levers of two spheres, also overlapping or with masses, of an ellipsoid, and of too many spheres."""
+    """Volumes and levers of two spheres (also if they overlap or have masses), an ellipsoid, and too many spheres."""
     gap, lever = 0.012, 0.006**2 / (0.4 * 0.005**2 + 0.006**2)
     for masses in (None, (1, 1)):
         volume, found = clump(((0, 0, 0, 0.005), (0, 0, gap, 0.005)), masses)
@@ -728,7 +728,7 @@ linear_nohistory 0.7 0.3"""
 
 @pytest.mark.parametrize("line", OBLIQUE.splitlines())
 def test_oblique_impacts(tmp_path, line):
-    """-u'/u of a deck equals corgen contact's value for the numbers of the deck. The cell is empty if other forces
+    """-u'/u of a deck equals -u'/u that corgen contact prints for the same contact. The cell is empty if other forces
     act."""
     text = (ROOT / "tests" / "audit" / "lammps.in").read_text(encoding="utf-8")
     text = text.replace("0.5 0.3 damping tsuji", "0.2 0.3 damping velocity").replace("linear_nohistory 0 0", line)
@@ -768,7 +768,7 @@ hertz/history 2e7 1.5e7 5e4 2e4 0.3 1|hertz 2e7 5e4 tangential mindlin 1.5e7 0.4
 
 
 def test_oblique_impacts_of_other_styles(tmp_path):
-    """The old styles of LAMMPS have the numbers of pair style granular."""
+    """Old pair styles of LAMMPS give the result of the same contact in pair style granular."""
     head = (ROOT / "tests" / "audit" / "lammps.in").read_text(encoding="utf-8").split("pair_style")[0]
     tail = "timestep 1e-6\nfix move all nve/sphere\nrun 1\n"
 

@@ -282,7 +282,7 @@ def test_a_grid_has_the_same_minimum_and_intervals(name, given):
 
 @pytest.mark.parametrize("kind", ["times", "drop height", "apexes"])
 def test_an_error_of_a_number_moves_its_bounces(kind):
-    """In exact data with drag, an error of one time or height changes c r of a bounce by the error's coefficient."""
+    """Exact data with drag: an error of one time or height changes c r of each bounce by this error's coefficient."""
     kappa, theta = 0.03, np.array([-0.1, -0.05])
     speed, time, at, apexes = likelihood.impact_of_drop(np.array([1.0]), G, kappa), 0.0, [], [1.0]
     for _ in range(5):

@@ -201,7 +201,7 @@ def test_interrupt(kind, tmp_path):
     folder.mkdir()
     deck.write_text(forever[kind] if kind == "lmp" else "m=ViscElMat(tc=1e-3,en=0.5,et=1)\n" + forever[kind])
     words = [sys.executable, "-m", "cor", "audit", str(deck), "--run", program, "--speed", "1", "--radius", "0.01"]
-    heard = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)  # a job in the background ignores it
+    heard = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)  # in the background SIGINT is ignored
     env = {**os.environ, "TMPDIR": str(folder)}
     with subprocess.Popen(words, env=env, stderr=subprocess.PIPE, preexec_fn=heard) as process:
         while not os.listdir(folder) and process.poll() is None:

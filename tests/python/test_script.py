@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Tests the interpreter of LAMMPS' scripts against lmp, if installed, and its limits. Tests the bodies and contacts of
-scripts. tests/audit has whole decks, which were compared with the simulators."""
+"""Tests the interpreter of LAMMPS' scripts, its limits, and the bodies and contacts that it finds. Compares it with
+lmp, if installed. tests/audit has whole decks, which were compared with the simulators."""
 
 import math
 import random
@@ -133,7 +133,7 @@ def test_bounds(monkeypatch):
 
 @pytest.mark.skipif(not shutil.which("lmp"), reason="no program lmp")
 def test_against_lammps(monkeypatch, tmp_path):
-    """Random formulas, which need at most four operands of LAMMPS' stack, and random loops."""
+    """Random formulas, which never need more than four places of LAMMPS' stack, and random loops."""
     draw = random.Random(1)
 
     def formula(depth):

@@ -213,7 +213,7 @@ def test_a_contact_of_the_list(row):
     speeds = np.array([float(v) for v in row["options"].get("speed", "1").split(",")])
     try:
         found = contact.impacts(speeds.reshape(-1, 1))
-    except ValueError as error:  # the end of the measured restitution is missing
+    except ValueError as error:  # `end`, which belongs to the measured restitution, is missing
         assert row["contacts"] != "1" and str(error).startswith("end: ")
         return
     assert (row["contacts"] != "2" or "tail" in contact.ends) and found.shape == (len(speeds), 1)

@@ -3,7 +3,7 @@
 
     python3 tests/reference/contacts.py     renews the answers by CORGEN
 
-contacts: 2 if the end of a restitution is not given. line: the first line for the simulator of --for except comments,
+contacts: 2 if a restitution is given without --end. line: the first line for the simulator of --for except comments,
 or the refusal. page: the page has fields for these options.
 """
 

@@ -113,7 +113,7 @@ def main() -> int:
         slip, gross = 1 - 2 * kappa / ANGLES, ANGLES >= 2 * kappa - 1.5
         limit, rings = small_angle(kappa) - mindlin(kappa, 300, 1500, np.array([1e-3]))[0], 20 if quick else 40
         for angle, other in [(0.5, exact[9]), (1.5, exact[29]), (5, exact[51])][int(poisson * 5) :: 3 if quick else 1]:
-            other -= 2 * annuli(kappa, angle, 2 * rings) - annuli(kappa, angle, rings)  # errors like 1/rings
+            other -= 2 * annuli(kappa, angle, 2 * rings) - annuli(kappa, angle, rings)  # removes the error c/rings
             print("          the limit of small angles is off by %.4f, annuli by %.4f" % (limit, other))
             if abs(limit) > 1.5e-3 or abs(other) > (8e-3 if quick else 1.5e-3):
                 faults.append("another method at nu = %g" % poisson)

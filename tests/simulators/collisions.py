@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Compares collisions in LAMMPS, YADE, LIGGGHTS and REBOUND's callback with corgen. In LAMMPS contacts can end at both
-ends, in YADE they end at zero force. docs/simulators.md has the equations.
+"""Compares collisions in LAMMPS, YADE, LIGGGHTS and REBOUND's callback with corgen. In LAMMPS contacts can end at
+zero overlap or at zero force, in YADE at zero force. docs/simulators.md has the equations.
 
     tests/simulators/collisions.py [--long]    CORGEN, LMP, LIGGGHTS and YADE name the programs
 """
@@ -100,7 +100,7 @@ def lines_of(command, word):
 
 
 def eps_of(rows, power):
-    """Returns eps extrapolated from three rows eps ... VALUE CHANGE, or 0 if a CHANGE of the velocity is not 0."""
+    """Extrapolates eps, the last column but one, from three rows. Returns 0 if the last column, a change, is not 0."""
     values = [float(row[-2]) for row in rows if abs(float(row[-1])) < 1e-12]
     return extrapolated(power, values) if len(values) == 3 else 0
 

@@ -72,7 +72,7 @@ def scenes(simulators):
 
 
 def printed(work, name, change, given):
-    """Returns the output of the driver, with x for every letter, after `change` rewrote the files of runtime/scene."""
+    """Returns the output of the driver after `change` rewrote the files of runtime/scene. Replaces all letters by x."""
     scene, program = os.path.join(ROOT, "runtime", "scene"), os.path.join(work, name)
     sources = [program + "_driver.c"]
     with open(sources[0], "w", encoding="utf-8") as file:

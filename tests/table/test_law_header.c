@@ -33,7 +33,7 @@ TEST(test_round_trip)
 #ifdef LAW_IS_SPHERE
 #include "cor/sphere.h"
 
-/* Compares two roundings of one number: most are equal, and their distance is at most the sum of both bounds. */
+/* Checks that two functions differ by at most `most` ulp, and give the same bits at more than 80 % of the places. */
 static void compare(law_function *one, law_function *other, double from, double to, double most, const char *name)
 {
     struct random_state r = random_start();

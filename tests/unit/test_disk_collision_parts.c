@@ -421,7 +421,7 @@ TEST(angles_error)
     assert_true(error.angles == 1);
 }
 
-/* The mean of the moments with some angles and with shifted angles equals the moment with twice the angles. */
+/* The mean of the moments at PHI angles and at PHI shifted angles equals the moment at all 2 PHI angles. */
 TEST(shifted_angles)
 {
     enum { PHI = 19, TERMS = 8 };

@@ -473,7 +473,7 @@ TEST(refusals)
     assert_int_equal(cor_disk_hard_wall_in(NULL, 0, modes, 1800, &good, 0.1, &out, NULL), COR_ERROR_NULL);
 }
 
-/* Returns the estimate after `levels` levels, and the last four changes of the result, from tables that end earlier. */
+/* Returns the estimate after `levels` levels. Runs with fewer levels give the last four changes of the result. */
 static double estimate_and_changes(double nu, double speed, double tolerance, size_t levels, double change[4])
 {
     double value[5] = {0}, estimate = NAN;

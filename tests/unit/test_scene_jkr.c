@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Tests spheres with JKR adhesion by other methods. These are quadrature of the force for the energy of the tail,
- * integration of the motion in long double over the contact radius, and the limit without adhesion. */
+/* Tests spheres with JKR adhesion against its limit without adhesion. Integrates the motion in long double over
+ * the contact radius, and the force for the energy of the tail. */
 #include "../reference/ode.h"
 #include "scene.h"
 

@@ -350,7 +350,7 @@ TEST(bodies_that_differ_in_one_number)
 }
 
 /* Without dissipation times, contacts of equal bodies have the zeta of the pair, so by LIGGGHTS's exact formula all
- * contacts have the same eps. YADE has the numbers of both materials. */
+ * contacts have the same eps. The lines for YADE have the moduli and densities of both materials. */
 TEST(unlike_bodies_of_a_constant_law)
 {
     for (size_t effect = 0; effect <= OF_BODY; effect += effect + 2 == OF_BODY ? 2 : 1) { /* no dissipation times */

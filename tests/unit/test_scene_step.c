@@ -19,7 +19,7 @@ static struct cor_step_error error_of(const struct cor_scene_contact *contact, d
     return e;
 }
 
-/* ---- another method: SI units, the three parts of velocity Verlet, pow, every step up to the surface ---- */
+/* ---- another method: integration in SI units with pow, step by step until the surfaces part ---- */
 
 struct mean {
     double eps, scatter;

@@ -108,7 +108,7 @@ for (let i = 0; i < 3000; i++) {
 check(`3000 requests at random: ${read} read, ${refused} refused with a reason`, odd.length === 0 && read > 500 && refused > 500,
     odd.slice(0, 4).join("\n"));
 
-// Random requests: the module inside web/calculator.html gives the numbers of corgen.
+// Random requests: the module inside web/calculator.html gives the same numbers as corgen.
 const html = readFileSync("web/calculator.html", "utf8"), [, bytes, packed] = html.match(/id="wasm" data-bytes="(\d+)">([^\n]*)<\/script>/);
 const unpack = (0, eval)(`(${html.match(/async function unpack[^]*?\n}\n/)[0]})`);
 const shipped = await load(await unpack({ textContent: packed, dataset: { bytes } }));

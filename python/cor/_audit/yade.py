@@ -530,7 +530,7 @@ def in_series(values: List[float]) -> float:
 
 
 def _pair(values: List[float]) -> float:
-    """Returns a number of ViscElPhys: both materials in series; a material with the number 0 is omitted."""
+    """Returns a parameter of ViscElPhys from both materials in series. A material whose parameter is 0 is omitted."""
     inverse = sum(1 / v for v in values if v != 0)
     return 1 / inverse if inverse else 0.0
 

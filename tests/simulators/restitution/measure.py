@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Measures the restitution that simulators realise, with the number e that a user requests, and with the unchanged
-lines of corgen contact --for HOST. Two bodies meet head-on at 1 m/s.
+"""Measures the restitution that simulators realise when two bodies meet head-on at 1 m/s. The input has either the
+unchanged lines of corgen contact --for HOST, or the number e as a user without cor writes it.
 
     tests/simulators/restitution/measure.py            CORGEN, LMP, LIGGGHTS and YADE name the programs
     tests/simulators/restitution/measure.py --short    only two restitutions
 
-A simulator that is not installed is skipped by name. tests/simulators/run runs this and adds its counts.
+Skips simulators that are not installed, and prints their names. tests/simulators/run runs this and adds its counts.
 """
 import collections
 import copy
@@ -309,8 +309,8 @@ def simbody_cases():
 
 
 def stepped_cases(host, word, walls=(False, )):
-    """Returns cases of an implicit method at its printed time step, at which corgen states the mean eps. Selects
-    the models whose name contains `word`."""
+    """Returns cases of an implicit method. The lines of corgen state its mean eps at the time step that they set.
+    Selects the models whose name contains `word`."""
     cases = []
     for e, wall, corrected in itertools.product(RESTITUTIONS, walls, ([], ["--step-corrected"])):
         text = text_for(host, "linear", e, "--end", "zero-force", "--speed", "1", *corrected, wall=wall)
