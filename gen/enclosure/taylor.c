@@ -225,8 +225,8 @@ static void residuals_at(arb_t residual_v, arb_t residual_t, const struct taylor
 }
 
 /* Bounds the residuals. Polynomials of degree N solve the equations of motion except for terms of degree N and above in
- * the products. Any radius gives a valid bound. The best radius is a little inside the radius of convergence,
- * 2^STEP_BITS h. The logarithms of the bounds are convex functions of log R, so each has one minimum. */
+ * the products. Any radius gives a valid bound. The best radius is at most the radius of convergence, 2^STEP_BITS h.
+ * The logarithms of the bounds are convex functions of log R, so each has one minimum. */
 static void bound_residuals(arb_t least_v, arb_t least_t, const struct taylor *y, const mag_t h)
 {
     enum { PER_OCTAVE = 2 };
@@ -234,7 +234,7 @@ static void bound_residuals(arb_t least_v, arb_t least_t, const struct taylor *y
     LOCAL(arb, residual_v, residual_t);
     arb_pos_inf(least_v);
     arb_pos_inf(least_t);
-    for (int i = (STEP_BITS + 1) * PER_OCTAVE; i >= PER_OCTAVE && falling; i--) {
+    for (int i = STEP_BITS * PER_OCTAVE; i >= PER_OCTAVE && falling; i--) {
         residuals_at(residual_v, residual_t, y, h, exp2((double)i / (double)PER_OCTAVE));
         falling = arb_lt(residual_v, least_v) || arb_lt(residual_t, least_t);
         arb_min(least_v, least_v, residual_v, NORM_BITS);
