@@ -171,8 +171,8 @@ double cor_collision_results(const struct cor_motion *m, const struct cor_collis
 /* Sets the mean energies from m->average, or NaN if no run has them. */
 void cor_collision_averages(const struct cor_motion *m, const struct cor_collision_run *run, int levels,
                             double *energy_average);
-/* Return the movement, which is the change of the extrapolated result by the last run, and the difference of the last
- * two runs. Both: the larger of the change of eps and half the norm of the changes of mode energies/((pi/2) v^2). */
+/* _movement: how much the last run changes the extrapolated result. _difference: the difference of the last two runs.
+ * Each is the larger of the change of eps and half the norm of the changes of mode energies/((pi/2) v^2). */
 double cor_collision_movement(const struct cor_motion *m, const struct cor_collision_run *run, int levels);
 double cor_collision_difference(const struct cor_motion *m, const struct cor_collision_run *run, int levels);
 

@@ -13,7 +13,7 @@
 
 enum { LEVELS = COR_COLLISION_LEVELS };
 
-/* Lowest power of h in the error of a quantity: measured after the contact, or during it */
+/* Lowest power of h in the error of a quantity. AFTER: a quantity after the contact. AMIDST: one during it */
 enum { AFTER = 4, AMIDST = 2 };
 
 /* Computes the weights of the last `levels` runs in the extrapolation of a series in h^first, h^(first + 2), ... by

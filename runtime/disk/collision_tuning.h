@@ -69,7 +69,8 @@ enum {
  * SCATTER: the error of such runs divided by the larger of the last two movements. Fitted. */
 #define COR_TUNING_NO_CONVERGENCE 0.5
 #define COR_TUNING_SCATTER 4.0
-/* From this alpha v onward the wall is hard: runs may agree by chance (docs/theory-disks.md, 15). Fitted. */
+/* If alpha v is at least this number, the wall counts as hard: runs may agree by chance (docs/theory-disks.md, 15).
+ * Fitted. */
 #define COR_TUNING_HARD 24.0
 /* At a hard wall the error after two runs is at least HARD_TWO_RUNS times the movement. Later it is at least
  * HARD_MOVEMENT times the last movement less round-off, and HARD_BEFORE times the previous movement. Fitted. */

@@ -22,7 +22,7 @@ enum { MAX_LEVELS = COR_DISK_HARD_WALL_MAX_LEVELS, LEAST_LEVELS = 2 };
 #define COARSEST_SPACING                                                                                               \
     0.8 /* largest Omega d: the Nyquist number pi/d must exceed 1.75 Omega, the largest n of the rim's waves */
 #define LEAST_ANGLES 60
-#define MOST_ANGLES 120 /* in the half-width of the contact */
+#define MOST_ANGLES 120 /* in the half-width of the contact, at fineness 1 */
 #define HALF_WIDTH 1.1  /* assumed half-width of the contact divided by sqrt(v); the true one is at most 1.45 */
 #define RANGE 2.6       /* range of the angles divided by sqrt(v) */
 
@@ -394,7 +394,7 @@ int cor_hard_wall_within(double most_work, double nu, const struct cor_disk_hard
     size_t levels = 7;
     while ((status = climb_alone(&sequence, levels)) == COR_TOLERANCE_NOT_REACHED && !sequence.exhausted &&
            levels < MAX_LEVELS)
-        levels += levels < 11 ? 2 : 1; /* the modes for two more levels take eight times as long */
+        levels += levels < 11 ? 2 : 1; /* two more levels need modes that take eight times as long to compute */
     if (sequence.levels >= LEAST_LEVELS)
         conclude_sequence(&sequence, out);
     *work = whole - sequence.work_left;

@@ -47,7 +47,7 @@ struct level {
     double *twice_cosine, *shape, *reach, *force, *series;
     double *t, *q; /* T_k and Q_n of the compliance that acts at once, k up to nyquist */
     struct cor_hard_wall_contact contact;
-    double work, work_per_step, most_work; /* work excludes contact.work; the other two are the budget */
+    double work, work_per_step, most_work; /* work: without contact.work. The others: the budget */
     double point_constant;                 /* constant of the contact law, (57), less the part of the moving modes */
 };
 

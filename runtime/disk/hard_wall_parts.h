@@ -49,8 +49,8 @@ COR_INLINE int cor_hard_wall_sums_by_parts(const struct cor_hard_wall_angles *an
     return angles->bins > 0 && count > 2 * angles->bins;
 }
 
-/* Loops that are compiled for every instruction set. All sets give the same bits. Arrays over n have lanes = blocks
- * COR_LANES elements; part [b] of an array begins at element b lanes. */
+/* Loops that are compiled for every instruction set. All sets give the same bits. Let lanes be blocks*COR_LANES.
+ * Arrays over n have `lanes` elements, and part [b] of such an array begins at element b*lanes. */
 struct cor_hard_wall_loops {
     /* Advances the modes by `steps` kicks with the forces [0..steps-1] of each n. Sets [0..steps-1] of sum_c and sum_s
      * to sum c q and sum s q at the next kicks without forces. steps is BATCH or 1. */

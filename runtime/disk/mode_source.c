@@ -73,7 +73,7 @@ static long first_of_recurrence(long n, double kappa)
                              : cor_mode_recurrence_start(n + 1, kappa, DOUBLE_BITS);
 }
 
-/* Computes a wave of one n from its z by recurrences. No z is above highest^2. */
+/* Computes a wave of one n from its z by recurrences. Every z is at most highest^2. */
 static void wave_climb(struct cor_mode_wave *a, const struct cor_mode_loops *loops, long n, double highest)
 {
     const long m = first_of_recurrence(n, highest);

@@ -87,7 +87,7 @@ static double square_times(double x, pair f)
 
 enum quantity { COMPRESSION, LOAD, SPEED, ENERGY };
 
-/* A limit is number exp(slope nu), and its logarithm is log + slope nu. */
+/* A limit is at_zero.number exp(exponent), and its logarithm is at_zero.log + exponent. */
 struct limit {
     struct cor_logarithm at_zero;
     double exponent; /* slope nu */

@@ -189,7 +189,7 @@ struct cor_surface_modes {
     double omega, echo; /* frequency and weight of the mode with this n */
 };
 
-/* Data for the tail of a table at every speed; the highest mode is number n_modes. */
+/* Data that the tail of a table needs at every speed. n_modes: the number of the highest mode */
 struct cor_rayleigh_table {
     const struct cor_rayleigh_set *set;
     const struct cor_disk_modes *modes;

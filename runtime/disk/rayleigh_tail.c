@@ -34,7 +34,8 @@ static const struct {
     double echo_low, half_echo_low; /* weights of the echo strengths in the low window; 1 in the high window */
     double of_echo, of_half_echo;   /* factors of the echo strengths measured at T = tau and at T = tau/2 */
     double of_density, of_fifth;    /* error of the density 2 omega + a: factors of omega_max^-2 and omega_max^-5 */
-    /* factor of (omega_max tau)^-2. The density acts like an echo with T = 0; the weight's kink leaves a part of it. */
+    /* factor of (omega_max tau)^-2. The density acts like an echo with T = 0. Its effect remains in part, because the
+     * weight has a kink. */
     double of_turn;
     /* for a table whose modes l = 0 cannot be continued. Chosen: the error of the tail is as large as the tail. */
     double unknown;

@@ -149,7 +149,8 @@ static struct number number_text(double value, int digits)
 
 /* ---- the request to a simulator ---- */
 
-/* PAIR: bodies 1 and 2. LIKE_1, LIKE_2: two copies of body 1, of body 2. The others: with a wall, for time steps */
+/* PAIR: bodies 1 and 2. LIKE_1: two copies of body 1. LIKE_2: two copies of body 2. The others: a body and a wall,
+ * for time steps */
 enum { PAIR, LIKE_1, LIKE_2, PAIRS, CONTACTS = PAIRS + 4 };
 static const struct {
     int body, other, wall;
@@ -238,7 +239,7 @@ static size_t source_of(const struct cor_simulator_request *request, size_t type
     return source;
 }
 
-/* Returns a body of a type, with the elasticity of source_of. */
+/* Returns a body of a type, with the elasticity of the type that source_of returns. */
 static struct cor_body body_of(const struct cor_simulator_request *request, size_t type)
 {
     const struct cor_body source = material_of(request, source_of(request, type))->body;
@@ -367,7 +368,7 @@ static double damping_of(const struct block *block, const struct task *task, int
                : model->damping_of_number(model, block->number[pair], task->target[pair].contacts, block->speed_m_s);
 }
 
-/* Returns the contact that the model makes, for durations and eps. */
+/* Returns the contact that the simulator computes from the lines of the model. */
 static struct cor_scene_contact contact_made(const struct block *block, const struct task *task, int pair)
 {
     return cor_model_contact(task->contact[pair][0], task->has_law ? NULL : &cor_law_exponents[block->model->law],
@@ -408,8 +409,8 @@ static int has_contact(const struct block *block, const struct task *task, int p
 
 /* Returns the time step of one contact at a speed: its duration divided by the number of steps, or the largest step for
  * the tolerance. The result is infinite if the bodies never part, and NaN if it is not known. *steps: the requested
- * number. For PAIR it becomes the number that was used. Users may change the damping of other contacts. Their result is
- * therefore the smallest of the steps for either end and for no damping. */
+ * number. For PAIR it becomes the number that was used. Users may change the damping of other contacts. For them the
+ * result is therefore the smallest of the steps for either end and for no damping. */
 static double step_of(const struct cor_scene_contact *c, const struct task *task, int pair, int end, double speed,
                       double *steps)
 {
@@ -1538,8 +1539,8 @@ static int check_materials(struct task *task)
             if ((p->a == other->a && p->b == other->b) || (p->a == other->b && p->b == other->a))
                 return refuse_task(task, "%s and %s: two pairs of these materials; leave out one", a->name, b->name);
     }
-    /* turn 0: the contact of each type without `made_of` with itself. turn 1: the same for a type with `made_of`; it
-     * may use the damping of the type it names. turn 2: contacts of two types. */
+    /* turn 0: contacts of two balls of one type, if it has no `made_of`. turn 1: the same if it has `made_of`, because
+     * it may use the damping of the type it names. turn 2: contacts of two types. */
     for (int turn = 0; turn < 3; turn++)
         for (size_t i = 0; i < balls; i++)
             for (size_t j = i; j < types; j++)

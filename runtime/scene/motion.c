@@ -93,7 +93,7 @@ static double sum_of(const struct motion *m, const struct motion_term term[2], i
 
 static int expand_in_unit(struct motion *m)
 {
-    /* T, F - press, force and power of the damper */
+    /* slope: T. rest: F - press. damping: the force of the damper. lost: its power */
     double slope[ORDER + 1], rest[ORDER + 1], damping[ORDER + 1], lost[ORDER + 1];
     double *const u = m->power[1].c;
     const double most = 1e150, factor = fabs(m->damper.factor), most_damping = most * most / fmax(1, factor);

@@ -158,7 +158,7 @@ static void expand_excess(struct slide *s, double *excess, const double *w)
 }
 
 /* Sets w to the threshold, and `test` to the two conditions of creep. The contact creeps while w would fall below the
- * threshold in slip and would exceed the threshold in stick. */
+ * threshold if it slipped, and would exceed the threshold if it stuck. */
 static void expand_creep(struct slide *s)
 {
     const double *const stiff = power_series(s, s->stiff), *const slope = power_series(s, s->time),

@@ -202,7 +202,7 @@ static void solve_slow(struct cor_full_impact *impact, const struct cor_exponent
 /* ---- a collision ---- */
 
 #define MOST_SPEED 1e140 /* higher speeds overflow */
-#define SLOWEST 1e-12    /* replaces lower speeds: if the damping is above WEAK, the bodies stick at all of them */
+#define SLOWEST 1e-12    /* lower speeds count as this one, at which bodies stick if the damping is above WEAK */
 
 /* Returns the units of a motion, set by the speed or by the constant force. Strong damping makes the units smaller. */
 static struct scales motion_scales(const struct cor_exponents *law, double damping, double speed, int *is_forced)
@@ -212,7 +212,7 @@ static struct scales motion_scales(const struct cor_exponents *law, double dampi
         damping > 0 ? cor_quiet_quotient(cor_quiet_product(damping, cor_quiet_power(length, b + 1)), speed) : 0;
     const double unit = beta > 1 ? cor_quiet_power(beta, -1 / (b + 1)) : 1;
     const double strong = damping > 1 ? cor_quiet_power(damping, -1 / (b + 0.5)) : 1;
-    *is_forced = cor_quiet_power(length, a) < unit; /* in the units set by the speed the constant force is length^-a */
+    *is_forced = cor_quiet_power(length, a) < unit; /* the constant force is length^-a if the speed sets the units */
     return *is_forced ? (struct scales){strong, sqrt(strong), cor_quiet_quotient(speed, sqrt(strong))}
                       : (struct scales){length * unit, cor_quiet_quotient(length * unit, speed), 1};
 }
@@ -252,7 +252,7 @@ int cor_pressed_solve(struct cor_full_impact *impact, const struct cor_exponents
 /* ---- the sticking speed ---- */
 
 #define LARGEST_OVERLAP 1e15
-#define START 1e-8 /* share of the energy that damping and spring change up to the first x; its square is neglected */
+#define START 1e-8 /* fraction of the energy that damper and spring take up to the first x; its square is neglected */
 
 double cor_pressed_sticking_speed(const struct cor_exponents *law, double damping, int end)
 {

@@ -138,13 +138,13 @@ static double factor_of(int number, const struct cor_scene_contact *c, double g)
     return number == DASHPOT              ? 2 * sqrt(k * m) /* C = 2 zeta sqrt(K m), kg/s */
            : number == DASHPOT_PER_MASS   ? 2 * sqrt(k / m) /* C/m, 1/s; per unit of mass */
            : number == PAIR_DASHPOT       ? 4 * sqrt(k * m) /* two equal dashpots in series: each has twice C */
-           : number == RELAXATION_TIME    ? 2 * sqrt(m / k) /* tau of F = k x + k tau x' */
-           : number == TANGENT_RATIO      ? sqrt(5.0 / 6)   /* gamma of 2 gamma sqrt(m k_tangent) */
-           : number == TSUJI_BETA         ? sqrt(5)         /* alpha of alpha sqrt(m K) x^(1/4) x' */
+           : number == RELAXATION_TIME    ? 2 * sqrt(m / k) /* tau in F = k x + k tau x' */
+           : number == TANGENT_RATIO      ? sqrt(5.0 / 6)   /* gamma in 2 gamma sqrt(m k_tangent) */
+           : number == TSUJI_BETA         ? sqrt(5)         /* alpha in alpha sqrt(m K) x^(1/4) x' */
            : number == CROSSLEY_PER_SPEED ? 1 / g           /* d = beta/g, s/m */
-           : number == SIMBODY            ? 2 / (3 * g)     /* c of (3/2) c x' */
-           : number == AREA_ROOT          ? pow(k / m, 0.75) / sqrt(r * g) /* eta m sqrt(R x) x' on a linear spring */
-           : number == AREA_HERTZ         ? pow(k / m, 0.6) / (sqrt(r) * pow(g, 0.2)) /* the same on Hertz's force */
+           : number == SIMBODY            ? 2 / (3 * g)     /* c in (3/2) c x' */
+           : number == AREA_ROOT          ? pow(k / m, 0.75) / sqrt(r * g) /* eta in eta m sqrt(R x) x', linear law */
+           : number == AREA_HERTZ         ? pow(k / m, 0.6) / (sqrt(r) * pow(g, 0.2)) /* the same with Hertz's force */
            : number == DISSIPATION_TIME   ? 2.0 / 3 * pow(m / k, 0.4) / pow(g, 0.2)
            : number == DISSIPATION_TIME_ESYS ? pow(m / k, 0.4) / pow(g, 0.2)
            : number == HERTZ_VELOCITY        ? pow(m, 0.6) * pow(k, 0.4) * pow(g, 0.2)

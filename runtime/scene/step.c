@@ -38,7 +38,7 @@ enum {
 #define FIRST_PHASE 1e-14
 /* Bodies in contact with an energy below m (STUCK g)^2/2 part with at most STUCK times the impact speed g, if ever. */
 #define STUCK 1e-8
-#define HARDLY 1e-6 /* smaller eps have the pattern 0, so jumps between them are ignored */
+#define HARDLY 1e-6 /* eps below this have the pattern 0, so that jumps between them do not count */
 /* The largest change of the speed by the constant force in a step, in units of the impact speed. Above it, bodies that
  * part with the impact speed return within a step. */
 #define MOST_PRESS 2.0
@@ -51,7 +51,7 @@ struct stepped {
     double still; /* speed below which bodies with little energy stay in contact */
     double deep;  /* half of the lowest energy_at: below it bodies creep to rest */
     double most;  /* bound of place and velocity, so that no force overflows */
-    double ahead; /* time from the last half step to the velocity in the damping force, in steps */
+    double ahead; /* the damping force uses the velocity this number of steps after the last half step */
     int roots;    /* this number of square roots gives x^(1/denominator); negative: use pow */
     int implicit; /* the force at the end of the step acts */
     int no_pull;  /* the contact force is never negative */
