@@ -280,7 +280,7 @@ struct interpolant *interpolant_new(const struct interpolant_layout *layout, dou
 
     int status = make_constants(f, beta_max);
     if (!layout->press && !has_quantity(&layout->interval[0], EPS_ZERO_FORCE) && law_force_ends(&layout->law)) {
-        LOCAL(fmpq_poly, G, T); /* near beta = 0 no interval samples zero force */
+        LOCAL(fmpq_poly, G, T); /* the first interval has no samples of eps at zero force */
         restitution_zero_force_exact(G, T, BACKWARD_ORDER, &layout->law);
         arb_poly_set_fmpq_poly(f->backward, G, INTERPOLANT_BITS);
         arb_poly_set_fmpq_poly(f->backward_time, T, INTERPOLANT_BITS);

@@ -46,9 +46,9 @@ static double random_nu(void)
 #define COMPRESSION "load/pi*(log(4*pi/load) + b)"
 #define ENERGY "load^2/(2*pi)*(log(4*pi/load) + b - 1/2)"
 
-/* The tested functions. In the formulas, x is the argument at first, then the value of the formula `x`: the compression
- * or energy that determines the load. If z is NULL, it is the load itself. w is -W_-1(-z). load: the exact load. law:
- * the formula for x from the load, which must agree. */
+/* The tested functions. In the formula `x`, x is the argument. Its value is the compression or energy that determines
+ * the load or, if z is NULL, the load. In the other formulas x is this value, and w is -W_-1(-z). load: the exact load.
+ * law: x as a function of the load, which must agree. */
 static const struct disk_function {
     const char *name;
     double (*value)(double argument, double nu, enum cor_disk_datum datum);

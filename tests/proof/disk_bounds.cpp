@@ -485,8 +485,8 @@ static double row_defect(const double *c, double node, int octave, double half, 
 }
 
 /* Adds the errors of a load from cor_inline_row_product. The products of c_0 with both parts of the compression are
- * exact. The other
- * terms are at most `share` of c_0. Each has 12 roundings, and the rounding of t counts as at most 10 more. */
+ * exact. The other terms are at most `share` of c_0. Each has 12 roundings, and the rounding of t counts as at most 10
+ * more. */
 static void sum_over_rows(void)
 {
     bound load = {};

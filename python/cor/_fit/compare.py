@@ -247,7 +247,7 @@ def distances(e: Estimate) -> Tuple[Ints, Floats]:
 def _distance_of(e: Estimate, line: int) -> float:
     lines, found = distances(e)
     mine = found[lines == line]
-    return float(mine[np.argmax(np.abs(mine))]) if mine.size else 0.0  # 0: its bounces need another omitted line, too
+    return float(mine[np.argmax(np.abs(mine))]) if mine.size else 0.0  # 0: each bounce needs another omitted line
 
 
 def _squares(e: Estimate) -> float:
