@@ -40,7 +40,7 @@ COR_ROWS(double, cor_rows_ratio_loss_zero_overlap, 5, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_ratio_loss_zero_overlap)
 
-/* linear and Tsuji, zero overlap: eps: 24 rows of degree 10 in y = zeta 2^-k, 16 to each octave k = -2 ... -1.
+/* linear and Tsuji, zero overlap: eps: 24 rows of degree 10 in y = zeta 2^-k, 16 rows in each octave k = -2 ... -1.
  * Relative error of the approximation: 2^-56.2 at most, sampled at 25 places of each row. Bits of the rows:
  * 60.3 63.3 63.9 58.7 60.4 59.4 58.9 58.3 59.5 58.7 60.5 59.4 59.6 58.9 58.6 59.4 57.5 58.0 57.9 57.1 61.3 56.7 56.3
  * 56.2 */
@@ -153,7 +153,7 @@ COR_ROWS(double, cor_rows_ratio_near_zeta_zero_overlap, 9, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_ratio_near_zeta_zero_overlap)
 
-/* linear and Tsuji, zero overlap: zeta by eps, 2^-6 <= eps < 2^-1: 40 rows of degree 10 in y = eps 2^-k, 8 to each octave k = -6 ... -2.
+/* linear and Tsuji, zero overlap: zeta by eps, 2^-6 <= eps < 2^-1: 40 rows of degree 10 in y = eps 2^-k, 8 rows in each octave k = -6 ... -2.
  * Relative error of the approximation: 2^-58.7 at most, sampled at 25 places of each row. Bits of the rows:
  * 62.1 62.0 61.7 62.3 64.7 61.6 61.6 61.9 60.7 62.3 64.2 62.0 62.2 62.6 65.7 60.5 61.2 60.2 62.1 61.1 62.7 61.0 60.8
  * 65.6 61.2 59.4 59.8 59.4 60.8 60.7 59.7 61.0 59.4 58.7 59.8 60.8 59.3 58.9 60.3 63.1 */
@@ -294,7 +294,7 @@ COR_ROWS(double, cor_rows_ratio_loss_zero_force, 5, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_ratio_loss_zero_force)
 
-/* linear and Tsuji, zero force: eps: 32 rows of degree 10 in y = zeta 2^-k, 8 to each octave k = -2 ... 1.
+/* linear and Tsuji, zero force: eps: 32 rows of degree 10 in y = zeta 2^-k, 8 rows in each octave k = -2 ... 1.
  * Relative error of the approximation: 2^-54.2 at most, sampled at 25 places of each row. Bits of the rows:
  * 60.3 59.3 58.9 59.2 59.6 58.9 58.5 58.6 58.7 61.9 57.8 58.5 57.4 60.6 58.6 63.6 57.5 58.3 57.4 58.4 57.4 58.0 59.0
  * 59.2 54.2 55.3 56.1 57.0 57.0 57.2 57.3 60.4 */
@@ -426,7 +426,7 @@ COR_ROWS(double, cor_rows_ratio_near_zeta_zero_force, 9, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_ratio_near_zeta_zero_force)
 
-/* linear and Tsuji, zero force: zeta by eps, 2^-6 <= eps < 2^-1: 40 rows of degree 10 in y = eps 2^-k, 8 to each octave k = -6 ... -2.
+/* linear and Tsuji, zero force: zeta by eps, 2^-6 <= eps < 2^-1: 40 rows of degree 10 in y = eps 2^-k, 8 rows in each octave k = -6 ... -2.
  * Relative error of the approximation: 2^-55.4 at most, sampled at 25 places of each row. Bits of the rows:
  * 56.3 57.5 59.1 59.3 60.3 61.1 59.9 59.5 56.0 58.2 58.4 59.1 60.6 59.3 59.1 58.8 56.2 58.2 58.6 61.0 58.6 63.2 60.0
  * 59.5 56.3 57.5 59.3 59.6 58.8 59.6 58.6 58.4 55.4 57.3 57.2 58.1 58.2 58.2 60.1 60.8 */
@@ -577,7 +577,7 @@ COR_ROWS(double, cor_rows_ratio_loss_approach_only, 9, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_ratio_loss_approach_only)
 
-/* linear and Tsuji, damped approach: eps: 24 rows of degree 10 in y = zeta 2^-k, 8 to each octave k = -1 ... 1.
+/* linear and Tsuji, damped approach: eps: 24 rows of degree 10 in y = zeta 2^-k, 8 rows in each octave k = -1 ... 1.
  * Relative error of the approximation: 2^-57.0 at most, sampled at 25 places of each row. Bits of the rows:
  * 59.4 60.6 61.3 59.6 59.2 59.5 59.5 59.4 58.5 59.1 58.5 58.8 58.7 60.1 59.8 59.4 57.0 57.5 58.7 60.8 58.3 59.9 60.2
  * 63.3 */
@@ -709,7 +709,7 @@ COR_ROWS(double, cor_rows_ratio_near_zeta_approach_only, 17, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_ratio_near_zeta_approach_only)
 
-/* linear and Tsuji, damped approach: zeta by eps, 2^-3 <= eps < 2^-1: 16 rows of degree 10 in y = eps 2^-k, 8 to each octave k = -3 ... -2.
+/* linear and Tsuji, damped approach: zeta by eps, 2^-3 <= eps < 2^-1: 16 rows of degree 10 in y = eps 2^-k, 8 rows in each octave k = -3 ... -2.
  * Relative error of the approximation: 2^-53.6 at most, sampled at 25 places of each row. Bits of the rows:
  * 53.7 55.6 56.5 57.2 58.1 58.2 60.0 61.1 53.6 55.3 57.2 58.0 58.8 57.6 58.6 58.3 */
 #define COR_ROWS_RATIO_ZETA_APPROACH_ONLY_FIRST 0.125
@@ -792,7 +792,7 @@ COR_ROWS(double, cor_rows_ratio_loss_limited, 5, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_ratio_loss_limited)
 
-/* linear and Tsuji, limited damper: eps: 48 rows of degree 10 in y = zeta 2^-k, 8 to each octave k = -2 ... 3.
+/* linear and Tsuji, limited damper: eps: 48 rows of degree 10 in y = zeta 2^-k, 8 rows in each octave k = -2 ... 3.
  * Relative error of the approximation: 2^-54.6 at most, sampled at 25 places of each row. Bits of the rows:
  * 59.5 59.9 60.8 59.1 59.2 58.8 59.9 61.1 58.5 58.7 59.3 58.3 59.5 63.9 60.1 59.1 57.4 58.4 59.4 59.1 59.8 61.8 59.9
  * 59.2 56.3 58.4 58.1 60.0 59.0 59.5 58.5 59.1 55.4 56.6 58.6 58.1 59.2 58.9 61.8 59.0 54.6 56.0 57.3 58.5 57.6 58.9
@@ -983,7 +983,7 @@ COR_ROWS(double, cor_rows_ratio_near_zeta_limited, 17, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_ratio_near_zeta_limited)
 
-/* linear and Tsuji, limited damper: zeta by eps, 2^-5 <= eps < 2^-1: 32 rows of degree 10 in y = eps 2^-k, 8 to each octave k = -5 ... -2.
+/* linear and Tsuji, limited damper: zeta by eps, 2^-5 <= eps < 2^-1: 32 rows of degree 10 in y = eps 2^-k, 8 rows in each octave k = -5 ... -2.
  * Relative error of the approximation: 2^-53.5 at most, sampled at 25 places of each row. Bits of the rows:
  * 54.0 55.5 57.3 59.0 57.7 59.1 59.5 59.4 54.0 55.4 57.1 57.9 57.8 58.2 59.0 60.1 53.6 55.6 57.1 57.4 58.2 57.3 61.0
  * 58.9 53.5 55.4 56.9 56.5 58.8 56.8 57.6 57.6 */
@@ -1115,7 +1115,7 @@ COR_ROWS(double, cor_rows_crossley_loss, 9, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_crossley_loss)
 
-/* Hunt and Crossley: eps: 48 rows of degree 10 in y = beta 2^-k, 8 to each octave k = 0 ... 5.
+/* Hunt and Crossley: eps: 48 rows of degree 10 in y = beta 2^-k, 8 rows in each octave k = 0 ... 5.
  * Relative error of the approximation: 2^-53.9 at most, sampled at 25 places of each row. Bits of the rows:
  * 60.9 59.4 59.3 60.2 59.1 58.8 59.1 59.9 59.5 62.1 62.0 58.5 65.5 58.3 62.1 59.0 57.3 59.2 57.5 60.5 62.6 59.3 58.6
  * 58.4 56.5 58.0 57.2 60.1 59.8 59.0 61.2 58.6 54.3 55.8 57.4 57.9 58.3 60.2 58.4 58.6 53.9 55.9 56.4 58.4 59.1 58.3
@@ -1287,7 +1287,7 @@ COR_ROWS(double, cor_rows_crossley_near_beta, 9, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_crossley_near_beta)
 
-/* Hunt and Crossley: beta by eps, 2^-6 <= eps < 2^-1: 40 rows of degree 10 in y = eps 2^-k, 8 to each octave k = -6 ... -2.
+/* Hunt and Crossley: beta by eps, 2^-6 <= eps < 2^-1: 40 rows of degree 10 in y = eps 2^-k, 8 rows in each octave k = -6 ... -2.
  * Relative error of the approximation: 2^-53.8 at most, sampled at 25 places of each row. Bits of the rows:
  * 54.0 55.6 56.4 57.6 59.8 58.5 58.2 61.3 53.9 55.7 57.5 59.0 58.8 58.4 59.4 58.7 53.9 55.8 57.0 58.3 59.5 58.1 59.3
  * 58.1 53.8 55.7 56.6 58.5 59.1 58.5 59.0 60.3 53.8 55.5 56.3 57.4 59.1 59.9 57.8 59.0 */
@@ -1438,7 +1438,7 @@ COR_ROWS(double, cor_rows_crossley_loss_approach_only, 9, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_crossley_loss_approach_only)
 
-/* Hunt and Crossley, damped approach: eps: 32 rows of degree 10 in y = beta 2^-k, 8 to each octave k = 0 ... 3.
+/* Hunt and Crossley, damped approach: eps: 32 rows of degree 10 in y = beta 2^-k, 8 rows in each octave k = 0 ... 3.
  * Relative error of the approximation: 2^-58.5 at most, sampled at 25 places of each row. Bits of the rows:
  * 59.8 59.9 61.5 61.1 62.6 65.2 61.4 62.8 61.2 60.3 62.0 63.6 61.4 60.5 60.9 60.4 60.3 60.7 60.9 61.2 62.4 62.4 59.9
  * 61.3 58.5 59.6 60.3 60.0 61.6 60.0 60.2 60.0 */
@@ -1589,7 +1589,7 @@ COR_ROWS(double, cor_rows_crossley_near_beta_approach_only, 17, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_crossley_near_beta_approach_only)
 
-/* Hunt and Crossley, damped approach: beta by eps, 2^-2 <= eps < 2^-1: 16 rows of degree 10 in y = eps 2^-k, 16 to each octave k = -2 ... -2.
+/* Hunt and Crossley, damped approach: beta by eps, 2^-2 <= eps < 2^-1: 16 rows of degree 10 in y = eps 2^-k, 16 rows in each octave k = -2 ... -2.
  * Relative error of the approximation: 2^-57.4 at most, sampled at 25 places of each row. Bits of the rows:
  * 58.6 60.6 57.4 58.5 58.6 57.9 61.4 59.0 57.4 58.2 60.2 59.7 59.4 58.9 60.2 59.1 */
 #define COR_ROWS_CROSSLEY_BETA_APPROACH_ONLY_FIRST 0.25

@@ -6,14 +6,15 @@
  * Written by:  corgen tables
  * Checked by:  corgen tables --check
  *
- * The rows interpolate polynomials through samples: of the time by two Gauss rules of 56 points, of the load by
- * Lambert's W. The polynomials agree with enclosures to 1e-20 at two places of each block of rows. Errors of the
- * rows are above each table (sampled); errors of evaluation: include/cor/disk.h. */
+ * The rows interpolate polynomials of high degree through samples. Two Gauss rules of 56 points compute the
+ * samples of the time, and Lambert's W the samples of the load. The polynomials agree with enclosures to 1e-20
+ * at two places of each block of rows. Errors of the rows are above each table (sampled); errors of evaluation:
+ * include/cor/disk.h. */
 #ifndef COR_GENERATED_DISK_LAW_TABLES_H
 #define COR_GENERATED_DISK_LAW_TABLES_H
 #include "runtime/table/rows.h"
 
-/* contact time: 72 rows of degree 10 in y = q 2^-k, 8 to each octave k = -2 ... 6.
+/* contact time: 72 rows of degree 10 in y = q 2^-k, 8 rows in each octave k = -2 ... 6.
  * Relative error of the approximation: 2^-59.0 at most, sampled at 25 places of each row. Bits of the rows:
  * 65.2 62.3 66.1 66.0 63.2 62.1 64.0 63.7 61.3 61.5 61.2 61.6 61.2 61.9 61.7 62.1 62.3 60.3 61.1 63.2 62.6 60.7 61.7
  * 61.7 61.0 59.6 59.5 61.9 60.8 60.8 62.0 63.5 60.5 60.1 60.8 66.9 60.8 62.4 61.1 60.6 62.0 59.2 59.2 62.1 60.7 59.9
@@ -205,7 +206,7 @@ COR_ROWS(double, cor_rows_disk_contact_time, 72, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_disk_contact_time)
 
-/* load over compression: 144 rows of degree 10 in y = q 2^-k, 16 to each octave k = -2 ... 6.
+/* load over compression: 144 rows of degree 10 in y = q 2^-k, 16 rows in each octave k = -2 ... 6.
  * Relative error of the approximation: 2^-58.3 at most, sampled at 25 places of each row. Bits of the rows:
  * 61.4 62.6 64.0 65.4 61.5 61.5 61.3 62.4 62.1 60.8 64.6 64.6 61.4 61.1 62.1 61.9 62.4 60.9 60.9 61.1 62.3 60.8 61.2
  * 60.7 60.9 64.3 62.5 64.9 60.2 62.1 61.4 61.3 60.3 62.4 62.7 60.5 61.5 60.3 60.6 63.1 66.2 60.4 61.4 61.8 63.7 60.7

@@ -9,9 +9,9 @@
  * Each double is the one nearest to its coefficient: proved; corgen tables --digits prints 25 digits of
  * each. In the functions
  * eps, loss and largest overlap are within 1 unit of the last place, times and inverse within 2: sampled against
- * enclosed collisions (tests/law/run, tests/table). The interpolants behind the rows go through collisions enclosed
- * to 80 bits (proved); between them their error is at most 8.0e-20 (sampled). Errors of the rows are above each
- * table (sampled). */
+ * enclosed collisions (tests/law/run, tests/table). The rows approximate interpolants through
+ * collisions enclosed to 80 bits (proved). Between these collisions the error of the interpolants is at most
+ * 8.0e-20 (sampled). Errors of the rows are above each table (sampled). */
 #ifndef COR_GENERATED_HERTZ_DASHPOT_TABLES_H
 #define COR_GENERATED_HERTZ_DASHPOT_TABLES_H
 
@@ -45,7 +45,7 @@ COR_ROWS(double, cor_rows_hertz_dashpot_near_loss_zero_overlap, 3, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_near_loss_zero_overlap)
 
-/* eps at zero overlap, 2^-3 <= beta < 0.627988: 37 rows of degree 10 in y = beta 2^-k, 16 to each octave k = -3 ... -1.
+/* eps at zero overlap, 2^-3 <= beta < 0.627988: 37 rows of degree 10 in y = beta 2^-k, 16 rows in each octave k = -3 ... -1.
  * Relative error of the approximation: 2^-58.2 at most, sampled at 25 places of each row. Bits of the rows:
  * 63.3 62.3 62.0 60.8 60.9 62.7 60.9 60.5 61.1 60.5 61.1 64.5 64.5 61.4 60.6 60.6 60.5 59.2 59.9 64.0 60.1 59.1 59.6
  * 60.7 60.4 60.0 60.4 60.0 61.2 60.1 65.3 60.4 58.8 59.7 58.6 58.2 58.2 */
@@ -151,7 +151,7 @@ COR_ROWS(double, cor_rows_hertz_dashpot_middle_eps_zero_overlap, 37, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_middle_eps_zero_overlap)
 
-/* eps at zero overlap, 2^-53 <= beta_c - beta < 2^-1: 416 rows of degree 10 in y = (beta_c - beta) 2^-k, 8 to each octave k = -53 ... -2.
+/* eps at zero overlap, 2^-53 <= beta_c - beta < 2^-1: 416 rows of degree 10 in y = (beta_c - beta) 2^-k, 8 rows in each octave k = -53 ... -2.
  * Relative error of the approximation: 2^-57.3 at most, sampled at 25 places of each row. Bits of the rows:
  * 57.9 59.0 72.3 60.8 58.7 64.2 58.8 60.2 57.7 58.2 59.5 59.3 59.1 58.9 58.7 60.0 60.0 57.9 59.7 58.5 61.5 58.6 58.9
  * 59.0 61.9 57.9 58.7 58.1 61.8 59.0 58.9 58.9 58.3 59.7 58.6 58.2 59.4 58.5 60.4 58.7 59.5 58.3 59.6 64.2 59.4 59.5
@@ -1222,7 +1222,7 @@ COR_ROWS(double, cor_rows_hertz_dashpot_near_beta_zero_overlap, 9, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_near_beta_zero_overlap)
 
-/* beta at zero overlap by eps, 2^-60 <= eps < 2^-1: 472 rows of degree 10 in y = eps 2^-k, 8 to each octave k = -60 ... -2.
+/* beta at zero overlap by eps, 2^-60 <= eps < 2^-1: 472 rows of degree 10 in y = eps 2^-k, 8 rows in each octave k = -60 ... -2.
  * Relative error of the approximation: 2^-58.2 at most, sampled at 25 places of each row. Bits of the rows:
  * 107.4 109.5 109.8 108.6 108.9 108.2 113.4 108.8 107.8 107.4 109.3 108.0 110.4 107.7 107.3 109.1 108.3 107.2 108.0 108.2 107.4 107.4 107.6
  * 109.3 108.1 108.5 108.6 107.9 110.3 107.3 108.7 107.6 110.2 108.2 110.3 111.0 111.4 110.7 109.0 109.8 111.4 109.1 108.4 108.3 107.5 108.0
@@ -2429,7 +2429,7 @@ COR_ROWS(double, cor_rows_hertz_dashpot_near_loss_zero_force, 9, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_near_loss_zero_force)
 
-/* eps at zero force, 2^-3 <= beta < 8: 96 rows of degree 10 in y = beta 2^-k, 16 to each octave k = -3 ... 2.
+/* eps at zero force, 2^-3 <= beta < 8: 96 rows of degree 10 in y = beta 2^-k, 16 rows in each octave k = -3 ... 2.
  * Relative error of the approximation: 2^-57.3 at most, sampled at 25 places of each row. Bits of the rows:
  * 64.2 61.5 60.9 61.3 61.4 62.0 62.5 61.7 62.5 61.2 62.0 65.0 62.7 61.1 61.9 63.2 60.9 61.0 61.2 61.2 61.2 61.3 63.5
  * 60.5 62.3 60.7 63.0 60.2 60.1 60.4 61.1 60.5 59.0 61.9 58.8 61.2 60.1 60.1 59.9 60.7 59.6 61.6 59.6 60.0 60.6 60.7
@@ -2680,7 +2680,7 @@ COR_ROWS(double, cor_rows_hertz_dashpot_middle_eps_zero_force, 96, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_middle_eps_zero_force)
 
-/* eps at zero force, 2^1 <= ln(beta) < 7: 28 rows of degree 10 in y = ln(beta) 2^-k, 16 to each octave k = 1 ... 2.
+/* eps at zero force, 2^1 <= ln(beta) < 7: 28 rows of degree 10 in y = ln(beta) 2^-k, 16 rows in each octave k = 1 ... 2.
  * Relative error of the approximation: 2^-62.2 at most, sampled at 25 places of each row. Bits of the rows:
  * 62.2 63.0 64.0 62.7 64.8 62.5 63.1 66.2 66.6 64.4 64.8 67.6 65.1 65.6 67.0 67.5 65.0 65.9 66.6 69.8 70.0 69.8 69.6
  * 69.9 71.4 71.8 72.3 73.5 */
@@ -2908,7 +2908,7 @@ COR_ROWS(double, cor_rows_hertz_dashpot_near_beta_zero_force, 52, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_near_beta_zero_force)
 
-/* beta at zero force by eps, 2^-25 <= eps < 2^-1: 384 rows of degree 10 in y = eps 2^-k, 16 to each octave k = -25 ... -2.
+/* beta at zero force by eps, 2^-25 <= eps < 2^-1: 384 rows of degree 10 in y = eps 2^-k, 16 rows in each octave k = -25 ... -2.
  * Relative error of the approximation: 2^-58.5 at most, sampled at 25 places of each row. Bits of the rows:
  * 60.7 60.4 60.8 60.3 60.0 60.1 61.0 61.6 61.4 61.0 62.1 61.6 61.2 62.4 61.1 61.0 60.4 60.3 61.8 61.3 60.9 62.1 60.7
  * 62.2 61.4 60.4 61.6 60.9 62.5 61.1 61.6 61.8 61.6 60.6 60.1 61.3 65.1 61.1 61.1 60.9 60.4 61.0 62.0 61.0 62.4 60.9
@@ -3886,7 +3886,7 @@ COR_ROWS(double, cor_rows_hertz_dashpot_near_duration_zero_overlap, 3, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_near_duration_zero_overlap)
 
-/* duration at zero overlap, 2^-3 <= beta < 0.627988: 19 rows of degree 10 in y = beta 2^-k, 8 to each octave k = -3 ... -1.
+/* duration at zero overlap, 2^-3 <= beta < 0.627988: 19 rows of degree 10 in y = beta 2^-k, 8 rows in each octave k = -3 ... -1.
  * Relative error of the approximation: 2^-57.5 at most, sampled at 25 places of each row. Bits of the rows:
  * 63.6 62.7 63.0 63.4 63.2 64.0 62.9 62.8 62.6 61.8 61.5 60.9 63.7 62.5 62.9 61.2 60.4 59.4 57.5 */
 #define COR_ROWS_HERTZ_DASHPOT_MIDDLE_DURATION_ZERO_OVERLAP_FIRST 0.125
@@ -3948,7 +3948,7 @@ COR_ROWS(double, cor_rows_hertz_dashpot_middle_duration_zero_overlap, 19, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_middle_duration_zero_overlap)
 
-/* duration at zero overlap, 2^-53 <= beta_c - beta < 2^-1: 416 rows of degree 10 in y = (beta_c - beta) 2^-k, 8 to each octave k = -53 ... -2.
+/* duration at zero overlap, 2^-53 <= beta_c - beta < 2^-1: 416 rows of degree 10 in y = (beta_c - beta) 2^-k, 8 rows in each octave k = -53 ... -2.
  * Relative error of the approximation: 2^-58.8 at most, sampled at 25 places of each row. Bits of the rows:
  * 62.9 64.1 63.3 63.4 66.4 64.1 68.2 64.7 61.9 62.9 63.2 65.2 65.2 63.6 65.2 64.6 62.4 63.9 63.8 65.3 66.3 63.2 65.4
  * 65.2 62.6 63.9 64.9 63.6 65.9 63.5 64.7 64.2 62.4 63.5 63.9 67.2 64.5 64.5 64.1 69.9 62.1 63.5 63.7 64.6 64.7 64.0
@@ -5009,7 +5009,7 @@ COR_ROWS(double, cor_rows_hertz_dashpot_near_duration_zero_force, 5, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_near_duration_zero_force)
 
-/* duration at zero force, 2^-3 <= beta < 8: 48 rows of degree 10 in y = beta 2^-k, 8 to each octave k = -3 ... 2.
+/* duration at zero force, 2^-3 <= beta < 8: 48 rows of degree 10 in y = beta 2^-k, 8 rows in each octave k = -3 ... 2.
  * Relative error of the approximation: 2^-59.2 at most, sampled at 25 places of each row. Bits of the rows:
  * 62.4 63.1 66.4 63.9 64.3 63.4 64.2 63.0 61.6 62.3 64.0 62.1 62.4 62.7 64.1 63.4 61.1 61.3 62.2 62.8 61.7 62.0 61.4
  * 67.6 61.6 61.2 61.9 63.1 60.6 61.2 60.9 61.3 61.0 60.4 60.1 60.3 61.8 63.4 60.1 59.8 59.9 61.4 59.2 61.1 62.3 61.6
@@ -5143,7 +5143,7 @@ COR_ROWS(double, cor_rows_hertz_dashpot_middle_duration_zero_force, 48, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_middle_duration_zero_force)
 
-/* duration at zero force, 2^1 <= ln(beta) < 7: 14 rows of degree 10 in y = ln(beta) 2^-k, 8 to each octave k = 1 ... 2.
+/* duration at zero force, 2^1 <= ln(beta) < 7: 14 rows of degree 10 in y = ln(beta) 2^-k, 8 rows in each octave k = 1 ... 2.
  * Relative error of the approximation: 2^-57.7 at most, sampled at 25 places of each row. Bits of the rows:
  * 57.9 57.9 59.0 57.7 60.0 59.9 60.6 59.8 57.9 58.6 57.7 58.8 60.8 66.2 */
 #define COR_ROWS_HERTZ_DASHPOT_TAIL_DURATION_ZERO_FORCE_FIRST 2.0
@@ -5217,7 +5217,7 @@ COR_ROWS(double, cor_rows_hertz_dashpot_near_max_overlap, 3, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_near_max_overlap)
 
-/* largest overlap, 2^-3 <= beta < 8: 48 rows of degree 10 in y = beta 2^-k, 8 to each octave k = -3 ... 2.
+/* largest overlap, 2^-3 <= beta < 8: 48 rows of degree 10 in y = beta 2^-k, 8 rows in each octave k = -3 ... 2.
  * Relative error of the approximation: 2^-57.3 at most, sampled at 25 places of each row. Bits of the rows:
  * 62.2 61.1 61.3 61.5 60.9 61.9 61.1 65.4 60.1 60.1 59.8 60.4 59.8 61.3 61.7 61.0 59.9 60.4 62.1 59.8 59.8 62.2 59.8
  * 60.9 58.3 58.5 59.1 58.9 62.1 59.7 59.9 59.2 60.9 58.7 59.3 59.2 59.8 58.3 59.0 59.5 57.3 59.7 58.7 59.4 59.0 58.7
@@ -5351,7 +5351,7 @@ COR_ROWS(double, cor_rows_hertz_dashpot_middle_max_overlap, 48, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_middle_max_overlap)
 
-/* largest overlap, 2^1 <= ln(beta) < 7: 28 rows of degree 10 in y = ln(beta) 2^-k, 16 to each octave k = 1 ... 2.
+/* largest overlap, 2^1 <= ln(beta) < 7: 28 rows of degree 10 in y = ln(beta) 2^-k, 16 rows in each octave k = 1 ... 2.
  * Relative error of the approximation: 2^-63.1 at most, sampled at 25 places of each row. Bits of the rows:
  * 64.0 64.4 63.7 63.1 63.4 63.9 65.1 64.2 65.2 65.6 66.0 67.5 69.3 66.9 67.5 67.3 66.9 67.6 69.3 69.6 70.5 70.8 71.1
  * 72.4 72.7 73.7 74.3 75.0 */
@@ -5460,7 +5460,7 @@ COR_ROWS(double, cor_rows_hertz_dashpot_near_time_of_max_overlap, 3, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_near_time_of_max_overlap)
 
-/* time of the largest overlap, 2^-3 <= beta < 8: 48 rows of degree 10 in y = beta 2^-k, 8 to each octave k = -3 ... 2.
+/* time of the largest overlap, 2^-3 <= beta < 8: 48 rows of degree 10 in y = beta 2^-k, 8 rows in each octave k = -3 ... 2.
  * Relative error of the approximation: 2^-58.6 at most, sampled at 25 places of each row. Bits of the rows:
  * 69.6 62.7 65.6 64.1 63.5 63.6 63.0 62.9 63.5 64.7 63.2 62.7 62.9 65.6 61.9 62.4 61.7 61.5 64.8 65.7 67.1 63.8 62.1
  * 63.4 65.1 61.8 61.0 62.6 60.9 60.8 60.7 60.5 65.5 62.0 59.1 59.4 63.5 62.2 61.4 63.6 58.7 58.8 58.6 59.1 59.8 61.5
@@ -5594,7 +5594,7 @@ COR_ROWS(double, cor_rows_hertz_dashpot_middle_time_of_max_overlap, 48, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_middle_time_of_max_overlap)
 
-/* time of the largest overlap, 2^1 <= ln(beta) < 7: 14 rows of degree 10 in y = ln(beta) 2^-k, 8 to each octave k = 1 ... 2.
+/* time of the largest overlap, 2^1 <= ln(beta) < 7: 14 rows of degree 10 in y = ln(beta) 2^-k, 8 rows in each octave k = 1 ... 2.
  * Relative error of the approximation: 2^-57.4 at most, sampled at 25 places of each row. Bits of the rows:
  * 57.7 58.5 57.9 58.3 58.2 58.3 61.7 58.3 57.4 57.5 57.8 58.1 59.3 58.8 */
 #define COR_ROWS_HERTZ_DASHPOT_TAIL_TIME_OF_MAX_OVERLAP_FIRST 2.0
@@ -5644,9 +5644,9 @@ COR_ROWS(double, cor_rows_hertz_dashpot_tail_time_of_max_overlap, 14, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_tail_time_of_max_overlap)
 
-/* Beyond the rows in ln(beta): a_0, a_0', a_1, a_1', a_2, ..., a_8 of a power of beta times
+/* Beyond the rows in ln(beta), columns a_0, a_0', a_1, a_1', a_2, ..., a_8: a power of beta times
  * a_0 + a_0' + (a_1 + a_1') u + mu (a_2 + a_3 u + a_4 u^2) + mu^2 (a_5 + ... + a_8 u^3), u = ln(beta),
- * through enclosed collisions; of eps at zero overlap v_f as two doubles: proved. */
+ * fitted to enclosed collisions. For eps at zero overlap: v_f as two doubles, proved. */
 COR_INLINE const double *cor_rows_hertz_dashpot_far_eps_zero_force(int i)
 {
     static const double row[1][11] = {
@@ -5684,7 +5684,7 @@ COR_INLINE const double *cor_rows_hertz_dashpot_far_time_of_max_overlap(int i)
     return row[i];
 }
 
-/* What runtime/table/law.h needs of each quantity */
+/* Data of each quantity for runtime/table/law.h */
 
 COR_KERNEL struct cor_inline_law_quantity cor_law_hertz_dashpot_eps_zero_overlap(void)
 {
@@ -6432,7 +6432,7 @@ COR_ROWS(double, cor_rows_hertz_dashpot_near_beta_approach_only, 17, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_near_beta_approach_only)
 
-/* damped approach: beta by eps, 2^-6 <= eps < 2^-1: 80 rows of degree 10 in y = eps 2^-k, 16 to each octave k = -6 ... -2.
+/* damped approach: beta by eps, 2^-6 <= eps < 2^-1: 80 rows of degree 10 in y = eps 2^-k, 16 rows in each octave k = -6 ... -2.
  * Relative error of the approximation: 2^-58.3 at most, sampled at 25 places of each row. Bits of the rows:
  * 59.8 58.7 61.2 63.6 59.8 62.1 60.5 59.3 60.3 59.3 59.2 60.1 60.4 60.9 61.3 60.8 60.1 63.4 59.4 61.6 60.6 59.9 61.6
  * 60.1 59.5 59.3 60.4 63.7 61.2 60.3 65.4 60.7 60.6 59.4 61.7 59.4 58.7 60.1 61.8 60.4 59.9 59.4 59.3 59.6 60.4 59.5

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /* Times of Hunt and Crossley's law F = K x^a (1 + d x') with a = 1 and 3/2, for every beta = d g >= 0, in units of
  * (m/K)^(1/(a+1)) g^((1-a)/(a+1)): rows of short polynomials around the nodes of uniform grids in ln(1 + beta), and
- * what follows at large beta. Evaluated by runtime/law/hunt_crossley_functions.c. Source: docs/laws.md; form:
+ * formulas for large beta. Evaluated by runtime/law/hunt_crossley_functions.c. Source: docs/laws.md; form:
  * docs/internals.md.
  *
  * Written by:  corgen tables
  * Checked by:  corgen tables --check
  *
- * The rows interpolate polynomials through samples by two Gauss rules of 56 points, which agree with enclosures by
- * adaptive quadrature to 1e-20 at two places of each block of rows. Errors of the rows are above each table
- * (sampled); errors of evaluation: include/cor/law.h (sampled). */
+ * The rows interpolate polynomials of high degree through samples. Two Gauss rules of 56 points compute the samples.
+ * The polynomials agree with enclosures by adaptive quadrature to 1e-20 at two places of each block of rows. Errors
+ * of the rows are above each table (sampled); errors of evaluation: include/cor/law.h (sampled). */
 #ifndef COR_GENERATED_HUNT_CROSSLEY_TABLES_H
 #define COR_GENERATED_HUNT_CROSSLEY_TABLES_H
 #include "runtime/table/rows.h"
@@ -597,8 +597,8 @@ COR_ROWS(double, cor_rows_crossley_duration_3_2, 36, 12)
 COR_ROWS_FUNCTION(double, cor_rows_crossley_duration_3_2)
 
 /* s = ln(1 + beta) >= 26.25: the time of the largest overlap is beta^(2k-1) ((a+1) (1+beta))^-k
- * (s + K + K' + (k_0 + k_1 s + k_2 s^2)/(1 + beta)), k = a/(a+1): columns K, K', k_0, k_1, k_2. K exact, k_j through
- * three enclosed values. */
+ * (s + K + K' + (k_0 + k_1 s + k_2 s^2)/(1 + beta)), k = a/(a+1): columns K, K', k_0, k_1, k_2. K is exact. The k_j
+ * fit three enclosed values. */
 COR_INLINE const double *cor_rows_crossley_far_time_of_max_overlap_1(int i)
 {
     static const double row[1][5] = {

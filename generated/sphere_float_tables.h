@@ -16,7 +16,7 @@
  * c_3. The node is 0 in row 0, and the middle of the cell in the other rows. The lower 16 bits of
  * c_3, moved up by 16, are the bits of c_0'. */
 
-/* eps at zero overlap, beta < 8: 1153 rows of degree 3 in y = beta, one below 0.015625, then 128 to an octave.
+/* eps at zero overlap, beta < 8: 1153 rows of degree 3 in y = beta, one row below 0.015625, then 128 rows in each octave.
  * Relative error of the approximation: 2^-28.2 at most, sampled at 9 places of each row. Bits of the rows:
  * 30.8 38.2 35.3 34.9 34.1 38.3 37.5 38.3 37.5 36.9 35.3 35.3 37.3 34.9 35.0 35.7 37.9 34.0 39.0 39.2 34.6 35.3 34.4
  * 36.2 35.4 35.8 36.8 36.9 35.7 35.5 33.9 36.7 36.5 34.3 35.2 34.2 37.8 37.0 36.0 36.6 39.0 34.5 34.4 34.2 35.9 35.2
@@ -749,7 +749,7 @@ COR_ROWS(float, cor_rows_float_eps_zero_overlap, 1153, 4)
 ;
 COR_ROWS_FUNCTION(float, cor_rows_float_eps_zero_overlap)
 
-/* eps at zero force, beta < 16: 833 rows of degree 3 in y = beta, one below 0.00195312, then 64 to an octave.
+/* eps at zero force, beta < 16: 833 rows of degree 3 in y = beta, one row below 0.00195312, then 64 rows in each octave.
  * Relative error of the approximation: 2^-29.3 at most, sampled at 9 places of each row. Bits of the rows:
  * 32.5 36.0 36.0 35.2 34.3 36.2 35.4 38.4 36.7 36.3 35.4 36.6 36.8 35.9 36.7 35.4 39.9 36.3 38.8 34.2 37.2 34.5 38.0
  * 35.1 36.9 37.8 36.0 35.4 34.4 36.6 35.8 35.4 35.8 34.2 35.8 35.5 35.6 36.1 35.3 36.5 34.8 35.1 34.2 35.4 36.1 36.4
@@ -1277,7 +1277,7 @@ COR_ROWS(float, cor_rows_float_eps_zero_force, 833, 4)
 ;
 COR_ROWS_FUNCTION(float, cor_rows_float_eps_zero_force)
 
-/* (1 - eps)/beta at zero overlap, beta < 8: 577 rows of degree 3 in y = beta, one below 0.015625, then 64 to an octave.
+/* (1 - eps)/beta at zero overlap, beta < 8: 577 rows of degree 3 in y = beta, one row below 0.015625, then 64 rows in each octave.
  * Relative error of the approximation: 2^-28.0 at most, sampled at 9 places of each row. Bits of the rows:
  * 30.5 31.2 35.9 32.7 34.7 33.4 35.8 31.8 31.7 30.1 29.0 29.2 28.8 31.0 30.3 30.6 30.2 32.0 29.9 29.3 33.3 29.2 29.2
  * 29.5 30.3 32.7 30.7 31.6 28.7 31.8 30.6 28.9 30.9 30.9 33.3 30.8 30.2 30.0 34.9 31.0 32.6 29.8 29.7 31.0 29.9 31.4
@@ -1647,7 +1647,7 @@ COR_ROWS(float, cor_rows_float_loss_zero_overlap, 577, 4)
 ;
 COR_ROWS_FUNCTION(float, cor_rows_float_loss_zero_overlap)
 
-/* (1 - eps)/beta at zero force, beta < 16: 673 rows of degree 3 in y = beta, one below 7.62939e-06, then 32 to an octave.
+/* (1 - eps)/beta at zero force, beta < 16: 673 rows of degree 3 in y = beta, one row below 7.62939e-06, then 32 rows in each octave.
  * Relative error of the approximation: 2^-27.0 at most, sampled at 9 places of each row. Bits of the rows:
  * 30.4 30.2 33.8 32.3 30.3 29.5 29.3 30.0 31.2 28.2 30.4 28.9 29.0 30.0 28.3 32.0 28.6 29.4 29.5 30.3 32.5 31.1 32.3
  * 34.5 30.7 30.9 33.1 30.4 28.9 28.9 30.3 28.2 30.9 28.3 28.7 29.8 31.9 32.8 31.5 30.2 29.6 32.8 29.3 28.4 28.6 29.7

@@ -2,8 +2,8 @@
 /* The rows of the sphere's tables, for libcor (runtime/sphere/eval.h, approach_only.c) and for cor_sphere.h,
  * which defines COR_ROWS. Rows of short polynomials around the nodes of uniform grids, and the formulas at large
  * beta. Each double is the one nearest to its coefficient: proved; corgen tables --digits prints 25 digits of
- * each. Errors of the rows are above each table, those of the formulas for large beta above the formulas, proved
- * for every argument (docs/theory.md, 8). The rows interpolate polynomials of high degree through collisions
+ * each. Errors of the rows are above each table, and errors of the formulas for large beta above the formulas. All
+ * are proved for every argument (docs/theory.md, 8). The rows interpolate polynomials of high degree through collisions
  * enclosed to 76 bits or more (proved). Source: docs/theory.md, 4 to 6 and 8; form: docs/internals.md.
  *
  * Written by:  corgen tables
@@ -16,8 +16,8 @@
 #endif
 
 /* A row: value = c_0 + (c_0' + s (c_1 + c_2 t + ... + c_n t^(n-1))), t = y - node, in columns c_0,
- * c_0', c_1, ..., c_n. s = t; only in the rows of eps and of the loss at zero force from
- * node 1/4 on s = beta - node^2. c_0' is the remainder of c_0 at the node. */
+ * c_0', c_1, ..., c_n. s = t, except in the rows of eps and of the loss at zero force for
+ * nodes of 1/4 and above, where s = beta - node^2. c_0' is the remainder of c_0 at the node. */
 
 /* eps at zero overlap, beta < 7: 57 rows of degree 10 in y = beta, nodes 0 + i 0.125, 0 <= y <= 7.0625.
  * Relative error of the approximation: 2^-56.5 at most, proved for the whole cell of each row. Bits of the rows:
@@ -351,7 +351,7 @@ COR_ROWS(double, cor_rows_eps_zero_force, 65, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_eps_zero_force)
 
-/* eps at zero overlap by x = beta^5, 2^-40 <= x < 2^14: 432 rows of degree 10 in y = beta^5 2^-k, 8 to each octave k = -40 ... 13.
+/* eps at zero overlap by x = beta^5, 2^-40 <= x < 2^14: 432 rows of degree 10 in y = beta^5 2^-k, 8 rows in each octave k = -40 ... 13.
  * Relative error of the approximation: 2^-53.8 at most, proved for the whole cell of each row. Bits of the rows:
  * 67.4 68.3 69.2 68.6 72.2 68.3 68.6 68.2 66.8 67.7 67.8 71.9 69.3 70.0 68.5 68.8 67.2 69.6 69.0 70.5 69.6 68.9 68.5
  * 70.4 66.7 67.6 67.5 67.3 68.0 68.8 71.5 68.4 66.4 67.4 67.0 67.5 68.0 67.7 68.9 68.0 66.5 66.6 67.4 67.7 67.8 67.4
@@ -1427,7 +1427,7 @@ COR_ROWS(double, cor_rows_power_eps_zero_overlap, 432, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_power_eps_zero_overlap)
 
-/* eps at zero force by x = beta^5, 2^-40 <= x < 2^20: 480 rows of degree 10 in y = beta^5 2^-k, 8 to each octave k = -40 ... 19.
+/* eps at zero force by x = beta^5, 2^-40 <= x < 2^20: 480 rows of degree 10 in y = beta^5 2^-k, 8 rows in each octave k = -40 ... 19.
  * Relative error of the approximation: 2^-57.4 at most, proved for the whole cell of each row. Bits of the rows:
  * 67.1 69.6 68.6 68.9 71.1 70.5 70.1 72.6 66.5 68.4 68.6 68.7 68.5 70.5 68.6 69.4 66.6 67.0 68.2 68.3 69.6 69.7 68.6
  * 69.0 66.5 67.7 68.2 68.9 68.2 70.3 68.3 68.8 66.8 67.5 67.5 67.1 67.8 67.9 70.4 68.7 66.1 66.9 67.0 68.5 68.7 67.3
@@ -3603,7 +3603,7 @@ COR_ROWS(double, cor_rows_time_of_max_overlap, 65, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_time_of_max_overlap)
 
-/* eps beta^(5/3) at zero force, beta > exp(2): 32 rows of degree 10 in y = ln(beta), nodes 2.125 + i 0.25, 2 <= y <= 10.
+/* eps times beta^(5/3), at zero force, beta > exp(2): 32 rows of degree 10 in y = ln(beta), nodes 2.125 + i 0.25, 2 <= y <= 10.
  * Relative error of the approximation: 2^-59.6 at most, proved for the whole cell of each row. Bits of the rows:
  * 59.6 59.8 60.5 61.0 63.5 61.2 62.7 62.2 62.9 64.5 63.4 63.8 64.2 65.1 65.1 65.1 65.1 65.3 65.4 65.5 65.6 65.6 65.6
  * 65.6 65.6 65.6 65.6 65.6 65.6 65.6 65.6 65.6 */
@@ -3870,7 +3870,7 @@ COR_ROWS(double, cor_rows_tail_duration_zero_overlap, 64, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_tail_duration_zero_overlap)
 
-/* duration beta^(2/3) at zero force, beta > exp(2): 32 rows of degree 10 in y = ln(beta), nodes 2.125 + i 0.25, 2 <= y <= 10.
+/* duration times beta^(2/3), at zero force, beta > exp(2): 32 rows of degree 10 in y = ln(beta), nodes 2.125 + i 0.25, 2 <= y <= 10.
  * Relative error of the approximation: 2^-57.7 at most, proved for the whole cell of each row. Bits of the rows:
  * 57.7 58.6 59.1 58.1 61.4 59.3 60.8 61.1 59.8 62.3 61.0 61.8 59.3 59.0 59.9 62.2 60.7 61.3 60.3 62.6 59.9 61.3 59.7
  * 61.2 60.2 59.7 61.5 60.5 60.0 64.8 59.9 60.1 */
@@ -3964,7 +3964,7 @@ COR_ROWS(double, cor_rows_tail_duration_zero_force, 32, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_tail_duration_zero_force)
 
-/* largest overlap beta^(2/3), beta > exp(2): 32 rows of degree 10 in y = ln(beta), nodes 2.125 + i 0.25, 2 <= y <= 10.
+/* largest overlap times beta^(2/3), beta > exp(2): 32 rows of degree 10 in y = ln(beta), nodes 2.125 + i 0.25, 2 <= y <= 10.
  * Relative error of the approximation: 2^-60.3 at most, proved for the whole cell of each row. Bits of the rows:
  * 61.0 60.3 61.6 61.7 61.5 62.4 63.9 63.2 63.2 64.6 64.5 65.1 65.2 65.6 66.1 66.1 66.3 66.7 66.7 66.7 66.8 66.8 66.7
  * 66.8 66.8 66.8 66.8 66.8 66.8 66.8 66.8 66.8 */
@@ -4059,7 +4059,7 @@ COR_ROWS(double, cor_rows_tail_max_overlap, 32, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_tail_max_overlap)
 
-/* time of the largest overlap beta^(2/3), beta > exp(2): 32 rows of degree 10 in y = ln(beta), nodes 2.125 + i 0.25, 2 <= y <= 10.
+/* time of the largest overlap, times beta^(2/3), beta > exp(2): 32 rows of degree 10 in y = ln(beta), nodes 2.125 + i 0.25, 2 <= y <= 10.
  * Relative error of the approximation: 2^-58.3 at most, proved for the whole cell of each row. Bits of the rows:
  * 60.6 59.4 58.3 58.7 58.3 58.4 59.9 61.3 58.8 59.5 59.1 60.5 61.8 60.2 59.5 60.8 62.0 59.5 62.0 59.4 60.1 59.8 59.9
  * 60.0 62.0 59.8 59.7 60.4 60.0 59.9 60.1 60.2 */
@@ -4260,7 +4260,7 @@ COR_ROWS(double, cor_rows_near_beta_zero_force, 24, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_near_beta_zero_force)
 
-/* beta at zero overlap by eps, 2^-12 <= eps < 2^-1: 88 rows of degree 10 in y = eps 2^-k, 8 to each octave k = -12 ... -2.
+/* beta at zero overlap by eps, 2^-12 <= eps < 2^-1: 88 rows of degree 10 in y = eps 2^-k, 8 rows in each octave k = -12 ... -2.
  * Relative error of the approximation: 2^-57.5 at most, proved for the whole cell of each row. Bits of the rows:
  * 58.6 59.4 60.1 61.4 61.7 64.9 60.8 60.7 58.6 60.5 60.6 60.7 62.0 62.0 61.9 62.3 58.6 60.0 61.7 60.5 60.5 60.7 61.3
  * 60.9 58.6 60.5 60.1 62.7 60.0 60.0 62.2 61.3 58.4 59.6 61.2 60.2 61.3 61.6 63.9 60.9 58.2 59.8 59.9 61.9 61.1 61.2
@@ -4491,7 +4491,7 @@ COR_ROWS(double, cor_rows_beta_zero_overlap, 88, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_beta_zero_overlap)
 
-/* beta at zero force by eps, 2^-23 <= eps < 2^-1: 176 rows of degree 10 in y = eps 2^-k, 8 to each octave k = -23 ... -2.
+/* beta at zero force by eps, 2^-23 <= eps < 2^-1: 176 rows of degree 10 in y = eps 2^-k, 8 rows in each octave k = -23 ... -2.
  * Relative error of the approximation: 2^-55.1 at most, proved for the whole cell of each row. Bits of the rows:
  * 55.8 57.6 58.3 58.7 59.0 58.9 62.5 62.1 55.8 57.4 59.1 59.5 61.8 61.0 62.0 60.1 55.7 57.2 57.8 58.6 58.6 59.5 59.3
  * 61.2 55.8 57.1 58.9 58.9 59.2 59.0 58.7 59.6 55.8 57.4 58.2 58.9 61.1 60.6 59.3 59.9 55.7 57.5 58.6 59.4 60.6 59.9
@@ -4907,8 +4907,8 @@ COR_ROWS(double, cor_rows_beta_zero_force, 176, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_beta_zero_force)
 
-/* h*^5 as two doubles: eps = h*^5 beta^-5 at zero overlap, exact in double precision from beta = 7
- * on. Proved. */
+/* h*^5 as two doubles: eps = h*^5 beta^-5 at zero overlap, exact in double precision for
+ * beta >= 7. Proved. */
 COR_INLINE const double *cor_rows_h_star_5(int i)
 {
     static const double row[1][2] = {
@@ -5554,7 +5554,7 @@ COR_ROWS(double, cor_rows_near_beta_approach_only, 17, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_near_beta_approach_only)
 
-/* damped approach: beta by eps, 2^-6 <= eps < 2^-1: 80 rows of degree 10 in y = eps 2^-k, 16 to each octave k = -6 ... -2.
+/* damped approach: beta by eps, 2^-6 <= eps < 2^-1: 80 rows of degree 10 in y = eps 2^-k, 16 rows in each octave k = -6 ... -2.
  * Relative error of the approximation: 2^-58.1 at most, sampled at 25 places of each row. Bits of the rows:
  * 59.4 59.7 61.7 63.2 60.7 59.7 59.2 61.8 60.3 58.7 58.6 59.3 59.2 60.4 60.9 59.7 61.1 58.4 58.1 60.8 60.8 59.4 61.3
  * 61.6 60.3 59.2 63.5 60.1 59.9 61.0 60.1 59.1 60.8 61.0 59.9 59.1 60.9 58.6 59.8 59.0 59.9 60.5 60.6 59.7 59.7 60.5

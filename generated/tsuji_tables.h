@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /* Times of Tsuji's damping, x'' + sqrt(5) zeta x^(1/4) x' + x^(3/2) = 0, for every damping ratio zeta, in the
- * sphere's unit: rows of short polynomials around the nodes of uniform grids, and what follows at large
+ * sphere's unit: rows of short polynomials around the nodes of uniform grids, and formulas for large
  * zeta. Evaluated by runtime/law/linear_tsuji.c. Source: docs/laws.md; form: docs/internals.md.
  *
  * Written by:  corgen tables
  * Checked by:  corgen tables --check
  *
- * The rows interpolate polynomials through samples by two Gauss rules of 56 points, which agree with enclosures by
- * adaptive quadrature to 1e-20 at two places of each block of rows. Errors of the rows are above each table
- * (sampled); errors of evaluation: include/cor/law.h (sampled). */
+ * The rows interpolate polynomials of high degree through samples. Two Gauss rules of 56 points compute the samples.
+ * The polynomials agree with enclosures by adaptive quadrature to 1e-20 at two places of each block of rows. Errors
+ * of the rows are above each table (sampled); errors of evaluation: include/cor/law.h (sampled). */
 #ifndef COR_GENERATED_TSUJI_TABLES_H
 #define COR_GENERATED_TSUJI_TABLES_H
 #include "runtime/table/rows.h"
@@ -645,7 +645,7 @@ COR_ROWS(double, cor_rows_tsuji_duration_zero_overlap, 22, 12)
 ;
 COR_ROWS_FUNCTION(double, cor_rows_tsuji_duration_zero_overlap)
 
-/* V of the duration at zero overlap: 58 rows of degree 10 in y = zeta/(10 sqrt(1 - zeta^2)) 2^-k, 8 to each octave k = -4 ... 3.
+/* V of the duration at zero overlap: 58 rows of degree 10 in y = zeta/(10 sqrt(1 - zeta^2)) 2^-k, 8 rows in each octave k = -4 ... 3.
  * Relative error of the approximation: 2^-54.6 at most, sampled at 25 places of each row. Bits of the rows:
  * 60.8 61.0 62.6 62.7 61.6 60.9 60.5 60.7 60.6 59.8 61.0 59.3 59.4 58.8 59.5 62.1 59.3 60.0 59.3 58.8 66.7 62.7 59.2
  * 63.1 58.6 58.4 59.1 61.4 58.8 59.2 62.5 60.5 58.8 59.1 60.2 60.1 59.4 60.2 60.9 58.7 54.9 56.5 57.5 57.7 59.5 60.3
@@ -804,8 +804,8 @@ COR_ROWS(double, cor_rows_tsuji_overlap_factor, 58, 12)
 COR_ROWS_FUNCTION(double, cor_rows_tsuji_overlap_factor)
 
 /* ln(1 + zeta) >= 12.25, with u = ln(zeta), mu = 1/zeta^2: t zeta^(4/5) = a_0 + a_0' + (a_1 + a_1') u
- * + mu (a_2 + a_3 u + a_4 u^2); with the limited damper and mu = 1/zeta: t = a_0 + a_0' + (a_1 + a_1') mu
- * + a_2 mu u + mu^3 (a_3 + a_4 u + a_5 u^2). Through enclosed values with u = 13, 13.75, ... */
+ * + mu (a_2 + a_3 u + a_4 u^2). With the limited damper mu = 1/zeta, and t = a_0 + a_0' + (a_1 + a_1') mu
+ * + a_2 mu u + mu^3 (a_3 + a_4 u + a_5 u^2). The formulas fit enclosed values at u = 13, 13.75, ... */
 COR_INLINE const double *cor_rows_tsuji_far_time_of_max_overlap(int i)
 {
     static const double row[1][7] = {

@@ -177,7 +177,7 @@ static int find_fall(double *h_star, struct law_layout *layout)
         status = is_fallen(&fallen, law, v_f, LAW_MIDDLE_END);
     int tried = 0;
     for (double u = LAW_TAIL_FIRST; status == STATUS_OK && !fallen; u += exp2(floor(log2(u))) / 8) {
-        progress("beta from which eps is a power of it", tried++, 0);
+        progress("smallest beta of the power law of eps", tried++, 0);
         layout->overlap_log = u + exp2(floor(log2(u))) / 8;
         if (layout->overlap_log > layout->last_log) {
             layout->overlap_log = layout->last_log;

@@ -481,9 +481,10 @@ static void grid_text(char text[96], const struct pieces *p)
     const struct cell first = pieces_cell(p, 0), last = pieces_cell(p, p->rows - 1);
     const slong cells = WORD(1) << p->octave_bits;
     if (p->floats)
-        snprintf(text, 96, "one below %g, then %ld to an octave", first.hi, (long)cells);
+        snprintf(text, 96, "one row below %g, then %ld rows in each octave", first.hi, (long)cells);
     else if (by_octaves(p))
-        snprintf(text, 96, "%ld to each octave k = %ld ... %ld", (long)cells, (long)first.octave, (long)last.octave);
+        snprintf(text, 96, "%ld rows in each octave k = %ld ... %ld", (long)cells, (long)first.octave,
+                 (long)last.octave);
     else
         snprintf(text, 96, "nodes %g + i %g, %g <= y <= %g", p->first, p->step, first.lo, last.hi);
 }

@@ -29,7 +29,7 @@ static const struct {
      COR_END_ZERO_FORCE},
     {{"t_zero_force", "duration_s_zero_force"}, "duration of that contact", COR_END_ZERO_FORCE},
     {{"eps_surface", "eps_surface"}, "restitution at the surface, contact ends at zero force", END_SURFACE},
-    {{"t_surface", "duration_s_surface"}, "time until the bodies are there again", END_SURFACE},
+    {{"t_surface", "duration_s_surface"}, "time until the bodies return to the surface", END_SURFACE},
     {{NULL, "max_force_n"}, "largest force between the bodies", OPTIONS_NOT_GIVEN},
     /* --threshold */
     {{"sticking_force_zero_overlap", NULL}, "force above which the overlap never vanishes again", COR_END_ZERO_OVERLAP},
@@ -203,12 +203,12 @@ static const char help[] =
     "                   zero-overlap or surface (default: both ends)\n" HELP_DIGITS
     "  --format F       output format, text, csv or json (default text)\n" HELP_JSON_STRINGS HELP_LAW HELP_COMMON "\n"
     "Columns: beta,x_max,t_max,eps_zero_overlap,t_zero_overlap,eps_zero_force,t_zero_force;\n"
-    "with --end, without the columns of the other end. In SI units beta,max_overlap_m,\n"
-    "time_of_max_overlap_s,eps_zero_overlap,duration_s_zero_overlap,eps_zero_force,\n"
-    "duration_s_zero_force,max_force_n. Under a force max_force_n is absent, and columns of the surface,\n"
-    "the place of first contact, replace those of zero force: eps_surface,t_surface (duration_s_surface).\n"
-    "The bodies part where the contact force vanishes and fly to the surface. With --threshold beta,\n"
-    "sticking_force_zero_overlap,sticking_force_surface.\n\n"
+    "with --end, only the columns of this end. In SI units beta,max_overlap_m,time_of_max_overlap_s,\n"
+    "eps_zero_overlap,duration_s_zero_overlap,eps_zero_force,duration_s_zero_force,max_force_n.\n"
+    "Under a force, eps_surface,t_surface (duration_s_surface) replace the columns of zero force, and\n"
+    "max_force_n is absent. The surface is the place of first contact: the bodies part where the contact\n"
+    "force vanishes, and fly to the surface. With --threshold the columns are\n"
+    "beta,sticking_force_zero_overlap,sticking_force_surface.\n\n"
     "Example: corgen collide --beta 0.1 --digits 30\n";
 
 static const struct option_numbers beta_numbers = {.range = {"0", "1e6", true, true, false, "a number from 0 to 1e6"},

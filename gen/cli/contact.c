@@ -11,8 +11,8 @@
 #include "support/console.h"
 #include "support/gnuplot.h"
 
-_Static_assert(OPTIONS_NOT_GIVEN == COR_BOTH_ENDS, "an --end that is not given means both ends");
-_Static_assert(OPTIONS_NOT_GIVEN == COR_NO_INTEGRATOR, "an --integrator that is not given means the simulator's own");
+_Static_assert(OPTIONS_NOT_GIVEN == COR_BOTH_ENDS, "no --end is the same as both ends");
+_Static_assert(OPTIONS_NOT_GIVEN == COR_NO_INTEGRATOR, "no --integrator is the same as the simulator's own");
 
 #define DEFAULT_STEPS "50"
 
@@ -352,12 +352,12 @@ static const char help[] =
     "  --plot FILE      picture of eps over the speed, .svg, .png or .pdf, by gnuplot\n"
     "  --format F       output format, text, csv or json (default text)\n" HELP_COMMON "\n"
     "Columns: speed_m_s,beta,eps_zero_overlap,eps_zero_force,duration_s_zero_overlap,\n"
-    "duration_s_zero_force,max_overlap_m,max_force_n,time_step_s (under a force surface, not\n"
-    "zero_force); step_bias,step_scatter for each end; damping_correction and the corrected damping;\n"
+    "duration_s_zero_force,max_overlap_m,max_force_n,time_step_s (if a force acts, surface\n"
+    "replaces zero_force); step_bias,step_scatter for each end; damping_correction and the corrected damping;\n"
     "measured_end without --end; contact_radius_m,max_pressure_pa. Without --speed quantity,value,unit.\n"
     "With angles speed_m_s,angle_degrees,tangential_speed_m_s,tangential_restitution (-u'/u),\n"
     "rebound_angle_degrees,spin_rad_s (of body 1),regime (stick, slip, both); with --walton\n"
-    "speed_m_s,eps,friction,beta_0,largest_error; also end, if it matters and is not given.\n\n"
+    "speed_m_s,eps,friction,beta_0,largest_error; also end, if needed and not given.\n\n"
     "Example: corgen contact --young 7e10 --poisson 0.2 --radius 5e-3 --density 2500 --restitution 0.9 \\\n"
     "             --at 1 --end zero-force --speed 0.1,1,10\n";
 

@@ -54,7 +54,7 @@ static const char *const terms[][2] = {
     {"eps", "coefficient of restitution: rebound speed over impact speed, from 0 to 1"},
     {"overlap", "length x by which two bodies are compressed, m; elastic spheres have the force K x^(3/2)"},
     {"zero overlap", "one end of contact: the bodies part when the overlap is zero again"},
-    {"zero force", "the other end: they part when the force would become attractive; eps is a little larger"},
+    {"zero force", "the other end: the bodies part when the force would become attractive; eps is a little larger"},
     {"A", "dissipation time of viscoelastic materials, s: the force is K (x^(3/2) + (3/2) A sqrt(x) x')"},
     {"g*", "characteristic speed, m/s: eps = 1 - (g/g*)^(1/5) + ... for viscoelastic spheres"},
     {"beta", "dimensionless damping, the only number on which eps depends; beta = 0.867 (g/g*)^(1/5)"},

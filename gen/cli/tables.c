@@ -12,7 +12,7 @@ static int run_tables(const void *arguments)
     struct tables_request o = given->request;
     o.directory = given->common.output;
     if ((o.all || o.seed != OPTIONS_NOT_GIVEN) && o.poisson.text)
-        return usage_error("--%s is for the collisions of generated/" DISK_LIMITS_FILE "; leave out --poisson",
+        return usage_error("--%s applies only to generated/" DISK_LIMITS_FILE "; leave out --poisson",
                            o.all ? "all" : "seed");
     if (o.seed != OPTIONS_NOT_GIVEN && (o.all || !o.check))
         return usage_error("--seed chooses the sample of --check; give --check without --all");
@@ -58,7 +58,7 @@ static const struct option_rule options[] = {
     OPTION_PLAIN("check", FLAG, request.check),
     OPTION_PLAIN("all", FLAG, request.all),
     OPTION_PLAIN("digits", FLAG, request.digits),
-    OPTION("seed", WHOLE, request.seed, .range.whole = {0, TABLES_MAX_SEED}, .why = "more seeds have no use"),
+    OPTION("seed", WHOLE, request.seed, .range.whole = {0, TABLES_MAX_SEED}, .why = "no test needs more samples"),
     OPTION_PLAIN("output", FOLDER, common.output),
     OPTION_LAST,
 };

@@ -122,7 +122,8 @@ void contact_warn(const struct contacts *contacts, double speed_m_s)
     if (c->plastic || !(c->yield_speed_m_s > 0) || !(speed > c->yield_speed_m_s))
         return;
     fail("warning: at %g m/s the largest Hertzian pressure would be %.4g Pa. The bodies yield at %.4g Pa, 1.6 times "
-         "the yield stress, and so above %.4g m/s. This law does not describe yield; use --law elastic-plastic.",
+         "the yield stress. Impacts above %.4g m/s reach this pressure. This law does not describe yield; use --law "
+         "elastic-plastic.",
          speed_m_s, cor_scene_pressure(c, cor_scene_elastic_overlap(c, speed)),
          cor_scene_pressure(c, cor_scene_elastic_overlap(c, c->yield_speed_m_s)),
          c->yield_speed_m_s + c->liquid_speed_m_s);

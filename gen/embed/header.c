@@ -90,8 +90,8 @@ static void append_scene(FILE *t, const struct embed_request *request, const str
     if (s->own.law && s->onset > 0)
         fprintf(t, "eps = 1 up to %.17g m/s.\n", s->onset);
     else if (s->plastic)
-        fprintf(t, "v_y = %s m/s, the impact speed above which they yield%s.\n", middle_text(s->yield_speed).text,
-                s->onset > 0 || s->constant ? "; eps = 1 up to it" : "");
+        fprintf(t, "v_y = %s m/s: the bodies yield above this impact speed%s.\n", middle_text(s->yield_speed).text,
+                s->onset > 0 || s->constant ? "; eps = 1 up to v_y" : "");
     else if (!s->by_speed)
         fprintf(t, "beta = %s (speed/(m/s))^%s, from %.4g to %.4g.\n", middle_text(s->beta_per_root).text,
                 ratio_power(law_speed_exponent(&s->law)).text, s->beta_min, s->beta_max);
@@ -101,10 +101,12 @@ static void append_scene(FILE *t, const struct embed_request *request, const str
                 "at the speed v - s, eps = (eps(v - s) (v - s) - s)/v.\n",
                 middle_text(s->liquid_speed).text);
     if (s->pressed)
-        fprintf(t, "A constant force holds the bodies together up to v_s = %s m/s (enclosed):\neps = 0.",
+        fprintf(t,
+                "A constant force holds the bodies together at speeds up to v_s = %s m/s\n(enclosed): eps = 0 there.",
                 middle_text(s->sticking_speed).text);
     if (s->pressed && embed_number(request, EMBED_SPEED_MIN) <= s->onset)
-        fprintf(t, " The function is 0 up to %.17g m/s, where eps is %.2g.", s->onset, s->samples.eps[0]);
+        fprintf(t, "\nThe function returns 0 up to %.17g m/s. The exact eps at this speed is %.2g.", s->onset,
+                s->samples.eps[0]);
     fprintf(t, "%sAccuracy: relative error of eps at most %s, approximation and rounding together (",
             s->pressed ? "\n" : "", request->number[EMBED_TOLERANCE].text);
     if (!(proof->error <= s->tolerance) && isfinite(proof->error))
@@ -164,14 +166,15 @@ static void append_provenance(FILE *t, const struct embed_scene *s, const struct
         fprintf(t, "\nFitted to and compared with a closed form in interval arithmetic; coefficients rounded once to "
                    "the type.\n");
     else if (s->constant)
-        fprintf(t, "\neps comes from one collision %s, enclosed (proved), or is given.\n", law_equation(&s->law).text);
+        fprintf(t, "\neps is a given number, or comes from one enclosed collision %s (proved).\n",
+                law_equation(&s->law).text);
     else
         fprintf(t,
-                "\nFitted to and compared with collisions %s%s enclosed to 76 bits or\n"
-                "more (proved), which are interpolated to 1e-17 (%s); coefficients\n"
+                "\nFitted to and compared with collisions %s%s, enclosed to 76 bits or\n"
+                "more (proved) and interpolated to 1e-17 (%s). Coefficients are\n"
                 "rounded once to the type. ",
                 law_equation(&s->law).text, s->pressed ? " + f" : "",
-                proof->proved ? "sampled; the proof includes their proved error" : "sampled");
+                proof->proved ? "sampled; the proof includes a proved error" : "sampled");
     fputs(dialects, t);
 }
 

@@ -390,7 +390,7 @@ static void add_library(const struct spheres *s)
     char call[TEXT];
     snprintf(call, sizeof call, "cor_contact_eps_%s(&contact, speed)", contact_end_names[s->scene.end]);
     model_promise(s, m, promise);
-    model_is(s, m, cost_library, "nothing; good at every speed", call_of_beta(s, call, ""));
+    model_is(s, m, cost_library, "nothing; valid at every speed", call_of_beta(s, call, ""));
 }
 
 /* Adds a function of beta: cor_law_value for the Hertz dashpot and Hunt-Crossley's law, otherwise the header of corgen
@@ -422,7 +422,7 @@ static void add_function_of_beta(const struct spheres *s)
     else
         source = xprintf("corgen law --elastic %s --damping %s --name law --output law.h\n#include \"law.h\"",
                          ratio_text(law_elastic(law)).text, ratio_text(law_damping(law)).text);
-    model_is(s, m, crossley ? cost_crossley : cost_function, "nothing; good at every speed",
+    model_is(s, m, crossley ? cost_crossley : cost_function, "nothing; valid at every speed",
              xprintf("%s\ndouble eps = %s%s * pow(speed, %.17g));\n", source, call, beta, q));
     free(source);
     flint_free(beta);
@@ -440,7 +440,7 @@ static void add_pressed(const struct spheres *s)
         m->error[i] = eps > 0 ? COR_SCENE_PRESSED_ERROR / (2 * eps * eps) : 0;
     }
     m->promised = true;
-    model_takes_force(s, m, cost_pressed, "nothing; good at every speed",
+    model_takes_force(s, m, cost_pressed, "nothing; valid at every speed",
                       xprintf("#include \"cor/scene.h\"\nstruct cor_scene_contact contact = {.law = {%d, %d, %d}, "
                               ".mass_kg = %.17g,\n    .stiffness = %.17g, .radius_m = %.17g, .damping = %.17g, "
                               ".force_n = %.17g};\ndouble eps;\ncor_scene_eps(&eps, &contact, speed, %s);\n",
@@ -500,7 +500,7 @@ static char *pressing_remark(const struct spheres *s)
         where = xprintf("for %.4g m/s and above", high);
     }
     char *text = xprintf("You may leave out the constant force of %.4g N %s: eps then changes by less than %g.\nWith "
-                         "the force the bodies stick up to %.4g m/s.\n",
+                         "the force, the bodies stick together at speeds up to %.4g m/s.\n",
                          contact->force_n, where, tolerance, sticking);
     free(where);
     return text;
@@ -524,7 +524,7 @@ char *plan_wave_remark(const struct embed_request *request, double speed, double
                    "m/s, to first\norder. This dissipation time gives %.2g. %s\n",
                    waves, speed, all,
                    waves < all ? "A measured dissipation time includes the waves."
-                               : "This is less: the dissipation time is too small.");
+                               : "This is less than the loss by waves, so the dissipation time is too small.");
 }
 
 /* ---- the plan ---- */
@@ -536,9 +536,9 @@ char *plan_wave_remark(const struct embed_request *request, double speed, double
     "Costs of Pade approximants and headers are counted from their operations (docs/embed.md); the others were\n"      \
     "measured once (docs/plan.md). Compare only their ratios: processors differ.\n"
 static const char *const notes[] = {/* by purpose */
-                                    NOTE("(call + 4 in a loop)/5 (--for balanced)"),
-                                    NOTE("in calls one at a time (--for scalar)"), NOTE("in a loop (--for array)"),
-                                    NOTE("in calls one at a time (--for rebound)")};
+                                    NOTE("as (single call + 4 in a loop)/5 (--for balanced)"),
+                                    NOTE("in single calls (--for scalar)"), NOTE("in a loop (--for array)"),
+                                    NOTE("in single calls (--for rebound)")};
 
 static char *spheres_remark(const struct spheres *s)
 {

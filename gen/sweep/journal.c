@@ -182,7 +182,7 @@ int journal_open_part(struct journal *journal, const char *file, const char *tit
         if (damaged || *line || journal->lines != rows)
             status =
                 fail("%s, line %" PRIu64 " %s: %" PRIu64 " of %" PRIu64 " rows are correct. Run the command with%.*s "
-                     "instead of --join; it keeps these rows",
+                     "instead of --join. It keeps the correct rows",
                      journal->path, journal->lines + 2,
                      damaged                 ? "was changed"
                      : *line                 ? "is incomplete"

@@ -116,8 +116,9 @@ static int row_finished(void *context, slong i)
         return fail("row %" PRIu64 ": %s", number + 1, cor_status_text(result->status));
     if (run->again && number == run->again_row) {
         if (strcmp(line, run->again) != 0)
-            return fail("%s comes from another version of corgen or another machine: its row %" PRIu64
-                        " has other digits here; continue there, remove the file or choose another --output",
+            return fail("%s was written by another version of corgen or on another machine: its row %" PRIu64
+                        " differs from the row computed now; continue with that version and machine, remove the file "
+                        "or choose another --output",
                         run->journal.path, number + 1);
         return STATUS_OK;
     }
@@ -322,7 +323,7 @@ static int draw_rows(const struct sweep *sweep, const char *path)
         curve[i] = (struct eps_curve){title[i], sweep->speed.nearest, sweep->eps + i * points, points};
     }
     return eps_plot(path,
-                    sweep->hard_wall  ? "elastic disk of all its modes, rigid wall"
+                    sweep->hard_wall  ? "elastic disk with all its modes, rigid wall"
                     : sweep->rayleigh ? "elastic disk, Rayleigh's energy"
                                       : "elastic disk, wall of potential exp(α x)/α",
                     "impact speed in units of (E/ρ)^{1/2}", (double)NAN, curve, curves);

@@ -19,9 +19,9 @@ static int emit_far(struct emit *e, const struct law_tables *t, const char *name
     int status = STATUS_OK;
     char text[TEXT_MAX];
     emit_comment(
-        e, "Beyond the rows in ln(beta): a_0, a_0', a_1, a_1', a_2, ..., a_8 of a power of beta times\n"
+        e, "Beyond the rows in ln(beta), columns a_0, a_0', a_1, a_1', a_2, ..., a_8: a power of beta times\n"
            "a_0 + a_0' + (a_1 + a_1') u + mu (a_2 + a_3 u + a_4 u^2) + mu^2 (a_5 + ... + a_8 u^3), u = ln(beta),\n"
-           "through enclosed collisions; of eps at zero overlap v_f as two doubles: proved.");
+           "fitted to enclosed collisions. For eps at zero overlap: v_f as two doubles, proved.");
     for (int i = 0; i < QUANTITIES && status == STATUS_OK; i++) {
         const enum quantity q = (enum quantity)i;
         if (!law_tables_have_far(t, q))
@@ -149,7 +149,7 @@ static int emit_law(struct emit *e, const struct law_tables *t, const char *name
     int status = law_tables_emit(e, t, false);
     if (status == STATUS_OK)
         status = emit_far(e, t, name);
-    emit_comment(e, "What runtime/table/law.h needs of each quantity");
+    emit_comment(e, "Data of each quantity for runtime/table/law.h");
     for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++) {
         if (!both && is_of_force((enum quantity)q))
             continue;
@@ -165,10 +165,9 @@ static int emit_law(struct emit *e, const struct law_tables *t, const char *name
 
 static const char accuracy_text[] =
     "eps, loss and largest overlap are within 1 unit of the last place, times and inverse within 2: sampled against\n"
-    "enclosed collisions (tests/law/run, tests/table). The interpolants behind the rows go through collisions "
-    "enclosed\n"
-    "to 80 bits (proved); between them their error is at most %.1e (sampled). Errors of the rows are above each\n"
-    "table (sampled).\n";
+    "enclosed collisions (tests/law/run, tests/table). The rows approximate interpolants through\n"
+    "collisions enclosed to 80 bits (proved). Between these collisions the error of the interpolants is at most\n"
+    "%.1e (sampled). Errors of the rows are above each table (sampled).\n";
 
 /* Without this attribute gcc 12 at -O2 copies the law's constants in each function and is five times slower. */
 static const char always_inline[] =
@@ -187,8 +186,8 @@ static void write_embedded(FILE *file, struct emit *e, const struct law_tables *
     char guard[TEXT_MAX], threshold[TEXT_MAX] = "beta = +inf -> eps 0; eps = 0 -> beta +inf.\n";
     if (t->layout.threshold < HUGE_VAL)
         snprintf(threshold, TEXT_MAX,
-                 "At zero overlap eps is 0 and the duration infinite from beta_c = %.17g on;\n"
-                 "beta of eps = 0, and of every eps below the smallest that a double beta has, is beta_c.\n",
+                 "At zero overlap eps is 0 and the duration infinite for beta_c = %.17g and above.\n"
+                 "The inverse returns beta_c for eps = 0, and for eps below the smallest eps of a double.\n",
                  t->layout.threshold);
     snprintf(guard, sizeof guard, "COR_LAW_%s_EMBEDDED_H", name);
     char *const banner =

@@ -493,8 +493,8 @@ static const struct far_form tsuji_far[] = {
         "time_of_max_overlap", tsuji_time_of_max_overlap, 4, 5, 2, QUADRATIC,
         .comment =
             "ln(1 + zeta) >= 12.25, with u = ln(zeta), mu = 1/zeta^2: t zeta^(4/5) = a_0 + a_0' + (a_1 + a_1') u\n"
-            "+ mu (a_2 + a_3 u + a_4 u^2); with the limited damper and mu = 1/zeta: t = a_0 + a_0' + (a_1 + a_1') "
-            "mu\n+ a_2 mu u + mu^3 (a_3 + a_4 u + a_5 u^2). Through enclosed values with u = 13, 13.75, ..."),
+            "+ mu (a_2 + a_3 u + a_4 u^2). With the limited damper mu = 1/zeta, and t = a_0 + a_0' + (a_1 + a_1') "
+            "mu\n+ a_2 mu u + mu^3 (a_3 + a_4 u + a_5 u^2). The formulas fit enclosed values at u = 13, 13.75, ..."),
     TSUJI_FAR("duration_zero_force", tsuji_duration_zero_force, 4, 5, 2, QUADRATIC),
     TSUJI_FAR("duration_limited", tsuji_duration_limited, 0, 1, 1, .terms = 6,
               .term = {{0, 0}, {1, 0}, {1, 1}, {3, 0}, {3, 1}, {3, 2}}),
@@ -568,10 +568,9 @@ static void rebound_coefficients(arb_ptr c, const struct far_form *f)
 static const struct far_form crossley_far[] = {
     LOADING_FAR(
         1, {1, 2},
-        .comment =
-            "s = ln(1 + beta) >= 26.25: the time of the largest overlap is beta^(2k-1) ((a+1) (1+beta))^-k\n"
-            "(s + K + K' + (k_0 + k_1 s + k_2 s^2)/(1 + beta)), k = a/(a+1): columns K, K', k_0, k_1, k_2. K exact, "
-            "k_j through\nthree enclosed values."),
+        .comment = "s = ln(1 + beta) >= 26.25: the time of the largest overlap is beta^(2k-1) ((a+1) (1+beta))^-k\n"
+                   "(s + K + K' + (k_0 + k_1 s + k_2 s^2)/(1 + beta)), k = a/(a+1): columns K, K', k_0, k_1, k_2. K is "
+                   "exact. The k_j\nfit three enclosed values."),
     LOADING_FAR(3_2, {3, 5}),
     REBOUND_FAR(
         1, {1, 2},
@@ -632,15 +631,17 @@ static int file_write(FILE *file, const char *name, const char *what, const char
 
 /* The last lines of two banners: how the times and their errors are computed */
 static const char how_times[] =
-    "The rows interpolate polynomials through samples by two Gauss rules of 56 points, which agree with enclosures by\n"
-    "adaptive quadrature to 1e-20 at two places of each block of rows. Errors of the rows are above each table\n"
-    "(sampled); errors of evaluation: include/cor/law.h (sampled).\n";
+    "The rows interpolate polynomials of high degree through samples. Two Gauss rules of 56 points compute the "
+    "samples.\n"
+    "The polynomials agree with enclosures by adaptive quadrature to 1e-20 at two places of each block of rows. "
+    "Errors\n"
+    "of the rows are above each table (sampled); errors of evaluation: include/cor/law.h (sampled).\n";
 
 int tsuji_tables_write(FILE *file)
 {
     static const char what[] =
         "Times of Tsuji's damping, x'' + sqrt(5) zeta x^(1/4) x' + x^(3/2) = 0, for every damping ratio zeta, in the\n"
-        "sphere's unit: rows of short polynomials around the nodes of uniform grids, and what follows at large\n"
+        "sphere's unit: rows of short polynomials around the nodes of uniform grids, and formulas for large\n"
         "zeta. Evaluated by runtime/law/linear_tsuji.c. Source: docs/laws.md; form: docs/internals.md.\n";
     return file_write(file, "tsuji", what, how_times, tsuji_rows, COUNT(tsuji_rows), 0, tsuji_far);
 }
@@ -650,7 +651,7 @@ int hunt_crossley_tables_write(FILE *file)
     static const char what[] =
         "Times of Hunt and Crossley's law F = K x^a (1 + d x') with a = 1 and 3/2, for every beta = d g >= 0, in units "
         "of\n(m/K)^(1/(a+1)) g^((1-a)/(a+1)): rows of short polynomials around the nodes of uniform grids in "
-        "ln(1 + beta), and\nwhat follows at large beta. Evaluated by runtime/law/hunt_crossley_functions.c. Source: "
+        "ln(1 + beta), and\nformulas for large beta. Evaluated by runtime/law/hunt_crossley_functions.c. Source: "
         "docs/laws.md; form:\ndocs/internals.md.\n";
     return file_write(file, "hunt_crossley", what, how_times, crossley_rows, COUNT(crossley_rows), 0, crossley_far);
 }
@@ -662,8 +663,10 @@ int disk_law_tables_write(FILE *file)
         "ln(limit/speed):\nrows of short polynomials by octaves of q. Evaluated by\nruntime/disk/quasistatic_rows.c. "
         "Source: docs/theory-disks.md, 12; form: docs/internals.md.\n";
     static const char how[] =
-        "The rows interpolate polynomials through samples: of the time by two Gauss rules of 56 points, of the load "
-        "by\nLambert's W. The polynomials agree with enclosures to 1e-20 at two places of each block of rows. Errors "
-        "of the\nrows are above each table (sampled); errors of evaluation: include/cor/disk.h.\n";
+        "The rows interpolate polynomials of high degree through samples. Two Gauss rules of 56 points compute the\n"
+        "samples of the time, and Lambert's W the samples of the load. The polynomials agree with enclosures to 1e-20\n"
+        "at two places of each block of rows. Errors of the rows are above each table (sampled); errors of "
+        "evaluation:\n"
+        "include/cor/disk.h.\n";
     return file_write(file, "disk_law", what, how, disk_rows, COUNT(disk_rows), 26, NULL);
 }

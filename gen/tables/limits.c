@@ -659,8 +659,9 @@ static int check_verdict(const struct check *check, const char *of_what)
     if (check->wrong)
         return fail("%s: %ld of %ld collisions (%s) differ from the table by more than allowed", DISK_LIMITS_FILE,
                     check->wrong, check->places[0] + check->places[1], of_what);
-    printf("computed again at %ld places of %s (%s): 1 - eps^2 differs by %.1e at most; at %ld places between them, by "
-           "%.2f of the uncertainty\n",
+    printf("computed again at %ld places of %s (%s): 1 - eps^2 differs by %.1e at most. At %ld places between them, it "
+           "differs "
+           "by %.2f of the uncertainty at most\n",
            check->places[0], DISK_LIMITS_FILE, of_what, check->worst[0], check->places[1], check->worst[1]);
     return STATUS_OK;
 }

@@ -62,14 +62,15 @@ static const struct law_table layout_tables[] = {
     TABLE("max_overlap", "largest overlap", MAX_OVERLAP, IN_BETA(65), .end = 8, .least_bits = 57),
     TABLE("time_of_max_overlap", "time of the largest overlap", TIME_OF_MAX_OVERLAP, IN_BETA(65), .end = 8,
           .least_bits = 56),
-    TABLE("tail_eps_zero_force", "eps beta^(5/3) at zero force", EPS_ZERO_FORCE, IN_LOG(0.25, 32), .least_bits = 57),
+    TABLE("tail_eps_zero_force", "eps times beta^(5/3), at zero force", EPS_ZERO_FORCE, IN_LOG(0.25, 32),
+          .least_bits = 57),
     TABLE("tail_duration_zero_overlap", "duration/beta at zero overlap", DURATION_ZERO_OVERLAP, IN_LOG(0.125, 64),
           .least_bits = 56),
-    TABLE("tail_duration_zero_force", "duration beta^(2/3) at zero force", DURATION_ZERO_FORCE, IN_LOG(0.25, 32),
+    TABLE("tail_duration_zero_force", "duration times beta^(2/3), at zero force", DURATION_ZERO_FORCE, IN_LOG(0.25, 32),
           .least_bits = 56),
-    TABLE("tail_max_overlap", "largest overlap beta^(2/3)", MAX_OVERLAP, IN_LOG(0.25, 32), .least_bits = 57),
-    TABLE("tail_time_of_max_overlap", "time of the largest overlap beta^(2/3)", TIME_OF_MAX_OVERLAP, IN_LOG(0.25, 32),
-          .least_bits = 56),
+    TABLE("tail_max_overlap", "largest overlap times beta^(2/3)", MAX_OVERLAP, IN_LOG(0.25, 32), .least_bits = 57),
+    TABLE("tail_time_of_max_overlap", "time of the largest overlap, times beta^(2/3)", TIME_OF_MAX_OVERLAP,
+          IN_LOG(0.25, 32), .least_bits = 56),
     TABLE("near_beta_zero_overlap", "beta/(1 - eps) at zero overlap", BETA_QUOTIENT_ZERO_OVERLAP,
           IN_LOSS(VARIABLE_LOSS, 0.0625, 9), .least_bits = 56),
     TABLE("near_beta_zero_force", "beta/(1 - eps) at zero force", BETA_QUOTIENT_ZERO_FORCE,
@@ -178,12 +179,12 @@ static void emit_far_comment(struct emit *e, const char *form, double bits)
 static int emit_tables(struct emit *e)
 {
     emit_comment(e, "A row: value = c_0 + (c_0' + s (c_1 + c_2 t + ... + c_n t^(n-1))), t = y - node, in columns c_0,\n"
-                    "c_0', c_1, ..., c_n. s = t; only in the rows of eps and of the loss at zero force from\n"
-                    "node 1/4 on s = beta - node^2. c_0' is the remainder of c_0 at the node.");
+                    "c_0', c_1, ..., c_n. s = t, except in the rows of eps and of the loss at zero force for\n"
+                    "nodes of 1/4 and above, where s = beta - node^2. c_0' is the remainder of c_0 at the node.");
     if (law_tables_emit(e, &data.tables, false))
         return STATUS_FAILED;
-    emit_comment(e, "h*^5 as two doubles: eps = h*^5 beta^-5 at zero overlap, exact in double precision from beta = 7\n"
-                    "on. Proved.");
+    emit_comment(e, "h*^5 as two doubles: eps = h*^5 beta^-5 at zero overlap, exact in double precision for\n"
+                    "beta >= 7. Proved.");
     if (law_tables_emit_far(e, &data.tables, EPS_ZERO_OVERLAP, "cor_rows_h_star_5"))
         return STATUS_FAILED;
     emit_far_comment(
@@ -255,8 +256,9 @@ static const char rows_banner[] =
     "The rows of the sphere's tables, for libcor (runtime/sphere/eval.h, approach_only.c) and for cor_sphere.h,\n"
     "which defines COR_ROWS. Rows of short polynomials around the nodes of uniform grids, and the formulas at large\n"
     "beta. Each double is the one nearest to its coefficient: proved; corgen tables --digits prints 25 digits of\n"
-    "each. Errors of the rows are above each table, those of the formulas for large beta above the formulas, proved\n"
-    "for every argument (docs/theory.md, 8). The rows interpolate polynomials of high degree through collisions\n"
+    "each. Errors of the rows are above each table, and errors of the formulas for large beta above the formulas. All\n"
+    "are proved for every argument (docs/theory.md, 8). The rows interpolate polynomials of high degree through "
+    "collisions\n"
     "enclosed to 76 bits or more (proved). Source: docs/theory.md, 4 to 6 and 8; form: docs/internals.md.\n"
     "\n"
     "Written by:  corgen tables\n"

@@ -54,7 +54,7 @@ def _spring_of_engine(law: Optional[str], erp: Any, cfm: Any, time_step: Any) ->
     given = {"erp": erp, "cfm": cfm, "time_step": time_step}
     values = [float(number(name, x)) for name, x in given.items() if x is not None]
     if law not in (None, "linear") or len(values) < 3 or not all(0 < x < math.inf for x in values) or values[0] > 1:
-        raise ValueError("erp, cfm, time_step: give all three, above 0 and erp up to 1, and no law except linear")
+        raise ValueError("erp, cfm, time_step: give all three, above 0, with erp up to 1; only the law linear has them")
     e, c, h = (Fraction(repr(x)) for x in values)
     damping = {"zeta": 0.0} if e == 1 else {"damping_coefficient": float((1 - e) / c)}
     return {"stiffness": float(e / (h * c)), **damping}
@@ -240,7 +240,7 @@ class Contact:
         in_parts(speeds.size, run)
         onset = contact.yield_speed_m_s + contact.liquid_speed_m_s
         if contact.yield_speed_m_s > 0 and not contact.plastic and (speeds > onset).any():
-            text = f"the bodies yield above {onset:.4g} m/s, which this law does not describe; elastic-plastic does"
+            text = f"the bodies yield above {onset:.4g} m/s; this law does not describe yield; use elastic-plastic"
             warnings.warn(text, CorWarning, caller())
         return speeds, rows
 

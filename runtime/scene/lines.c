@@ -473,7 +473,7 @@ static int correct_block(struct block *block, const struct task *task)
              task->request->speeds != 1 ? "a correction holds at one impact speed; give one speed"
              : integrator_of(task) == COR_NO_INTEGRATOR
                  ? "its integrator is implicit, or chooses its own steps"
-                 : "the step is not known, or too long for any damping to correct the mean");
+                 : "the time step is not known, or it is so long that no damping gives the requested mean eps");
     if (task->request->speeds != 1)
         return 0;
     for (int pair = PAIR; pair < PAIRS; pair++) {
@@ -543,7 +543,8 @@ static int fill_block(struct block *block, struct task *task, const struct cor_s
     } else if (status == COR_SIMULATOR_NO_CLOSED_FORM) {
         snprintf(
             block->reason, SENTENCE,
-            "the damping of its end, %s, has no closed form: give --damping-coefficient C, or --end with --restitution",
+            "contacts of this model end at %s, where the damping has no closed form: give --damping-coefficient C, or "
+            "--end with --restitution",
             cor_end_names[model->end]);
     } else if (status == COR_SIMULATOR_NO_SCALES) {
         snprintf(block->reason, SENTENCE, "it needs %s",
@@ -905,29 +906,34 @@ static void put_pairs(struct text *t, const struct block *block, const struct ta
     const enum cor_simulator_pairs pairs = block->model->pairs;
     const struct cor_scene *const scene = task->request->scene;
     const char *const numbers =
-        has_own_damping(scene) ? "the damping of their materials, as given"
+        has_own_damping(scene) ? "the given damping of their materials"
                                : "the damping of the pair 1 2, which is right only if both bodies are of one material";
     if (task->types == 1 || scene->wall || block->model->has_function)
         return;
     if (pairs == COR_PAIRS_LINES)
-        put_comment(t,
-                    "Only the line for 1 2 is active: your lines for 1 1 and 2 2 do not change. If you have none, use "
-                    "the lines in the comments. They have %s.",
-                    numbers);
+        put_comment(
+            t,
+            "Only the line for 1 2 is active, and your own lines for 1 1 and 2 2 remain valid. If your input has no "
+            "such lines, use the lines in the comments, with %s.",
+            numbers);
     else if (pairs == COR_PAIRS_MATRIX)
         put_comment(t,
-                    "The first and the last number of a matrix belong to 1 1 and 2 2. They have %s: replace them by "
-                    "your own numbers. Leave out your own lines of the same properties.",
+                    "The first and the last number of a matrix are for the pairs 1 1 and 2 2, with %s. Replace them by "
+                    "your own numbers, and leave out your own lines of the same properties.",
                     numbers);
     else if (pairs == COR_PAIRS_ONE_LAW)
         put_comment(
             t,
-            "One law for all contacts: 1 1, 2 2 and walls get the %.*s of 1 2. If a pair needs another number N, "
-            "replace the number by MatchMaker(matches=((i, j, N), ...)), with i and j the ids of the materials.",
+            "All contacts have one law: the pairs 1 1 and 2 2 and walls also use the %.*s of the pair 1 2. If a pair "
+            "needs another number N, replace the number by MatchMaker(matches=((i, j, N), ...)), with i and j the ids "
+            "of the materials.",
             (int)strcspn(block->model->parameter, ","), block->model->parameter);
     else
-        put_comment(t, "Numbers of the pair 1 2, densities %s and %s kg/m^3. 1 1 and 2 2 need their own lines.",
-                    TEXT(cor_scene_body_density(scene, 1)), TEXT(cor_scene_body_density(scene, 2)));
+        put_comment(
+            t,
+            "These numbers are for the pair 1 2, with the densities %s and %s kg/m^3. The pairs 1 1 and 2 2 need "
+            "their own lines.",
+            TEXT(cor_scene_body_density(scene, 1)), TEXT(cor_scene_body_density(scene, 2)));
 }
 
 /* Writes the realised eps, with the effect of the time step. */
@@ -946,8 +952,8 @@ static void put_stepped(struct text *t, const struct block *block, const struct 
             number_text(eps + error.bias, 5).text, TEXT(speed_m_s), UNDER_FORCE(task),
             number_text(error.scatter, 2).text, TEXT(eps));
     else
-        put_comment(t, "realises eps = %s at %s m/s%s with short steps; its time step is not known", TEXT(eps),
-                    TEXT(speed_m_s), UNDER_FORCE(task));
+        put_comment(t, "realises eps = %s at %s m/s%s with short steps; the time step of the simulator is not known",
+                    TEXT(eps), TEXT(speed_m_s), UNDER_FORCE(task));
 }
 
 static void put_realised(struct text *t, const struct block *block, const struct task *task)
@@ -974,7 +980,8 @@ static void put_realised(struct text *t, const struct block *block, const struct
         put_comment(t, "Right only at %s m/s: %s does not have the law of the contact.", TEXT(block->speed_m_s),
                     task->simulator->title);
     else if (speeds == 0)
-        put_comment(t, "eps depends on the impact speed, like the contact's own eps; --speed LIST prints eps here");
+        put_comment(t,
+                    "eps depends on the impact speed, as eps of the given contact does; add --speed LIST to print eps");
 }
 
 /* Writes the tangential restitution at each angle or tangential speed of the request. */
@@ -1036,7 +1043,7 @@ static int put_block(struct text *t, const struct block *block, const struct tas
     put_realised(t, block, task);
     put_oblique(t, block, task);
     if (has_soft_wall(task))
-        put_comment(t, "%s%s", task->simulator->wall, task->pressed ? " Here eps is that of a wall." : "");
+        put_comment(t, "%s%s", task->simulator->wall, task->pressed ? " This eps holds for the wall." : "");
     if (task->pressed)
         put_comment(t, "The simulator adds gravity; eps is the rebound speed at %s over the impact speed.",
                     model->end == COR_END_ZERO_OVERLAP ? "zero overlap" : "the surface");
@@ -1084,10 +1091,11 @@ static void put_luding(struct text *t, struct task *task, double speed_m_s, doub
     put_comment(
         t, "eps = sqrt(k_1/k_2). These numbers of the pair realise eps = %s and the largest overlap, %s m, at %s m/s.",
         TEXT(eps), TEXT(x), TEXT(speed_m_s));
-    put_comment(t,
-                "At g m/s, up to twice that speed, eps = (1 + %s g)^(-1/2), which falls faster with the speed than eps "
-                "of the spheres.",
-                TEXT(cor_quiet_quotient(cor_quiet_quotient(1, eps * eps) - 1, speed_m_s)));
+    put_comment(
+        t,
+        "At an impact speed of g m/s, up to twice that speed, eps = (1 + %s g)^(-1/2). It falls faster with the "
+        "speed than eps of the spheres.",
+        TEXT(cor_quiet_quotient(cor_quiet_quotient(1, eps * eps) - 1, speed_m_s)));
     t->commented++;
     put_template(t, task->simulator->luding_lines, &block, task);
     t->commented--;
@@ -1125,9 +1133,9 @@ static void put_other_end(struct text *t, const struct block *active, struct tas
     double eps, speed;
     if (!ends_elsewhere(active->model, task))
         return;
-    put_comment(t, "%s has no contacts of this law that end at %s%s; the lines above have %s.", task->simulator->title,
+    put_comment(t, "%s has no contacts of this law that end at %s%s. The lines above give %s.", task->simulator->title,
                 cor_end_names[request->scene->end], request->version ? " in this version" : "",
-                active->same_eps ? "the requested eps at their own end" : "the damping of the contact");
+                active->same_eps ? "the requested eps at the other end" : "the damping of the contact");
     if (active->same_eps || !meet_eps(&met, &eps, &speed, task, active->model))
         return;
     snprintf(instead, sizeof instead, isnan(speed) ? "For eps = %s: " : "For eps = %s at %s m/s: ", TEXT(eps),
@@ -1301,9 +1309,9 @@ static int check_friction(struct task *task)
         (!history && model->constant_stiffness != linear && !(lammps && !linear)))
         return refuse_task(
             task,
-            "cor knows no tangential force '%s' of %s for this spring; --friction has lines for "
-            "lammps, liggghts and yade, and for mercurydpm with --law linear. For others leave out --friction, "
-            "and add it to your input",
+            "cor has no model of the tangential force '%s' of %s for this normal force. --friction has lines for "
+            "lammps, liggghts and yade, and for mercurydpm with --law linear. For other simulators leave out "
+            "--friction, and add friction to your input",
             model->name, task->simulator->title);
     if (task->types == 2 && !r->scene->wall)
         return refuse_task(task, "lines with --friction need two bodies of the same material and size, or a wall; "
@@ -1630,8 +1638,9 @@ static void put_contact(struct text *t, const struct block *block, const struct 
                     i, j, one, two, measured == COR_BOTH_ENDS ? "this end" : cor_end_names[measured],
                     TEXT(c->measured->restitution), TEXT(c->measured->at_m_s));
     else
-        put_comment(t, "%d %d, %s and %s: not measured, from the dissipation times %s s and %s s", i, j, one, two,
-                    TEXT(dissipation_time(r, own->i, end, &ends)), TEXT(dissipation_time(r, own->j, end, &ends)));
+        put_comment(t, "%d %d, %s and %s: not measured; the damping follows from the dissipation times %s s and %s s",
+                    i, j, one, two, TEXT(dissipation_time(r, own->i, end, &ends)),
+                    TEXT(dissipation_time(r, own->j, end, &ends)));
     if (own->slides)
         put_comment(t, "friction %s", TEXT(r->friction));
     put_realised(t, block, own);
@@ -1755,8 +1764,9 @@ long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_req
         int found = put_all(&t, &task);
         if (!found && !*task.refusal && !(request->friction > 0) && replace_law(&linear, &scene, spring, &task)) {
             put_comment(&t,
-                        "%s has no model for the law %s. A linear spring takes its place, of the same duration at %s "
-                        "m/s without damping; eps and duration of the contact are right only at this speed.",
+                        "%s has no model for the law %s. These lines contain a linear spring instead, whose undamped "
+                        "contact has "
+                        "the same duration at %s m/s. eps and duration of the contact are right only at this speed.",
                         task.simulator->title, task.law, TEXT(task.target[PAIR].speed_m_s));
             task = (struct task){.request = &linear};
             found = check_task(&task) && find_speed(&task) && put_all(&t, &task);

@@ -138,8 +138,10 @@ static const char *const sentences[] = {
     [COR_FAULT_NOT_HERTZ] =
         "two bodies have Hertz's force, x^(3/2), but the law {law} has another; instead of bodies give --stiffness K "
         "in N/m^a and --effective-mass M in kg, for example --stiffness 1e5 --effective-mass 1e-3",
-    [COR_FAULT_NO_WAY] = "no dissipation is given. A drop from the height H that rebounds to H' gives --restitution E "
-                         "--at G, with E = sqrt(H'/H) and G = sqrt(2 g H). --dissipation-time 0 is elastic. " WAY_RULE,
+    [COR_FAULT_NO_WAY] =
+        "no dissipation is given. For a ball that drops from the height H and rebounds to H', write "
+        "--restitution E --at G, with E = sqrt(H'/H) and G = sqrt(2 g H). For an elastic contact write "
+        "--dissipation-time 0. " WAY_RULE,
     [COR_FAULT_TWO_WAYS] = "--{number} and --{other} exclude each other{more}. " WAY_RULE ". " PAIR_RULE,
     [COR_FAULT_NOT_SPHERE] = "--{number} belongs to viscoelastic spheres, not to the law {law}; give --restitution "
                              "E{more} or --damping-coefficient C",
@@ -156,8 +158,9 @@ static const char *const sentences[] = {
     [COR_FAULT_NO_SECOND_BODY] = "--{number} needs a second body that is viscoelastic",
     [COR_FAULT_RANGE] = "a number of this contact, or its speed, is out of range; allowed: 1e-250 to 1e250 in SI "
                         "units, if the numbers of bodies and dissipation are not too far apart",
-    [COR_FAULT_NO_STIFFNESS] = "no stiffness gives this contact both numbers: with this damping the bodies never part, "
-                               "or the damping is 0, or the stiffness is too large for a double",
+    [COR_FAULT_NO_STIFFNESS] =
+        "no stiffness matches both given numbers. The bodies never part with this damping, or the "
+        "damping is 0, or the stiffness is too large for a double",
     [COR_FAULT_PRESSED] =
         "the damping is too strong to integrate the law {law} under gravity or adhesion; use less damping",
     [COR_FAULT_GRAVITY] = "--gravity needs a ball on a --wall or a plate, because gravity does not press two free "

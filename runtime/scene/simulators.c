@@ -222,7 +222,7 @@ static double damping_of_yade_en(const struct cor_simulator_model *model, double
              "pair_coeff {pair} " spring " {n} tangential {tangential} damping " damping "\n",                         \
     .wall_lines = "fix cor_wall all wall/gran granular " spring " {n} tangential {tangential} damping " damping        \
                   " zplane 0 NULL\n",                                                                                  \
-    .many = "-# Put these lines after create_atoms or read_data: a group has only the atoms that exist. "              \
+    .many = "-# Put these lines after create_atoms or read_data: a group contains only atoms that already exist. "     \
             "Count only the types of balls in create_box.\n"                                                           \
             "-pair_style granular\n"                                                                                   \
             "ppair_coeff {i} {j} " spring " {n} tangential {tangential} damping " damping "\n"                         \
@@ -232,7 +232,7 @@ static double damping_of_yade_en(const struct cor_simulator_model *model, double
     .pairs = COR_PAIRS_LINES
 /* The plane of a material's wall. Users may define the variable before these lines. */
 #define WALL_PLANE(plane)                                                                                              \
-    "v# the plane of wall {j}: for another one define this variable before these lines\n"                              \
+    "v# the plane of wall {j}: to choose another plane, define this variable before these lines\n"                     \
     "vvariable cor_wall_{j} index \"" plane "\"\n"
 /* The wall has atom type 2, because a contact with it has other numbers than a contact of two spheres. */
 #define LIGGGHTS(model, limit, properties)                                                                             \
@@ -409,7 +409,7 @@ static const struct cor_simulator_model yade[] = {
     ROW(YADE_BETAN, OF_YADE("HertzMindlin.cpp"), "Mindlin, betan", "betan", TSUJI, ZERO_FORCE, SCALED(TANGENT_RATIO),
         "Exact.", YADE_MINDLIN("betan", "betas=0")),
     ROW(YADE_EN, OF_YADE("HertzMindlin.cpp"), "Mindlin, en (2023 and later)", "e", TSUJI, ZERO_FORCE,
-        ASKED(thornton_yade, 0.001, 1), "Within 0.0003 for 0.02 < e < 0.9; above, set betan instead.",
+        ASKED(thornton_yade, 0.001, 1), "Within 0.0003 for 0.02 < e < 0.9; for larger e set betan.",
         YADE_MINDLIN("en", "es=1"), .since = 20230200),
     ROW(YADE_EN_UNTIL_2023, OF("pkg/dem/HertzMindlin.cpp", "source", "before 2023.02a; SudoDEM 6666937"),
         "Mindlin, en (before 2023); SudoDEM", "e", TSUJI, ZERO_FORCE, ASKED(exact_at_zero_overlap, OPEN, 1),
@@ -419,8 +419,7 @@ static const struct cor_simulator_model yade[] = {
         "The viscoelastic sphere: en is the Padé approximant of eps at vn, and A holds at every speed.",
         YADE_MINDLIN("en", "vn=1.0"), .since = 20250200),
     ROW(YADE_KN_CN, OF_YADE("ViscoelasticPM.cpp"), "ViscElMat, kn and cn", "cn of each of two equal bodies, kg/s",
-        LINEAR, ZERO_FORCE, SCALED(PAIR_DASHPOT),
-        "K is kn/2 of two equal bodies: the numbers of two bodies are in series.",
+        LINEAR, ZERO_FORCE, SCALED(PAIR_DASHPOT), "For two equal bodies K = kn/2, because their springs act in series.",
         YADE(EVERYWHERE,
              "cor_material = ViscElMat({density}kn={2K}, cn={n}, ks={2kt}, cs={2ct}, frictionAngle={phi})\n",
              "Ip2_ViscElMat_ViscElMat_ViscElPhys()", "Law2_ScGeom_ViscElPhys_Basic()")),
@@ -438,7 +437,7 @@ static const struct cor_simulator_model mercurydpm[] = {
     ROW(MERCURYDPM_LINEAR, OF_MERCURYDPM("LinearViscoelasticNormalSpecies.cc"),
         "LinearViscoelastic, setStiffnessAndRestitutionCoefficient", "e", LINEAR, ZERO_OVERLAP,
         ASKED(exact_at_zero_overlap, 0, 1),
-        "Exact, if the mass is that of one particle. With e = 0 the particles never part.",
+        "Exact if the mass is the mass of one particle. With e = 0 the particles never part.",
         EVERYWHERE(MERCURYDPM_DENSITY
                    "species->setStiffnessAndRestitutionCoefficient({K}, {n}, {2m});\n" MERCURYDPM_FRICTION),
         .mass = COR_MASS_IN_LINES),
@@ -472,7 +471,7 @@ static const struct cor_simulator_model mercurydpm[] = {
             "-struct cor_pairs : ChContactMaterialCompositionStrategy {\n" pairs                                       \
             "-};\n-system.SetMaterialCompositionStrategy(std::make_unique<cor_pairs>());\n"                            \
             "mauto cor_{i} = chrono_types::make_shared<ChContactMaterialSMC>();\n" numbers                             \
-            "-// the body of a wall: a mass far above those of the balls, even if it is fixed\n"
+            "-// the body of a wall needs a mass far above the masses of the balls, even if the body is fixed\n"
 static const struct cor_simulator_model chrono[] = {
     ROW(CHRONO_MATERIAL, OF_CHRONO, "SMC, Hooke or Hertz from material, cr", "e", TSUJI, ZERO_FORCE,
         ASKED(exact_at_zero_overlap, 2.220446049250313e-16, 1 - 2.220446049250313e-16),
@@ -565,12 +564,12 @@ static const struct cor_simulator_model kratos[] = {
 
 static const struct cor_simulator_model granulars_jl[] = {
     ROW(GRANULARS_EN, OF("src", "source", "source 32b1cfd"), "en", "e", TSUJI, ZERO_FORCE, ASKED(thornton, 0, 1),
-        "Within 0.0003 for 0.02 < e < 0.9; above, set gamma.", NO_LINES),
+        "Within 0.0003 for 0.02 < e < 0.9; for larger e set gamma.", NO_LINES),
 };
 
 static const struct cor_simulator_model esys_particle[] = {
     ROW(ESYS_HERTZIAN, OF_ESYS_PARTICLE, "HertzianViscoElastic", "A, s", VISCOELASTIC, ZERO_FORCE,
-        SCALED(DISSIPATION_TIME_ESYS), "Its A is (3/2) of the dissipation time.",
+        SCALED(DISSIPATION_TIME_ESYS), "The parameter A is 3/2 times the dissipation time.",
         PAIRS("HertzianViscoElasticPrms(name=\"contact\", A={n}, E={youngpair}, nu={poisson})\n")),
     ROW(ESYS_HERTZ_MINDLIN, OF_ESYS_PARTICLE, "HertzMindlinVisco, COR", "e", TSUJI, ZERO_OVERLAP, ASKED(esys, OPEN, 1),
         "Correct to 1e-8.",
@@ -615,7 +614,7 @@ static const struct cor_simulator_model newton[] = {
 static const struct cor_simulator_model drake[] = {
     ROW(DRAKE_HUNT_CROSSLEY, OF_DRAKE("plant"), "point contact or hydroelastic, hunt_crossley_dissipation",
         "d of the pair, s/m", HUNT_CROSSLEY, ZERO_FORCE, SCALED(CROSSLEY_PER_SPEED),
-        "d holds at one speed. The rebound is never faster than 1/d.",
+        "d holds at one speed. The rebound speed is at most 1/d.",
         EVERYWHERE("<drake:proximity_properties>\n"
                    "  <drake:hunt_crossley_dissipation>{n}</drake:hunt_crossley_dissipation>\n"
                    "</drake:proximity_properties>\n")),
@@ -630,7 +629,7 @@ static const struct cor_simulator_model drake[] = {
 static const struct cor_simulator_model simbody[] = {
     ROW(SIMBODY_HUNT_CROSSLEY, OF("Simbody/src/HuntCrossleyForce.cpp", "run", "3.7, source f312d0dd"),
         "HuntCrossleyForce; OpenSim", "c, s/m", HUNT_CROSSLEY, ZERO_FORCE, SCALED(SIMBODY),
-        "e = 1 - c v is first order only: c v = 0.5 gives 0.663.",
+        "e = 1 - c v holds only to first order: at c v = 0.5, eps is 0.663.",
         EVERYWHERE("?const double stiffness = {simbody}; // Pa, of both bodies\n"
                    "const double dissipation = {n}; // s/m, of both bodies\n"
                    "force.setBodyParameters(surface, stiffness, dissipation, 0, 0, 0);\n")),
@@ -680,7 +679,7 @@ static const struct cor_simulator_model bullet[] = {
         .has_function = 1),
     ROW(BULLET_STIFFNESS, OF_BULLET("BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.cpp"),
         "setContactStiffnessAndDamping", "damping of the pair, kg/s", LINEAR, ZERO_FORCE, SCALED(DASHPOT),
-        IMPLICIT " A face that touches at four points has four times K and damping.",
+        IMPLICIT " If a face touches at four points, K and damping act four times.",
         EVERYWHERE("body->setContactStiffnessAndDamping({2K}, {n/2}); // each of two bodies, or of a body and a "
                    "wall\n" BULLET_TOUCH)),
 };
@@ -794,9 +793,8 @@ const struct cor_simulator cor_simulators[] = {
      .time_step = "timestep {dt}\n", .version = "29 Sep 2021", .packaged = 20210929,
      .tangential = BIT(LAMMPS_MINDLIN) | BIT(LAMMPS_MINDLIN_FORCE) | BIT(LAMMPS_MINDLIN_RESCALE) |
                    BIT(LAMMPS_MINDLIN_RESCALE_FORCE) | BIT(LAMMPS_LINEAR_HISTORY) | BIT(LAMMPS_LINEAR_NOHISTORY),
-     .yielding =
-         "LAMMPS of 2025 and later has the model mdr of E, nu and the yield stress. Its yield criterion, and so "
-         "its eps, are different. cor has not run it."},
+     .yielding = "LAMMPS of 2025 and later has the model mdr, with E, nu and the yield stress. It has another yield "
+                 "criterion, and therefore another eps. cor has not run it."},
     {SIMULATOR(liggghts, "liggghts", "LIGGGHTS", VERLET_HALF_STEP), SCRIPT,
      .setup = "Use with: units si, atom_style granular, newton off, communicate single vel yes, {types} type{s} in "
               "create_box." FRICTION,

@@ -487,7 +487,7 @@ static size_t host_realises(const char *host, int law, const struct given *bodie
     struct contacts contacts = contacts_of(law, COR_BOTH_ENDS, bodies, given);
     const double eps = 0.7, speed = 0.4, pi = 3.14159265358979323846;
     char *const text = contact_simulator_text(REQUEST(host, contacts, &speed)), title[200], form[32];
-    if (text && strstr(text, "A linear spring takes its place")) {
+    if (text && strstr(text, "These lines contain a linear spring instead")) {
         const double m = contacts.contact->mass_kg, t = cor_scene_elastic_duration_s(contacts.contact, speed);
         contacts = contacts_of(COR_LAW_LINEAR, COR_BOTH_ENDS,
                                GIVEN({COR_SCENE_STIFFNESS, m * pi * pi / (t * t)}, {COR_SCENE_EFFECTIVE_MASS, m}),

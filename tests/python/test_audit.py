@@ -799,7 +799,7 @@ def test_reasons_without_a_tangential_restitution(tmp_path):
     cases = {
         "kratos-linear.json": "cor has no model of this tangential force",
         "mujoco-ball.xml": "MuJoCo",
-        "mercury-hertz.cpp": "next to this spring",
+        "mercury-hertz.cpp": "with this normal force",
         "yade-default-damping.py": "damping of all forces",
         "liggghts-chute-wear.lig": "friction of the tangential force is not known",
         species.format("CollisionTimeAndRestitutionCoefficient(1e-3, 0.7, 0.01)", "Stiffness(1)"): -1,

@@ -271,7 +271,7 @@ TEST(corrected_for_a_step)
     corrected_step_s = 1;
     scene = bodies(COR_LAW_VISCOELASTIC, 0);
     scene.number[COR_SCENE_DISSIPATION_TIME] = 1e-4;
-    found(text_for("lammps", NULL, &scene, speed), "or too long for any damping to correct the mean");
+    found(text_for("lammps", NULL, &scene, speed), "or it is so long that no damping gives the requested mean eps");
     corrected_step_s = 0;
 }
 
@@ -344,7 +344,7 @@ TEST(bodies_that_differ_in_one_number)
         }
         is_near(found(text, "\ntimestep "), least / steps, 1e-5);
         found(text, "eta_n is proportional to m^-1. ");
-        found(text, "They have the damping of their materials, as given.\n");
+        found(text, "the given damping of their materials.\n");
         steps = 0;
     }
 }
@@ -485,7 +485,7 @@ TEST(several_materials)
     request.simulator = "lammps";
     assert_true(cor_simulator_lines(text, sizeof text, &request) > 0);
     /* for a model that ends at zero force, the same eps needs more damping */
-    is_near(found(text, "\n# 2 4, b b and side: not measured, from the dissipation times "),
+    is_near(found(text, "\n# 2 4, b b and side: not measured; the damping follows from the dissipation times "),
             n[2][4] * cor_sphere_beta_zero_force(pair[0].restitution) /
                 cor_sphere_beta_zero_overlap(pair[0].restitution),
             1e-5);

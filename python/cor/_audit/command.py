@@ -24,7 +24,7 @@ Only --run executes a file.
 Columns: {','.join(COLUMNS)}.
 
 Exit status: 2 for wrong usage, an unreadable file, or a file without a contact that can be judged; otherwise 3 if a
-contact is not as asked; otherwise 4 if a contact could not be judged; otherwise 0.
+contact does not give the requested eps; otherwise 4 if a contact could not be judged; otherwise 0.
 
 Example: cor audit in.chute --radius 5e-3 --density 2500 --speed 0.1,1
 """
@@ -54,9 +54,9 @@ def add_arguments(parser: Parser) -> None:
     add("--time-step", type=positive, metavar="DT", default=NAN, help="time step, s (default: the file's)")
     add("--angle", type=_angle, metavar="DEGREES", default=NAN,
         help="impact angle, degrees, 0 to below 90; fills tangential_restitution (-u'/u) for LAMMPS, LIGGGHTS, YADE "
-        "and MercuryDPM; for other tangential forces the advice states the reason")  # fmt: skip
+        "and MercuryDPM; for other tangential forces the column is empty, and the advice states why")  # fmt: skip
     add("--tolerance", type=positive, metavar="T", default=0.01,
-        help="largest relative error of eps, and largest scatter, of a contact as asked (default 0.01)")  # fmt: skip
+        help="largest relative error of eps, and largest scatter, that count as asked (default 0.01)")  # fmt: skip
     add(
         "--for",
         dest="simulator",

@@ -198,7 +198,7 @@ class Granular(System):
             i = "xyz".index(found[1] or found[3])
             ends = self.box.number(3 + 2 * i), self.box.number(4 + 2 * i)
             return ends[1] - ends[0] if found[3] else ends[found[2] == "hi"]
-        raise Unknown(f"{name}, which is known only in a run")
+        raise Unknown(f"{name}, which has a value only during a run")
 
     def is_defined(self, category: str, name: str) -> bool:
         known: Dict[str, Any] = {"fix": self.fixes, "group": self.group_names, "region": self.regions}
@@ -814,7 +814,9 @@ class Granular(System):
             contact.notes = ["No line for this pair: LAMMPS uses the geometric mean of both types."]
             is_same = contact.model.endswith(("E_VELOCITY", "Z_VELOCITY", "RESTITUTION", "RESTITUTION_LIMIT"))
             if not is_same and self.version < _MIXES_SINCE and not contact.unknown:
-                contact.unknown = "Before 3 Nov 2022 LAMMPS gives such a pair damping velocity, with this mean as eta:"
+                contact.unknown = (
+                    "LAMMPS before 3 Nov 2022 uses damping velocity for such a pair, with this mean as eta:"
+                )
                 contact.unknown += " write a line for the pair, or give --simulator-version."
         return contact
 
@@ -827,7 +829,7 @@ class Granular(System):
             contact.zeta_factor = math.sqrt(share)
         elif name not in ("HOOKE_VELOCITY", "HERTZ_VELOCITY"):
             contact.number *= share
-        contact.notes.append("One body is neither frozen nor integrated: its mass counts in the damping.")
+        contact.notes.append("One body is not frozen, but no fix integrates it: the damping includes its mass.")
         if math.isnan(share):
             contact.unknown = contact.unknown or "The masses are not in the text."
 
@@ -848,7 +850,9 @@ class Granular(System):
         try:
             self.read_granular(contact, of, of.words, of.at)
         except Unknown as reason:
-            contact.model, contact.unknown = "", f"A value is not known here: {reason}.".replace("\1", " ")
+            contact.model, contact.unknown = "", f"The contact depends on an unknown value: {reason}.".replace(
+                "\1", " "
+            )
         return contact
 
     def read_granular(self, contact: Contact, of: Coefficient, words: Words, at: int) -> None:
@@ -858,7 +862,7 @@ class Granular(System):
             if not is_known(force + damping):
                 number(force + damping)
             if not damping:
-                contact.notes.append("Without the word damping LAMMPS uses viscoelastic.")
+                contact.notes.append("Without the keyword damping, LAMMPS uses damping viscoelastic.")
             self.set_slots(contact, words, [at + 2] if _NORMAL.get(force) and len(words) > at + 2 else [])
             contact.stiffness, contact.number = words.value(at + 1), words.value(at + 2)
         elif force == "hertz":
@@ -884,7 +888,7 @@ class Granular(System):
                 (),
                 "cor does not support limit_damping with adhesion." if is_limited else "",
             )
-            end = "; LAMMPS parts the bodies at the largest pull" if force == "jkr" else ""
+            end = "; LAMMPS separates the bodies at the largest pull" if force == "jkr" else ""
             contact.notes.append(f"eps includes the adhesion{end}.")
         contact.spring = Spring.HOOKE if force == "hooke" else Spring.HERTZ
         if of.style == "granular" and any(words.after(w, at) not in ("", "none") for w in ("rolling", "twisting")):
@@ -913,7 +917,7 @@ class Granular(System):
                 stiffness = share(stiffness, contact.stiffness)
             contact.tangential = Tangential(name, stiffness, words.value(k + 1), words.value(k + 2))
         else:
-            contact.tangential = Tangential(f"cor has no model of tangential {name} next to this spring")
+            contact.tangential = Tangential(f"cor has no model of the tangential force {name} with this normal force")
 
     def matrix(self, words: Words, at: int, one: Body, two: Body) -> Contact:
         """Returns the contact of two LIGGGHTS types from the properties. words[at]: the name of the model."""
@@ -957,7 +961,7 @@ class Granular(System):
         if slides == "off":
             contact.tangential = NO_FRICTION
         elif slides not in ("history", "no_history"):
-            contact.tangential = Tangential(f"cor has no model of tangential {slides}")
+            contact.tangential = Tangential(f"cor has no model of the tangential force {slides}")
         else:
             ratio = 0.0 if words.after("tangential_damping", at) == "off" else ratio
             mu = friction.value(places[0]) if friction else NAN
@@ -970,7 +974,7 @@ class Granular(System):
             "absolute_damping": "With 'absolute_damping on', LIGGGHTS uses gamman_abs, which cor does not read.",
         }
         if math.isnan(contact.number):
-            contact.unknown = f"A value is not known here: {name}."
+            contact.unknown = f"The contact depends on an unknown value: {name}."
         elif not is_stiff and not 0.05 < contact.number <= 1:
             contact.refused = "LIGGGHTS stops with an error: e must be above 0.05 and at most 1."
         cohesion = words.after("cohesion", at)
@@ -1076,7 +1080,7 @@ def _read(simulator: str, text: str, name: str, options: Options) -> Deck:
     system = Granular(deck, script, options)
     script.run(text, name, system)
     for (file, line), reason in script.split.items() if len(set(system.courses)) > 1 else ():
-        text = f"if: a value is not known here: {reason}; the contacts of both branches are listed."
+        text = f"if: the condition depends on an unknown value: {reason}; the contacts of both branches are listed."
         deck.remarks.append(Remark(file, line, text, False))
     deck.remarks += script.remarks.values()
     return deck

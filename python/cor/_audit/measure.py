@@ -212,7 +212,7 @@ def inside(command: List[str], folder: str, path: str, options: Options, rows: L
         message(f"{path}: left out: {text}")
     for row in rows:
         if math.isnan(row.measured_small_step) and "Not measured" not in row.advice:
-            refuse(row, reason or "no run has this contact")
+            refuse(row, reason or "this contact occurs in no run")
 
 
 def by_yade(words: List[str], folder: str, path: str, options: Options, rows: List[Row]) -> None:

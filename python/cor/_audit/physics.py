@@ -349,7 +349,7 @@ class _Audit:
     def say_surface(self, row: Row, surface: float) -> None:
         row.realised_surface = surface
         if abs(surface - row.realised) > self.options.tolerance * row.realised:
-            row.advice += f" With gravity a bounce on this wall gives {surface:.6g}, not {row.realised:.6g}."
+            row.advice += f" With gravity, eps of a bounce on this wall is {surface:.6g}, not {row.realised:.6g}."
 
     # ---- the time step ----
 
@@ -625,7 +625,7 @@ class _Audit:
             if contact.global_damping != 0 or contact.cohesion[0] or row.realised == 0 < contact.threshold:
                 continue
             if wrong and math.isnan(e):
-                row.advice = f"{row.advice} No e gives the asked eps here.".strip()
+                row.advice = f"{row.advice} No e gives the requested eps here.".strip()
             elif wrong and (contact.repair is None or not contact.slots):
                 row.advice = f"{row.advice} This contact needs e = {e:.6g}.".strip()
             elif contact.repair is not None and contact.slots and not math.isnan(e):

@@ -154,7 +154,9 @@ class _Formula:
 
     def named(self, name: str) -> float:
         if self.peek() == "[" or (self.peek() == "(" and name not in _FUNCTIONS and name != "is_defined"):
-            raise Unknown(f"{name}{self.peek()}...{']' if self.peek() == '[' else ')'}, which is known only in a run")
+            raise Unknown(
+                f"{name}{self.peek()}...{']' if self.peek() == '[' else ')'}, which has a value only during a run"
+            )
         if name.startswith("v_"):
             return number(self.world.text_of(name[2:]))
         if self.peek() != "(":
@@ -269,7 +271,7 @@ class System:
 
     def keyword(self, name: str) -> float:
         """Returns the value of a thermodynamic keyword. Raises Unknown if only a run gives it."""
-        raise Unknown(f"{name}, which is known only in a run")
+        raise Unknown(f"{name}, which has a value only during a run")
 
     def is_defined(self, category: str, name: str) -> bool:
         raise Unknown("is_defined()")
@@ -479,7 +481,7 @@ class World:
             rounds = self.rounds.setdefault(key, [])
             rounds.append(self.system.count())
             if source.name == here[0].name and at < here[1] and self.script.is_late():
-                text = "The loop takes too long to read; cor reads on after its first rounds."
+                text = "The loop takes too long to read; cor reads only its first rounds."
                 self.script.remark(words.line, text, rounds[-1] != rounds[len(rounds) // 2])
                 self.stack[-1] = here
                 return
@@ -660,7 +662,7 @@ class Script:
         try:
             return command()
         except Unknown as reason:
-            text = f"{name}: a value is not known here: {reason}".replace(_BLANK, " ").replace(_MARK, "")
+            text = f"{name}: a value is unknown: {reason}".replace(_BLANK, " ").replace(_MARK, "")
             self.remark(line, text)
         except (ArithmeticError, IndexError, ValueError):
             self.remark(line, f"{name}: its numbers are missing or out of range.")

@@ -555,7 +555,7 @@ def _mercury_tangential(c: Contact, of: str, plain: str, constants: Dict[str, st
     if re.search(rf"{species}set(Rolling|Torsion)\w+\(", plain):
         return Tangential(ROLLS)
     if c.spring is not Spring.HOOKE and c.spring is not Spring.CONTACT_TIME:
-        return Tangential("cor has no model of MercuryDPM's tangential force next to this spring")
+        return Tangential("cor has no model of MercuryDPM's tangential force with this normal force")
     if "FrictionCoefficient" not in found:
         return NO_FRICTION
     name, friction, ratios = "sliding-friction", arithmetic(found["FrictionCoefficient"]), []

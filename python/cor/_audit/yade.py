@@ -500,9 +500,7 @@ class Script:
             elif isinstance(of, Thing):
                 old = of.values.get(target.attr, value)
                 if self.is_run and target.attr in _NUMBERS and old != value:
-                    self.note(
-                        target.lineno, f"{of.name} gets another {target.attr} here; the contacts have the last one"
-                    )
+                    self.note(target.lineno, f"{of.name} changes {target.attr} here; cor uses only the last value")
                 of.values[target.attr] = UNKNOWN if self.unsure else value
                 if node is not None:
                     of.nodes[target.attr] = node
@@ -604,7 +602,7 @@ class _Reader:
         for function in functions:
             for node in ast.walk(function) if function.name not in self.script.called else []:
                 if isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store) and node.attr in _NUMBERS:
-                    text = f"the function {function.name} sets {node.attr}; what it does when YADE calls it is not read"
+                    text = f"the function {function.name} sets {node.attr}; cor does not read calls by YADE"
                     self.script.note(node.lineno, text, True)
 
     def engines(self, tree: ast.Module) -> None:
@@ -756,7 +754,7 @@ class _Reader:
             if numbers[0] >= numbers[1]:
                 c.refused = "YADE stops with an error: k1 must be below kp."
             elif any(map(math.isnan, numbers)):
-                c.unknown = "Of its material k1, kp, kc, G0 or PhiF is not a constant."
+                c.unknown = "k1, kp, kc, G0 or PhiF of its material is not a constant."
         elif functor is not None and functor.name == "Ip2_CpmMat_CpmMat_CpmPhys":
             self.set_concrete(c, functor, a, b)
         elif functor is None:
@@ -789,7 +787,7 @@ class _Reader:
             fragile = all(m and m.values.get("fragile", True) is True for m in materials)
             if new is True and fragile and "normalCohesion" in strengths and "normalCohesion" not in functor.values:
                 c.notes.append("eps holds for contacts that begin without a bond; each of them makes a bond.")
-                c.unknown = "" if c.bond >= 0 else "Of a material normalCohesion is negative, or no constant."
+                c.unknown = "" if c.bond >= 0 else "normalCohesion of a material is negative or not a constant."
             elif new is not False or not isinstance(first, (int, float)) or not 0 <= first <= 10:
                 c.unknown = "The cohesion changes eps."
             elif now is not False or "cohesion" in strengths:

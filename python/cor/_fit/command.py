@@ -90,7 +90,7 @@ def add_arguments(parser: Parser) -> None:
     add(group, "--air-density", "RHO", "density of air, kg/m^3 (default 1.204)")
     add(group, "--terminal-speed", "W", "terminal speed of the ball, m/s, instead of --drag-coefficient")
     group.add_argument("--fit-drag", action="store_true", help="fit the drag")
-    group = parser.add_argument_group("bodies, SI units; they give parameters of materials instead of g*")
+    group = parser.add_argument_group("bodies, SI units; with them the results are material parameters instead of g*")
     for name in BODIES:
         kind = float if "poisson" in name else _positive_or_infinite if name == "young_2" else positive
         text = "the same of the second body (default: as the first)" + ("; inf: rigid" if name == "young_2" else "")

@@ -91,7 +91,7 @@ class Field(NamedTuple):
         """ball: known mass, density, radius, diameter. drag: drag_coefficient, terminal_speed, fit_drag"""
         given = [name for name, value in drag.items() if value is not None and value is not False]
         if len(given) > 1:
-            raise ValueError(f"{given[1]}: not with {given[0]}; allowed: one of them")
+            raise ValueError(f"{given[1]} and {given[0]} exclude each other; give one of them")
         diameter = ball.get("diameter", 2 * ball.get("radius", math.nan))
         volume, to_coefficient = math.pi / 6 * diameter**3, math.nan
         mass = ball.get("mass", ball.get("density", math.nan) * volume)
@@ -102,7 +102,7 @@ class Field(NamedTuple):
             to_coefficient = 2 * mass * gravity / (air_density * math.pi / 4 * diameter**2)
         elif given == ["drag_coefficient"]:
             missing = "mass" if math.isnan(mass) else "diameter"
-            raise ValueError(f"{missing}: missing; drag_coefficient needs it, or give terminal_speed")
+            raise ValueError(f"drag_coefficient needs {missing}; give {missing}, or give terminal_speed instead")
         kappa = drag["drag_coefficient"] / to_coefficient if given == ["drag_coefficient"] else 0.0
         return cls(gravity, drag["terminal_speed"] ** -2 if given == ["terminal_speed"] else kappa, to_coefficient)
 

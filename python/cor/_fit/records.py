@@ -330,13 +330,13 @@ def choose_columns(table: Table) -> Tuple[str, List[str]]:
     for i, name in enumerate(table.header):
         near = None if i in used else _near_name(split[i][0], [k for k in keys if k not in named], kind)
         if near:
-            why = f"the column '{name[:SHOWN]}' is not read, but nearly has the name {near}"
+            why = f"the column '{name[:SHOWN]}' is unknown, but its name is close to {near}"
             table.refuse(line, None, f"{why}; allowed: {near}, or a different name, such as remark")
     if not kind:
         missing = "eps or speed_out_m_s" if "speed" in named else "h1_cm" if "h0" in named else "speed_m_s"
         missing = "h0_cm, or --drop-height" if "h1" in named and "h0" not in named else missing
         names = ", ".join(f"'{name[:SHOWN]}'" for name in table.header[:4])
-        why = f"no column {missing}" if named else f"{names}: no such column is read"
+        why = f"no column {missing}" if named else f"{names}: cor fit reads no such column"
         letters = [re.sub(r"\d", "", plain) for plain, _ in split]
         if not named and any(letters.count(text) > 1 for text in letters if text):
             table.refuse(line, None, f"{names}: numbered columns; allowed: one column with a row for each bounce, such "
@@ -345,7 +345,7 @@ def choose_columns(table: Table) -> Tuple[str, List[str]]:
     table.found = {key: named[key][-1] for key in ["eps", *keys] if key in named}
     if "eps" in named and kind not in ("points", "speeds"):
         other = table.header[named[needed[0]][0]]
-        why = f"not with {other}, which gives speed and eps; allowed: {other} without eps, or speed_m_s and eps"
+        why = f"{other} already gives speed and eps; allowed: {other} without eps, or speed_m_s with eps"
         table.refuse(line, "eps", why)
     units: Dict[str, str] = {}
     for unit in form.unit.split(",") if form.unit is not None else []:
@@ -359,7 +359,9 @@ def choose_columns(table: Table) -> Tuple[str, List[str]]:
             same = split[places[0]] == split[places[1]]
             what = "columns of this name" if same else f"columns of {QUANTITIES[key].names[0]}s"
             table.refuse(
-                line, key, f"the file has two {what}; allowed: one, or drops below each other and a column named run"
+                line,
+                key,
+                f"the file has two {what}; allowed: one column; put drops below each other, with a column named run",
             )
         if places:
             without = {QUANTITIES[k].dimension: 0 for k in keys if k in named and split[named[k][0]][1] is None}
@@ -384,7 +386,7 @@ def _factor(table: Table, key: str, unit: Optional[str], given: Dict[str, str], 
     if unit is not None and unit not in allowed:
         table.refuse(line, key, f"'{unit}' is not a unit of {dimension}; allowed: {', '.join(allowed)}")
     if unit is not None and option not in (None, unit):
-        table.refuse(line, key, f"--unit {option} contradicts the name; allowed: --unit {unit}, or none")
+        table.refuse(line, key, f"--unit {option} contradicts the unit in the name; allowed: --unit {unit}, or none")
     return allowed[unit or option or ""]
 
 
@@ -416,7 +418,7 @@ def _starts(ball: Ints, run: List[str]) -> Ints:
 def _refuse_gain(table: Table, key: str, eps: Floats, rows: Optional[Ints] = None) -> None:
     """Refuse the first rebound whose eps is above 1 by more than noise explains."""
     for at in np.flatnonzero(eps > MAX_FLIGHT_RATIO):
-        why = f"the rebound makes eps = {eps[at]:.4g}; allowed: eps up to 1, and by noise up to {MAX_FLIGHT_RATIO}"
+        why = f"the rebound gives eps = {eps[at]:.4g}; allowed: up to 1, or with noise up to {MAX_FLIGHT_RATIO}"
         table.refuse_row(int(at if rows is None else rows[at]), key, why)
 
 
@@ -481,16 +483,16 @@ def _times(table: Table, ball: Ints, start: Ints) -> Times:
     for k in np.flatnonzero(counts < needed):
         last = k + 1 == len(counts)
         why = f"the drop {'' if last else 'before this line '}has {counts[k]} bounce{'' if counts[k] == 1 else 's'}"
-        allowed = f"{needed[k]} or more, which give one eps"
+        allowed = f"{needed[k]} or more, because a smaller number gives no eps"
         allowed += "; 2 or more with the height of the drop, --drop-height or h0_cm" if needed[k] == 3 else ""
         at_line = table.last_line if last else int(table.line[row[start[k + 1]]])
         table.refuse(at_line, key, f"{why}; allowed: {allowed}")
     later = np.flatnonzero(inside[1:] & np.append(False, inside[1:-1]))  # flights that follow another one
     for at in later[flight[later] > MAX_FLIGHT_RATIO * flight[later - 1]]:
         why = (
-            f"a flight of {flight[at]:g} s after one of {flight[at - 1]:g} s makes eps = {flight[at] / flight[at-1]:g}"
+            f"a flight of {flight[at]:g} s after one of {flight[at - 1]:g} s gives eps = {flight[at] / flight[at-1]:g}"
         )
-        allowed = f"eps up to 1, and by noise up to {MAX_FLIGHT_RATIO}"
+        allowed = f"eps up to 1, or with noise up to {MAX_FLIGHT_RATIO}"
         table.refuse_row(row[at + 1], key, f"{why}; allowed: {allowed}")
     return Times(time, table.line[row], start, height, ball[first])
 
@@ -500,9 +502,7 @@ def _refuse_waveform(table: Table, key: str, flight: Floats) -> None:
     step = float(np.median(flight)) if len(flight) >= WAVEFORM_ROWS else np.nan
     is_rounded = step > 0 and np.unique(np.round(flight / step, 3)).size <= 3  # steps of 0.02, 0.02, 0.03 ms
     if is_rounded or np.mean(np.abs(flight - step) <= 0.1 * step) > 0.9 if len(flight) else False:
-        why = (
-            f"{len(flight)} steps of {step:.4g} s are a recorded waveform, sampled at {1 / step:.5g} Hz, and not times"
-        )
+        why = f"{len(flight)} steps of {step:.4g} s belong to a waveform sampled at {1 / step:.5g} Hz, not to times"
         allowed = "the times of its peaks, a row for each bounce, or a track with the columns time_s,height_m"
         table.refuse_row(0, key, f"{why} of bounces; allowed: {allowed}")
 
@@ -533,7 +533,7 @@ def _track(table: Table, ball: Ints, start: Ints) -> Times:
             table.refuse_row(a, "h", str(error))
         found = parts[-1]
         lines.append(table.line[a + found.row])
-        what = f"The track{f' of {run[a]}' if run else ''} has {len(found.time_s)} bounces that are resolved, from "
+        what = f"The track{f' of {run[a]}' if run else ''} has {len(found.time_s)} resolved bounces, from "
         what += f"{found.time_s[0]:.4g} s to {found.time_s[-1]:.4g} s"
         table.remarks.append(f"{what}; its flights give g = {found.gravity_m_s2:.3g} m/s^2.")
     given, first = table.form.drop_height_m, start[:-1]

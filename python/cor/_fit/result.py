@@ -146,7 +146,7 @@ class Result:
         if group.sample.has_sigma:
             errors = "weights 1/eps_sigma^2" if group.sample.is_points else "the given errors of the heights"
         elif group.sample.is_points:
-            errors = "no eps_sigma: equal weights, and the scatter gives sigma"
+            errors = "no eps_sigma: all weights are equal, and sigma follows from the scatter"
         else:
             errors = f"the scatter gives the errors of the {numbers}"
         if not group.sample.has_sigma and min(e.rms for _, e in group.comparison.fits) < NO_SCATTER:
@@ -164,7 +164,7 @@ class Result:
         if field.kappa == 0 or isinstance(self.data.record, Points):
             return ""
         known = "" if math.isnan(field.to_coefficient) else f", C_d = {field.kappa * field.to_coefficient:.3g}"
-        return f"Air: terminal speed {field.kappa**-0.5:.4g} m/s{known}; eps is without the losses in flight."
+        return f"Air: terminal speed {field.kappa**-0.5:.4g} m/s{known}; eps excludes the losses in flight."
 
     def _outlier_remarks(self, group: Group) -> List[str]:
         word = self.data.row_word.capitalize()
@@ -206,7 +206,7 @@ class Result:
         if mine.sample.scatters:
             name, unit = ("time", "s") if mine.sample.is_times else ("height", "m")
             lines.append(
-                f"sigma of a {name} {e.sigma[0]:.2g} {unit}, of eps at a bounce {e.sigma[1]:.2g}, "
+                f"sigma is {e.sigma[0]:.2g} {unit} for a {name}, and {e.sigma[1]:.2g} for eps at a bounce, "
                 f"from the residuals of {model.title}."
             )
         flat = [m.title for m, other in fits if not all(other.determined)]
@@ -400,7 +400,7 @@ def fit(
     data = source if isinstance(source, Data) else read(source, form, lambda step: tell(step, 0, 0))
     free = tuple(name for name, chosen in (("drag", fit_drag), ("gravity", fit_gravity)) if chosen)
     if free and isinstance(data.record, Points):
-        raise ValueError(f"fit_{free[0]}: {data.name} has speeds; allowed: with times of bounces, or heights")
+        raise ValueError(f"fit_{free[0]}: {data.name} contains speeds; allowed: only for times of bounces, or heights")
     setup = Setup(field, free, robust)
     groups: Dict[str, Group] = {}
     with np.errstate(all="ignore"):

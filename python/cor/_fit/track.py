@@ -10,7 +10,7 @@ from .likelihood import scipy
 
 LEAST_SAMPLES = 4  # samples of a flight
 FREE_BEND, FREE_SKEW = 8, 12  # least samples for a flight's own quadratic term, and for a cubic term (drag)
-ALLOWED = "a track of at least three bounces with heights that grow upward, 4 samples or more in each flight"
+ALLOWED = "a track of three bounces or more, heights measured upward, and 4 samples or more in each flight"
 
 
 class Bounces(NamedTuple):
@@ -43,7 +43,7 @@ def find_bounces(time: Floats, height: Floats) -> Bounces:
     if len(bend) < 3 * LEAST_SAMPLES:
         raise ValueError(f"{len(height)} samples of the height are too few; allowed: {ALLOWED}")
     if np.sum(bend > 0) > 0.7 * len(bend):
-        raise ValueError(f"the heights grow downward; allowed: {ALLOWED}")
+        raise ValueError(f"the heights increase downward, because the flights curve upward; allowed: {ALLOWED}")
     noise = 1.4826 * np.median(np.abs(bend - np.median(bend))) / np.sqrt(6)
     lowest = scipy("signal").find_peaks(-height, prominence=max(6 * noise, 0.01 * np.ptp(height)))[0]
     flights: List["np.poly1d"] = []
