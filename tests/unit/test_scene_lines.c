@@ -363,8 +363,8 @@ TEST(unlike_bodies_of_a_constant_law)
             is_near(at, e, 1e-10);
             at += strcspn(at, " \n") + 1;
         }
-        found(text_for("liggghts", NULL, &scene, 0), "They have the damping of the pair 1 2, which is right only");
-        at = found(text_for("yade", NULL, &scene, 0), "1 1, 2 2 and walls get the betan of 1 2.");
+        found(text_for("liggghts", NULL, &scene, 0), "with the damping of the pair 1 2, which is right only");
+        at = found(text_for("yade", NULL, &scene, 0), "1 1 and 2 2 and walls also use the betan of the pair 1 2.");
         for (int body = 0; body < (effect == 2 ? 1 : 2); body++) {
             at = found(at, body ? "\ncor_material_2 = FrictMat(young=" : "\ncor_material = FrictMat(young=");
             is_near(at, n[body][0], 1e-11);
