@@ -3,8 +3,8 @@
 #     yade -x -n -j1 yade.py RUN [RUN]...        or RUNs on lines of standard input; "done" ends each answer
 # Each RUN is a dict of Python. paste: the file of the text. duration: s. n: numbers of steps. Optional are wall, speed,
 # g, side (tangential speed divided by speed), radius, and material, the numbers of the two materials; collide has their
-# defaults. If g is given, eps is for the speed at which the ball returns to the wall. The script prints for each n, with
-# duration/(n + 1/2) as the time step,
+# defaults. If g is given, eps is for the speed at which the ball returns to the wall. The script prints for each n,
+# with duration/(n + 1/2) as the time step,
 #     eps PASTE N VALUE CHANGE
 # CHANGE of the velocity after the contact must be 0. SI units. The text may define before_step, commands for each step,
 # and may use `step`. Without arguments the script first prints whether this YADE has vn.
