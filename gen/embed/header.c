@@ -101,8 +101,7 @@ static void append_scene(FILE *t, const struct embed_request *request, const str
                 "at the speed v - s, eps = (eps(v - s) (v - s) - s)/v.\n",
                 middle_text(s->liquid_speed).text);
     if (s->pressed)
-        fprintf(t,
-                "A constant force holds the bodies together at speeds up to v_s = %s m/s\n(enclosed): eps = 0 there.",
+        fprintf(t, "A constant force holds the bodies together up to v_s = %s m/s (enclosed):\neps is 0 there.",
                 middle_text(s->sticking_speed).text);
     if (s->pressed && embed_number(request, EMBED_SPEED_MIN) <= s->onset)
         fprintf(t, "\nThe function returns 0 up to %.17g m/s. The exact eps at this speed is %.2g.", s->onset,
