@@ -26,7 +26,7 @@ import pytest
 import cor
 from cor._audit import command, measure, physics
 from cor._audit.clump import clump, superquadric
-from cor._audit.deck import DeckError, Options
+from cor._audit.deck import Body, Contact, Deck, DeckError, Options, Spring
 from cor._command import main
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -154,10 +154,7 @@ def test_closed_forms(audited):
                 math.isnan(e)
                 or not row["realised"]
                 or re.search("wall|facet|fixed|box", row["pair"])
-                or re.search(
-                    OTHER_THAN_E,
-                    row["advice"],
-                )
+                or re.search(OTHER_THAN_E, row["advice"])
             ):
                 continue
             fit = np.polyval([4.8218, -18.022, 27.467, -22.348, 11.087, -4.2783, 1.2728], e)
@@ -208,16 +205,8 @@ VISCOUS = (
         ("en=0.5", "en=toHP1('0.5')", "e = 0.5 realises 0.550283."),
         ("_ViscElPhys", "_MultiViscElPhys", "by Ip2_ViscElMat_ViscElMat_MultiViscElPhys."),
         ("en=0.5,(.*)Phys[(]", r"\1Phys(en=read()", "Its damping could not be read."),
-        (
-            r"Phys\(\)\],\[\]",
-            "Phys()],[Law2_ScGeom_ViscElPhys_Own()]",
-            "does not support the law Law2_ScGeom_ViscElPhys_Own.",
-        ),
-        (
-            "O.engines",
-            "O.bodies.append(tetra())\nO.engines",
-            "cor does not read the body tetra, nor judge its contacts",
-        ),
+        (r"Phys\(\)\],\[\]", "Phys()],[Law2_ScGeom_ViscElPhys_Own()]", "support the law Law2_ScGeom_ViscElPhys_Own."),
+        ("O.engines", "O.bodies.append(tetra())\nO.engines", "not read the body tetra, nor judge its contacts"),
     ],
 )
 def test_reasons(tmp_path, old, new, reason):
@@ -234,15 +223,13 @@ def test_reasons(tmp_path, old, new, reason):
         ("kratos-linear.json", "0.99", '"high"', "COEFFICIENT_OF_RESTITUTION is not a number."),
         ("kratos-linear.json", '.*RESTITUTION": 0.99,', "", "sets no contact itself"),
         ("lethe-mixer.prm", "(particles *=) 0.5", r"\1 high", "of a partner is missing, or not a number."),
-        (
-            "pfc-deform.dat",
-            "model linear",
-            "model lineardipole",
-            "does not support the dashpot of the model lineardipole",
-        ),
+        ("pfc-deform.dat", "model linear", "model lineardipole", "not support the dashpot of the model lineardipole"),
         ("mfix-cgs.mfx", "'LSD'", "'SPRING'", "cor does not support DES_COLL_MODEL = SPRING."),
         ("pfc-deform.dat", "(dp_nratio) [0-9.]+", r"\1 [high]", "dp_nratio or damp is not a number."),
         ("mercury-tutorial.cpp", "(setDissipation).0.0", r"\1(high()", "is not a literal number"),
+        ("liggghts-pull.lig", "cohesion sjkr", "limitForce on cohesion sjkr", "The cohesion changes eps."),
+        ("yade-luding.py", "kp = 5.0", "kp = 1.0", "k1 must be below kp"),
+        ("yade-luding.py", "G0=0.0", "G0=-1", "PhiF of its material is negative"),
     ],
 )
 def test_texts_for_numbers(tmp_path, deck, old, new, reason):
@@ -313,7 +300,7 @@ auto s = problem.speciesHandler.copyAndAddObject(grain);
 auto w = problem.speciesHandler.copyAndAddObject(grain);
 s->setDensity(1000);
 s->setStiffnessAndRestitutionCoefficient(1e3, 0.5, 2e-3);
-problem.speciesHandler.getMixedObject(problem.speciesHandler.getObject(0), w)
+problem.speciesHandler.getMixedObject(w, problem.speciesHandler.getObject(0))
     ->setCollisionTimeAndRestitutionCoefficient(1e-3, 0.8, 2e-3, 6e-3);
 SphericalParticle p; p.setSpecies(problem.speciesHandler.getObject(0)); p.setRadius({});
 InfiniteWall floor; floor.setSpecies(w);
@@ -372,14 +359,51 @@ def test_shapes():
     volume, radius, found = superquadric(1, 2, 3, 2, 2)
     assert (volume, radius, found[0]) == pytest.approx((8 * math.pi, 3, 2), 1e-3)
     assert superquadric(1, 1, 1, 100, 100)[0] == pytest.approx(8, 3e-2)
-    assert math.isnan(clump(tuple((k, 0, 0, 1) for k in range(500)))[0])
+    assert superquadric(1, 1, 0.1, 2, 4)[1] == pytest.approx(2**0.25, 1e-3)
+    assert clump(((0, 0, 0, 5), (1, 0, 0, 1)))[1] == pytest.approx((0, 0), abs=1e-3)  # no contact inside a sphere
+    wrong = clump(tuple((k, 0, 0, 1) for k in range(500))), clump(((0, 0, 0, 1), (3, 0, 0, 1)), (3, -1))
+    assert all(map(math.isnan, [wrong[0][0], *wrong[1][1], superquadric(1, 1, 1, 1.5, 2)[0]]))
+
+
+@pytest.mark.parametrize("adhesion", [("", 0.0), ("dmt", 0.05)])
+def test_lever(adhesion):
+    """The smallest eps of a body with the lever 1 is the eps of a sphere with half of the mass and the same damper."""
+    balls = [Body("1", (1e-3, 1e-3), mass=(m, m), lever=(k, k)) for m, k in ((2e-5, 1.0), (1e-5, 0.0))]
+    force = {"number": 0.02, "spring": Spring.HERTZ, "stiffness": 1e7, "cohesion": adhesion}
+    both = [Contact("", 1, "lammps", (b, Body("w", wall=True)), "LAMMPS_HERTZ_VELOCITY", **force) for b in balls]
+    turning, sphere = (physics.rows_of(Deck("", "lammps", [c]), Options(speeds=(0.1,)))[0] for c in both)
+    assert f"down to about {sphere.realised:.3g}." in turning.advice and sphere.realised < turning.realised - 0.02
+
+
+def test_concrete_at_a_wall():
+    """YADE: at a wall the length of CpmPhys's spring is one radius."""
+    loop = "InteractionLoop([],[Ip2_CpmMat_CpmMat_CpmPhys(cohesiveThresholdIter=1)],[Law2_ScGeom_CpmPhys_Cpm()])"
+    text = (
+        "m=CpmMat(young=3e10,density=4800)\nO.bodies.append([sphere((0,0,0),.004,material=m),wall(0,2,material=m)])\n"
+    )
+    row = physics.audit_text(f"{text}O.engines=[{loop},NewtonIntegrator(damping=0)]", "a.py", Options(speeds=(1.0,)))[
+        -1
+    ]
+    assert row.duration_s == pytest.approx(math.pi * math.sqrt(4800 * 4 / 3 * 0.004**2 / 3e10))
+
+
+@pytest.mark.parametrize("solref", ["0.02 0.3", "-10000 -40"])
+def test_constant_impedance(tmp_path, solref):
+    """MuJoCo: dmin = dmax, a linear spring, agrees with a dmin that differs little, which is integrated."""
+    found = []
+    for least in ("0.5", "0.500001"):
+        balls = f'<body><freejoint/><geom friction="0.5" solref="{solref}" solimp="{least} 0.5 0.01"/></body>' * 2
+        deck = write(tmp_path, "m.xml", f"<mujoco><worldbody>{balls}</worldbody></mujoco>")
+        found += [r["realised"] for r in json.loads(run("audit", deck, "--speed", "0.1", "--format", "json")[1])]
+    assert found[0] == pytest.approx(found[1], abs=1e-4) and 0.1 < found[0] < 0.9
 
 
 def test_off_centre(tmp_path):
     """Impacts off the centre return less than e, except without damping."""
     text = (DECKS[0].parent / "liggghts-multisphere.lig").read_text()
-    for e, status in (("0.7", 3), ("1", 0)):
-        found, out, _ = run("audit", write(tmp_path, "a.lig", text.replace("pair 1 0.7", f"pair 1 {e}")))
+    for e, density, status in (("0.7", 2500, 3), ("1", 2500, 0), ("0.7", "${unknown}", 3)):
+        made = text.replace("pair 1 0.7", f"pair 1 {e}").replace("constant 2500", f"constant {density}")
+        found, out, _ = run("audit", write(tmp_path, "a.lig", made))
         assert found == status and ("down to about 0.671" in out) == (status == 3), out
 
 

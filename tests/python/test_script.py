@@ -228,6 +228,7 @@ def test_runs_loops_and_versions():
     assert len(lammps.read_lammps(BOX + HOOKE + early + ATOMS + HOOKE, "deck", given).contacts) == 3
     stepped = ATOMS + "reset_timestep 20\n" + HOOKE.replace(" 20 ", " $(step) ")
     assert rows(stepped)[0][1].realised == rows(ATOMS + HOOKE)[0][1].realised
+    assert not rows(ATOMS + HOOKE + "fix r all rigid single\n")  # one body
     changed = ATOMS + HOOKE + "fix a all adapt 1 pair gran/hooke kn * * v_k\nfix d all dt/reset 1 1 1 1\n"
     assert "adapt" in rows(changed)[0][1].advice and "dt/reset" in rows(changed)[0][1].advice
     assert not lammps.read_lammps(ATOMS + HOOKE + split.replace("pair_style", "print"), "deck", given).remarks

@@ -19,7 +19,7 @@ def clump(spheres: Spheres, masses: Optional[Tuple[float, ...]] = None) -> Tuple
     sizes = [abs(x) for sphere in spheres for x in sphere]
     least, light = (min(values, default=0.0) for values in ([s[3] for s in spheres], masses or (1.0,)))
     moderate = 1e-30 < max(sizes, default=0.0) < 1e6 * least and 1e-30 < max(masses or (1.0,)) < 1e12 * light
-    if not (moderate and len(spheres) <= MOST and math.isfinite(sum(sizes))):
+    if not (moderate and len(spheres) <= MOST and math.isfinite(sum(sizes) + sum(masses or ()))):
         return math.nan, (math.nan, math.nan)
     points, radii = np.array(spheres, float)[:, :3], np.array(spheres, float)[:, 3]
     points = points[:, np.ptp(points, axis=0).argsort()]  # the columns of the grid are along the longest axis
@@ -33,9 +33,7 @@ def clump(spheres: Spheres, masses: Optional[Tuple[float, ...]] = None) -> Tuple
     bottom, top = (np.take_along_axis(v, order, 0) for v in (bottom, top))
     start = np.maximum(bottom, np.vstack([bottom[:1], np.maximum.accumulate(top, 0)[:-1]]))
     stop = np.maximum(top, start)
-    z0, z1, z2 = (
-        ((stop**k - start**k) / k).sum(0) for k in (1, 2, 3)
-    )  # integrals of 1, z and z^2 over each column
+    z0, z1, z2 = (((stop**k - start**k) / k).sum(0) for k in (1, 2, 3))  # integrals of 1, z, z^2 over each column
     whole = z0.sum()
     if not whole > 0:
         return math.nan, (math.nan, math.nan)
@@ -87,7 +85,6 @@ def superquadric(a: float, b: float, c: float, n: float, m: float) -> Tuple[floa
     normal = np.array([p ** (2 - 2 / n) * q ** (2 - 2 / m) / s for s, (p, q) in zip((a, b, c), parts)]).T
     arm = np.cross(point, normal / np.linalg.norm(normal, axis=1)[:, None])
     lever = float((arm**2 @ (1 / np.array([yy + zz, xx + zz, xx + yy]))).max())
-    radius = (
-        max(a, b, c) if n == m == 2 else math.hypot(max(a, b), c) if m == 2 else np.linalg.norm(point, axis=1).max()
-    )
+    radius = math.hypot(max(a, b), c) if m == 2 else np.linalg.norm(point, axis=1).max()
+    radius = max(a, b, c) if n == m == 2 else radius
     return 4 / n * a * b * c * area * height, 1.0001 * float(radius), (lever, lever)

@@ -57,13 +57,7 @@ def add_arguments(parser: Parser) -> None:
         "and MercuryDPM; for other tangential forces the column is empty, and the advice states why")  # fmt: skip
     add("--tolerance", type=positive, metavar="T", default=0.01,
         help="largest relative error of eps, and largest scatter, that count as asked (default 0.01)")  # fmt: skip
-    add(
-        "--for",
-        dest="simulator",
-        metavar="SIMULATOR",
-        default="",
-        help="simulator, if the file does not show it",
-    )
+    add("--for", dest="simulator", metavar="SIMULATOR", default="", help="simulator, if the file does not show it")
     add("--simulator-version", metavar="V", default="", help="version of the simulator, such as '29 Sep 2021' or 3.8.1")
     add("-var", "--var", nargs="+", action="append", default=[], metavar=("NAME", "VALUE"),
         help="variable of the script and its values, as for lmp; after the files")  # fmt: skip

@@ -12,8 +12,7 @@ from itertools import chain
 from typing import Any, Dict, FrozenSet, Iterator, List, Optional, Sequence, Tuple
 
 from .._cor import lib
-
-from .clump import clump, superquadric
+from .clump import MOST, clump, superquadric
 
 from .deck import (
     MAX_CONTACTS, NAN, NO_FRICTION, ROLLS, Body, Contact, Deck, Options, Remark, Repair, Spring, Tangential, Units,
@@ -497,7 +496,7 @@ class Granular(System):
         volume, at = NAN, words.find("spheres", 4) + 1
         if words[3] in ("particletemplate/multisphere", "particletemplate/multiplespheres") and at > 0:
             count, scale = words.value(words.find("nspheres", 4) + 1), 1.0
-            text = " ".join(words[at : at + (4 * int(count) if 0 < count < MAX_TYPES else 0)])
+            text = " ".join(words[at : at + (4 * int(count) if 0 < count <= MOST else 0)])
             if words[at] == "file":
                 found = self.options.include(words[at + 1], words.line.file)
                 text, scale = re.sub("#.*", "", found[0] if found else ""), words.value(at + 3)
@@ -534,11 +533,8 @@ class Granular(System):
         types = [int(type) for type, in columns.get("Types", ())] or [0] * len(spheres)
         self.molecules[words[1]] = []
         if len(spheres) == len(masses) == len(types) > 0:
-            lever = (
-                clump(tuple(tuple(s) for s in spheres), tuple(masses))[1]
-                if not re.search(r"\d\s+inertia\b", text)
-                else (NAN, NAN)
-            )
+            has_inertia = re.search(r"\d\s+inertia\b", text)
+            lever = (NAN, NAN) if has_inertia else clump(tuple(tuple(s) for s in spheres), tuple(masses))[1]
             given = re.search(r"([\d.eE+-]+)\s+mass\b", text)
             mass = number(given[1]) if given else sum(masses)
             for type in sorted(set(types)):
@@ -884,10 +880,8 @@ class Granular(System):
         contact.limited = is_limited and not has_row
         if force in ("dmt", "jkr"):
             contact.cohesion = force, 2 * words.number(at + 4)  # the work of adhesion is twice LAMMPS's number
-            contact.slots, contact.unknown = (
-                (),
-                "cor does not support limit_damping with adhesion." if is_limited else "",
-            )
+            contact.slots = ()
+            contact.unknown = "cor does not support limit_damping with adhesion." if is_limited else ""
             end = "; LAMMPS separates the bodies at the largest pull" if force == "jkr" else ""
             contact.notes.append(f"eps includes the adhesion{end}.")
         contact.spring = Spring.HOOKE if force == "hooke" else Spring.HERTZ
@@ -1003,10 +997,8 @@ class Granular(System):
             for m in (m for bodies in moving.values() for m in bodies if not m.held):
                 if words[2] in self.group_names and not any(words[2] in c.groups for c in m.cohorts):
                     continue
-                style = f"{words[3]} {words[4]}"
-                made = (
-                    self.new(words, m.body, wall, style, unknown) if unknown else self.between(of, None, m.body, wall)
-                )
+                made = self.new(words, m.body, wall, f"{words[3]} {words[4]}", unknown)
+                made = made if unknown else self.between(of, None, m.body, wall)
                 if made.cohesion[0] == "jkr":
                     made.unknown = made.unknown or "At a wall JKR of LAMMPS 29 Sep 2021 gives no finite velocity."
                 made.gravity = self.pressing(words)

@@ -94,13 +94,11 @@ def enter(row: Row, eps: float, eps_small_step: float, version: str) -> None:
         row.as_asked = None if math.isnan(row.asked) else abs(eps_small_step - row.asked) <= 0.01 * row.asked
         row.advice = f"{row.advice} Measured by {version}.".strip()
     elif abs(eps_small_step - row.realised) > TOLERANCE + abs(bias) / 10:
-        row.advice += (
-            f" {version} realises {eps_small_step:.6g} with a small step, where cor computes {row.realised:.6g}."
-        )
+        row.advice += f" {version} realises {eps_small_step:.6g} with a small step, where cor computes "
+        row.advice += f"{row.realised:.6g}."
     elif not math.isnan(row.step_bias) and abs(eps - row.realised - bias) > TOLERANCE + 4 * row.step_scatter:
-        row.advice += (
-            f" With the deck's step {version} realises {eps:.6g}, where cor computes {row.realised + bias:.6g}."
-        )
+        row.advice += f" With the deck's step {version} realises {eps:.6g}, where cor computes "
+        row.advice += f"{row.realised + bias:.6g}."
     row.advice = row.advice.strip()
 
 

@@ -169,6 +169,7 @@ class Script:
             line = self.answer(line)
         words = words_of(line)
         name = words[0] if words else ""
+        is_python = name == "variable" and words[2:3] == ["python"]
         if not words or name in UNNAMED:
             return None
         if name == "if":
@@ -186,15 +187,7 @@ class Script:
             self.collide()
             if self.sent[-1] != "run 0 post no":
                 self.keep("run 0 post no")
-        elif (
-            "$" in name
-            or "\n" in line
-            or name in LEFT_OUT
-            or name == "variable"
-            and words[2:3] == ["python"]
-            or name == "fix"
-            and writes(words)
-        ):
+        elif "$" in name or "\n" in line or name in LEFT_OUT or is_python or name == "fix" and writes(words):
             self.left_out.setdefault(" ".join(words[:1] + words[3:4] * (name == "fix")), []).append(self.number)
         elif name == "fix" and (words[3] == "multisphere" or words[3].startswith("insert/") and self.has_bodies()):
             self.bodies.append(words[1])  # LIGGGHTS cannot remove this fix; cor adds particles with the mass of a body
@@ -290,19 +283,13 @@ class Script:
         dead = [name for name, words in self.fixes.items() if not KEPT.match(words[3])]
         self.ask("delete_atoms group all", *(f"unfix {name}" for name in reversed(dead)))
         flat = any(words_of(line)[:2] == ["dimension", "2"] for line in self.sent)
-        most = max(
-            [d for c in self.todo for d in c.diameters if d > 0] + [x[1] for x in self.sizes.values()], default=0
-        )
+        given = [d for c in self.todo for d in c.diameters if d > 0]
+        most = max(given + [x[1] for x in self.sizes.values()], default=0)
         bounds = self.values(**{f"{x}{end}": x + end for x in "xyz"[: 3 - flat] for end in ("lo", "hi")})
         bounds = [x + (5 if i % 2 else -5) * most for i, x in enumerate(bounds)]
-        sides = " ".join(
-            f"{x} final {bounds[2 * i]:.17g} {bounds[2 * i + 1]:.17g}" for i, x in enumerate("xyz"[: 3 - flat])
-        )
-        self.ask(
-            f"change_box all boundary f f {'fp'[flat]} {sides} units box",
-            "thermo 1000000000",
-            "thermo_style custom step",
-        )
+        sides = [f"{x} final {low:.17g} {high:.17g}" for x, low, high in zip("xyz", bounds[::2], bounds[1::2])]
+        self.ask(f"change_box all boundary f f {'fp'[flat]} {' '.join(sides)} units box")
+        self.ask("thermo 1000000000", "thermo_style custom step")
         self.ask("neigh_modify delay 0 every 1 check yes", "atom_modify sort 0 0")
         places = {"dt": "dt", "x": "0.5*(xlo+xhi)", "y": "0.5*(ylo+yhi)", "z": "0.5*(zlo+zhi)"}
         self.dt, *self.middle = self.values(**places)

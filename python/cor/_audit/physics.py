@@ -4,7 +4,7 @@
 import contextlib
 import math
 from importlib import import_module
-from typing import Any, Dict, List, Optional, Set, Tuple
+from typing import Any, Callable, Dict, List, Optional, Set, Tuple
 
 from .._cor import ffi, lib
 from .._evaluate import string
@@ -20,11 +20,7 @@ SIMULATORS = {
     "gazebo": ("xml", "read_gazebo", ("<sdf",)),
     "lethe": ("text", "read_lethe", ("restitution coefficient particles", "subsection lagrangian physical")),
     "pfc": ("text", "read_pfc", ("dp_nratio", "contact cmat", "cmat default")),
-    "mercurydpm": (
-        "text",
-        "read_mercurydpm",
-        ("speciesHandler", "setCollisionTimeAndR", "setStiffnessAndR", "ModulusAndRestitution", "Mercury3D", "Mdouble"),
-    ),
+    "mercurydpm": ("text", "read_mercurydpm", ("speciesHandler", "AndRestitutionCoeff", "Mercury3D", "Mdouble")),
     "kratos": ("text", "read_kratos", ('"COEFFICIENT_OF_RESTITUTION"', '"DAMPING_GAMMA"', '"material_relations"')),
 }
 # Models that other versions of the simulator have in place of a model
@@ -100,16 +96,11 @@ def _is_moderate(*values: float) -> bool:
     return all(math.isnan(x) or x == 0 or 1e-48 <= x <= 1e48 for x in values)
 
 
-def _damped_pull(zeta: float, d: float) -> float:
-    """Returns eps at zero overlap of a linear dashpot, with each force against the motion multiplied by 1 + d, and each
-    force along the motion by 1 - d. On the way out the force changes its sign. Uses Runge-Kutta steps."""
-
-    def change(x: float, v: float) -> float:
-        force = x + 2 * zeta * v
-        return -force * (1 + math.copysign(d, force * v))
-
-    x, v, h = 0.0, 1.0, 1e-3 / max(1.0, zeta)
-    for _ in range(40000):
+def _rebound(change: Callable[[float, float], float], v: float, h: float, most: float = math.inf) -> float:
+    """Returns the rebound speed of an impact at the speed v: 0 if the bodies stick, NaN if the overlap exceeds `most`.
+    Uses Runge-Kutta steps of h. change: returns the acceleration at an overlap and its velocity."""
+    x = 0.0
+    for _ in range(100000):
         a1 = change(x, v)
         a2 = change(x + h / 2 * v, v + h / 2 * a1)
         a3 = change(x + h / 2 * (v + h / 2 * a1), v + h / 2 * a2)
@@ -117,8 +108,21 @@ def _damped_pull(zeta: float, d: float) -> float:
         y, w = x + h * (v + h / 6 * (a1 + a2 + a3)), v + h / 6 * (a1 + 2 * a2 + 2 * a3 + a4)
         if y <= 0:
             return -(v + (w - v) * x / (x - y))
+        if w > 0 > v or y > most:  # the bodies turn inward again, or pass each other
+            return 0.0 if y <= most else NAN
         x, v = y, w
     return 0.0
+
+
+def _damped_pull(zeta: float, d: float) -> float:
+    """Returns eps at zero overlap of a linear dashpot, with each force against the motion multiplied by 1 + d, and each
+    force along the motion by 1 - d. On the way out the force changes its sign."""
+
+    def change(x: float, v: float) -> float:
+        force = x + 2 * zeta * v
+        return -force * (1 + math.copysign(d, force * v))
+
+    return _rebound(change, 1.0, 1e-3 / max(1.0, zeta))
 
 
 class _Audit:
@@ -151,6 +155,7 @@ class _Audit:
         if damping != 0 and ratio != 1:
             exponents = scene.law.damping + scene.law.denominator, scene.law.elastic + scene.law.denominator
             damping *= ratio ** (1 - exponents[0] / exponents[1])
+            scene.mass_kg /= ratio
         row.damping = damping
         if not 0 <= damping < math.inf or (math.isnan(speed) and not constant and damping != 0):
             return int(end)
@@ -176,9 +181,8 @@ class _Audit:
                 row.advice += f" eps is 0 up to the threshold, {contact.threshold:.6g} m/s."
             return int(end)
         impact, eps = ffi.new("struct cor_scene_impact *"), ffi.new("double *")
-        if (
-            lib.cor_scene_needs_solver(scene) and not contact.cohesion[0]
-        ):  # libcor integrates only under a force: set a negligible one
+        if lib.cor_scene_needs_solver(scene) and not contact.cohesion[0]:
+            # libcor integrates only under a force: set a negligible one
             scene.force_n = 1e-13 * scene.mass_kg * at / lib.cor_scene_elastic_duration_s(scene, at)
         if lib.cor_scene_impact(impact, scene, at) == lib.COR_OK:
             row.realised = impact.eps[end]
@@ -251,18 +255,7 @@ class _Audit:
             return NAN
         if key not in self.needed:
             h = lib.cor_scene_elastic_duration_s(scene, speed) / 1000
-            x, v, eps = 0.0, speed, 0.0
-            for _ in range(100000):
-                a1 = force(x, v)
-                a2 = force(x + h / 2 * v, v + h / 2 * a1)
-                a3 = force(x + h / 2 * (v + h / 2 * a1), v + h / 2 * a2)
-                a4 = force(x + h * (v + h / 2 * a2), v + h * a3)
-                y, w = x + h * (v + h / 6 * (a1 + a2 + a3)), v + h / 6 * (a1 + 2 * a2 + 2 * a3 + a4)
-                if y <= 0 or w > 0 > v or y > ri:  # they part, stick after turning inward, or pass each other
-                    eps = -(v + (w - v) * x / (x - y)) / speed if y <= 0 else 0.0 if y <= ri else NAN
-                    break
-                x, v = y, w
-            self.needed[key] = eps
+            self.needed[key] = _rebound(force, speed, h, ri) / speed
         return self.needed[key]
 
     def luding(self, contact: Contact, mass: float, speed: float, size: int) -> float:
@@ -277,6 +270,7 @@ class _Audit:
         self.cohesive_left -= key not in self.needed
         if key not in self.needed and self.cohesive_left >= 0:
             h, x, v, most, free, eps = math.pi * math.sqrt(mass / kp) / 5000, 0.0, speed, 0.0, 0.0, NAN
+            h = min(h, mass / viscosity / 100) if viscosity > 0 else h
             for _ in range(200000):
                 k2 = kp if most >= limit else k1 + (kp - k1) * most / limit
                 if x > most:
@@ -284,9 +278,8 @@ class _Audit:
                 force = k2 * (x - free)
                 if force >= k1 * x and x < limit:
                     force = k1 * x
-                elif force <= -kc * x and v < 0:
+                elif force <= -kc * x:
                     force, most = -kc * x, x * (k2 + kc) / (k2 - k1)
-                    free = min((1 - k1 / k2) * most, most_free)
                 force += viscosity * v
                 w = v - h * force / mass * (1 + math.copysign(contact.global_damping, force * v))
                 x += h * w
@@ -357,10 +350,8 @@ class _Audit:
         key = (scene.stiffness, scene.mass_kg, scene.damping, scene.law.elastic, scene.law.damping, at, end, steps)
         if key not in self.errors:
             error = ffi.new("struct cor_step_error *")
-            if (
-                cost > self.steps_left
-                or lib.cor_scene_step_error(error, scene, at, end, steps, integrator) != lib.COR_OK
-            ):
+            call = error, scene, at, end, steps, integrator
+            if cost > self.steps_left or lib.cor_scene_step_error(*call) != lib.COR_OK:
                 return None
             self.steps_left -= cost
             self.options.progress("errors of time steps")
@@ -463,12 +454,11 @@ class _Audit:
         except ArithmeticError:
             row.advice += " A number of this contact is out of range."
             return row
+        numbers = scene.mass_kg, scene.stiffness, scene.radius_m, speed, contact.number, contact.cohesion[1]
         if not self.has_version(model):
             row.advice += f" {self.deck.simulator} {self.options.version} does not have this model."
             row.end = string(lib.cor_end_names[model.end])
-        elif not _is_moderate(
-            scene.mass_kg, scene.stiffness, scene.radius_m, speed, contact.number, contact.cohesion[1]
-        ):
+        elif not _is_moderate(*numbers):
             row.advice += " A number of this contact is negative, or out of the range from 1e-48 to 1e48."
         elif contact.refused:
             row.advice = f"{row.advice} {contact.refused}"
@@ -504,12 +494,8 @@ class _Audit:
         else:
             row.judged = True
             self.add_step(row, contact, scene, speed, end)
-            if (
-                not math.isnan(speed)
-                and scene.stiffness > 0
-                and contact.spring is not Spring.PER_MASS
-                and lib.cor_scene_speed_exponent(scene) != 0
-            ):
+            depends = lib.cor_scene_speed_exponent(scene) != 0 and contact.spring is not Spring.PER_MASS
+            if depends and not math.isnan(speed) and scene.stiffness > 0:
                 row.advice += " " + string(model.advice)
         if row.judged and least is not None and row.damping != 0:
             row.advice += " This eps holds for impacts through the centre of mass. Impacts off the centre return less"
@@ -569,9 +555,8 @@ class _Audit:
         bodies = tuple(self.completed(b, units) for b in contact.bodies)
         contact.bodies = bodies[0], bodies[1]
         one_size = all(_same(*b.radius) and (b.mass is None or _same(*b.mass)) for b in bodies)
-        speeds = (
-            options.speeds or tuple(dict.fromkeys(v * units.length_m / units.time_s for v in contact.speeds)) or (NAN,)
-        )
+        own = dict.fromkeys(v * units.length_m / units.time_s for v in contact.speeds)
+        speeds = options.speeds or tuple(own) or (NAN,)
         return [
             self.row(contact, size, "" if one_size else _SIZES[size], speed)
             for size in range(1 if one_size else 2)
@@ -649,12 +634,8 @@ class _Audit:
             if any(len(values) > 1 for values in wanted.values()):
                 row.advice += f" This contact needs e = {e:.6g}, but contacts that share this number need another e."
                 continue
-            row.instead, row.instead_file, row.instead_line, row.instead_last = (
-                text,
-                repair.file,
-                repair.line,
-                repair.last_line,
-            )
+            row.instead, row.instead_file = text, repair.file
+            row.instead_line, row.instead_last = repair.line, repair.last_line
 
 
 def _same(x: float, y: float) -> bool:

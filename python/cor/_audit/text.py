@@ -18,7 +18,7 @@ from .deck import (
 from .yade import Script, number_of
 
 Slot = Tuple[int, int]
-MAX_TEXT = 1 << 20
+MAX_TEXT, MAX_MIXED = 1 << 20, 1000  # largest size; most pairs of species of MercuryDPM without an own line
 
 
 def arithmetic(text: str) -> float:
@@ -145,15 +145,14 @@ def _kratos_contact(source: Source, bodies: List[Body], values: Dict[str, Any], 
 def _namelist(text: str) -> Iterator[Tuple[str, int, List[Tuple[str, int, int]]]]:
     """Yields each keyword in upper case, its first index, and its values with their places. Lists may span lines."""
     comment = re.compile(r"""('[^'\n]*'|"[^"\n]*")|[!#][^\n]*""")
+    word = re.compile(r"""(?:\d+\*)?(?:'[^'\n]*'|"[^"\n]*"|@\([^\n]*?\)(?=[\s,]|$)|[^\s,]+)""")
     text = comment.sub(lambda m: m[1] or " " * len(m[0]), text)
     keys = list(re.finditer(r"([A-Za-z_]\w*)[ \t]*(\([^)\n]*\))?[ \t]*=(?!=)", text))
     stops = [key.start() for key in keys[1:]] + [len(text)]
     for key, stop in zip(keys, stops):
         index = re.match(r"\(\s*(\d+)", key[2] or "(1")
         values = []
-        for m in re.compile(r"""(?:\d+\*)?(?:'[^'\n]*'|"[^"\n]*"|@\([^\n]*?\)(?=[\s,]|$)|[^\s,]+)""").finditer(
-            text, key.end(), stop
-        ):
+        for m in word.finditer(text, key.end(), stop):
             times, star, value = m[0].partition("*") if re.match(r"\d+\*", m[0]) else ("1", "", m[0])
             span = (m.start(), m.end()) if not star else (-1, -1)
             values += [(value, *span)] * min(int(times), 5000)
@@ -190,20 +189,16 @@ def read_mfix(text: str, name: str, options: Options) -> Deck:
         deck.remarks.append(Remark(name, 1, "phases of the two-fluid model and of PIC have no contacts", False))
     bodies = []
     for m in phases:
-        size = number("D_P0", m) / 2
-        bodies.append(
-            Body(str(m), (size, size), number("RO_S0", m), None, number("E_YOUNG", m), number("V_POISSON", m))
-        )
-    held = [word("DES_RIGID_MOTION", m).strip(".")[:1] == "T" for m in phases]
-    bodies = [replace(b, held=True) if still else b for b, still in zip(bodies, held)]
+        held, size = word("DES_RIGID_MOTION", m).strip(".")[:1] == "T", number("D_P0", m) / 2
+        elastic = number("E_YOUNG", m), number("V_POISSON", m)
+        bodies.append(Body(str(m), (size, size), number("RO_S0", m), None, *elastic, held=held))
     wall = Body("wall", young=number("EW_YOUNG"), poisson=number("VW_POISSON"), wall=True)
     pairs = [(a, b) for i, a in enumerate(bodies) for b in bodies[i:]]
     pairs += [(a, wall) for a in bodies]
     inputs = [("DES_EN_INPUT", k + 1) for k in range(len(pairs) - len(bodies))]
     inputs += [("DES_EN_WALL_INPUT", k + 1) for k in range(len(bodies))]
-    gravity = math.sqrt(sum(number(f"GRAVITY_{x}", 1, 0) ** 2 for x in "XYZ")) or number(
-        "GRAVITY", 1, 9.80665 / unit[0]
-    )
+    gravity = math.sqrt(sum(number(f"GRAVITY_{x}", 1, 0) ** 2 for x in "XYZ"))
+    gravity = gravity or number("GRAVITY", 1, 9.80665 / unit[0])
     adams = word("DES_INTG_METHOD").startswith("ADAMS")
     for (a, b), (key, index) in zip(pairs, inputs):
         if index not in given.get(key, {}):
@@ -274,12 +269,8 @@ def read_lethe(text: str, name: str, options: Options) -> Deck:
             del inside[-1:]
         else:
             key, _, value = m[2].partition("=")
-            at = m.end() - len(value.lstrip())
-            values[inside[-1] if inside else "", " ".join(key.split()).lower()] = (
-                value.strip(),
-                at,
-                at + len(value.strip()),
-            )
+            value, at = value.strip(), m.end() - len(value.lstrip())
+            values[inside[-1] if inside else "", " ".join(key.split()).lower()] = value, at, at + len(value)
 
     def found(section: str, key: str) -> Tuple[str, int, int]:
         return values.get((section, key), ("", 0, 0))
@@ -291,32 +282,21 @@ def read_lethe(text: str, name: str, options: Options) -> Deck:
         size = arithmetic(found(section, "diameter")[0] or found(section, "average diameter")[0]) / 2
         keys = ("density particles", "young modulus particles", "poisson ratio particles")
         density, young, poisson = (arithmetic(found(section, key)[0]) for key in keys)
-        bodies.append(
-            (
-                section,
-                Body(str(k), (size, size), density, None, young, poisson),
-                found(section, "restitution coefficient particles"),
-            )
-        )
+        body = Body(str(k), (size, size), density, None, young, poisson)
+        bodies.append((section, body, found(section, "restitution coefficient particles")))
     young, poisson = (arithmetic(found(wall, f"{key} wall")[0]) for key in ("young modulus", "poisson ratio"))
-    pairs = [(a, b) for i, a in enumerate(bodies) for b in bodies[i:]]
-    pairs += [
-        (a, (wall, Body("wall", young=young, poisson=poisson, wall=True), found(wall, "restitution coefficient wall")))
-        for a in bodies
-    ]
+    body = Body("wall", young=young, poisson=poisson, wall=True)
+    floor = wall, body, found(wall, "restitution coefficient wall")
+    pairs = [(a, b) for i, a in enumerate(bodies) for b in bodies[i:]] + [(a, floor) for a in bodies]
     forces = {k: v[0] for (_, k), v in values.items() if k.endswith("contact force method")}
-    g = (
-        [arithmetic(v) for v in found(wall, "g")[0].split(",")]
-        if found(wall, "g")[0]
-        else [arithmetic(found(wall, k)[0] or "0") for k in ("gx", "gy", "gz")]
-    )
+    parts = [found(wall, k)[0] or "0" for k in ("gx", "gy", "gz")]
+    g = [arithmetic(v) for v in (found(wall, "g")[0].split(",") if found(wall, "g")[0] else parts)]
     for a, b in pairs:
         one, two = arithmetic(a[2][0]), arithmetic(b[2][0])
         c = Contact(name, source.line(b[2][1]), "lethe", (a[1], b[1]), "LETHE_RESTITUTION")
         c.number = one if a is b else 2 * one * two / (one + two) if one + two > 0 else NAN  # the harmonic mean
-        force = forces.get(
-            f"particle {'wall' if b[1].wall else 'particle'} contact force method", "hertz_mindlin_limit_overlap"
-        )
+        method = f"particle {'wall' if b[1].wall else 'particle'} contact force method"
+        force = forces.get(method, "hertz_mindlin_limit_overlap")
         force = re.sub("^p[pw]_", "", force)  # names before 2022
         c.spring = Spring.NONE if force in ("linear", "nonlinear") else Spring.MATERIAL
         c.gravity = math.sqrt(sum(x * x for x in g)) if b[1].wall else NAN
@@ -432,14 +412,8 @@ def read_mercurydpm(text: str, name: str, options: Options) -> Deck:
             given = values[mass : mass + 2] if mass is not None else []
             half, other = ((given[k], given[k]) if given else None for k in (0, -1))
             b = Body("wall", mass=other, wall=True) if wall else Body(m[1], mass=other)
-            c = Contact(
-                name,
-                source.line(at),
-                "mercurydpm",
-                (Body(m[1], mass=half), b),
-                model,
-                number=values[k] if k < len(values) else NAN,
-            )
+            c = Contact(name, source.line(at), "mercurydpm", (Body(m[1], mass=half), b), model)
+            c.number = values[k] if k < len(values) else NAN
             time = m[2].startswith("setCollisionTime")
             c.spring = Spring.NONE if stiffness is None else Spring.CONTACT_TIME if time else Spring.HOOKE
             c.stiffness = NAN if stiffness is None else values[stiffness]
@@ -504,9 +478,11 @@ def _mercury_species(deck: Deck, plain: str, alias: Dict[str, str], constants: D
         has = []  # a species whose bodies are not known
     of_walls, of_particles = ({s for body, s in has if body not in x} for x in (particles - walls, walls - particles))
 
+    calls = re.findall(r"\b(\w+)\s*(?:->|\.)\s*set(Radius|Density)\(([^;]*)\)\s*;", plain)
+
     def mass_of(species: str) -> float:
-        calls = rf"\b(?:{'|'.join([species] + [b for b, s in has if s == species])})\s*(?:->|\.)\s*set"
-        radii, densities = (set(re.findall(rf"{calls}{key}\(([^;]*)\)\s*;", plain)) for key in ("Radius", "Density"))
+        own = {species, *(b for b, s in has if s == species)}
+        radii, densities = ({t for of, k, t in calls if k == key and of in own} for key in ("Radius", "Density"))
         if len(radii) != 1 or len(densities) != 1 or re.search(r"InsertionBoundary|PSD|Mercury2D|Dimensions\(2", plain):
             return NAN
         radius, density = (arithmetic(constants.get(t.strip(), t)) for t in (*radii, *densities))
@@ -522,11 +498,11 @@ def _mercury_species(deck: Deck, plain: str, alias: Dict[str, str], constants: D
             c.unknown = f"cor does not support the species {kind}." if kind else "The class of the species is not read."
         elif kind.startswith("Hertzian") and c.model != "MERCURYDPM_HERTZIAN":
             c.unknown = "cor does not support this setter of a Hertzian species."
+        ball = two if wall and one not in of_particles and two in of_particles else one
         if is_mixed:
-            c.bodies = replace(c.bodies[0], name=one), replace(c.bodies[1], name="wall" if wall else two)
+            c.bodies = replace(c.bodies[0], name=ball), replace(c.bodies[1], name="wall" if wall else two)
         meant = [b.mass[0] for b in c.bodies if b.mass]
         c.bodies = c.bodies[0], replace(c.bodies[1], mass=None) if wall else c.bodies[1]
-        ball = one if one in of_particles or not wall else two
         masses = [mass_of(ball), math.inf if wall else mass_of(two)]
         if len(meant) == 2 and not any(map(math.isnan, masses)):
             mass, moving = meant[0] * meant[1] / sum(meant), 1 / sum(1 / x for x in masses)
@@ -541,7 +517,7 @@ def _mercury_species(deck: Deck, plain: str, alias: Dict[str, str], constants: D
         if not (of_particles and seen) or any(p in of_particles and q in seen for p, q in ((one, two), (two, one))):
             kept.append(c)
     deck.contacts = kept
-    for p, q in sorted((p, q) for p in of_particles for q in of_particles | of_walls):
+    for p, q in sorted((p, q) for p in of_particles for q in of_particles | of_walls)[:MAX_MIXED]:
         if (p, q) not in pairs and p in kinds and q in kinds and not (q in of_particles and q < p):
             text = f"the contact of {p} and {q} has means of both species, which cor does not compute"
             deck.remarks.append(Remark(deck.file, 1, text))
@@ -583,11 +559,8 @@ def _mercury_dashpot(
     b = Body(m[1], (radius, radius), density, disc)
     bodies = b, Body("wall", wall=True) if wall else b
     c = Contact(source.name, source.line(m.start()), "mercurydpm", bodies, "LAMMPS_HOOKE_VELOCITY", spring=Spring.HOOKE)
-    c.style, c.number, c.stiffness = (
-        "LinearViscoelastic, setDissipation",
-        given(m[2], m[1]),
-        given("setStiffness", m[1]),
-    )
+    c.style, c.number = "LinearViscoelastic, setDissipation", given(m[2], m[1])
+    c.stiffness = given("setStiffness", m[1])
     c.time_step = arithmetic(constants.get(step[1].strip(), step[1])) if step else NAN
     if math.isnan(c.stiffness) or math.isnan(c.number):
         c.unknown = "The stiffness or dissipation of this species is not a literal number."

@@ -75,19 +75,7 @@ class _Geom:
 
 class _Model:
     SOLREF, SOLIMP = [0.02, 1.0], [0.9, 0.95, 0.001, 0.5, 2.0]
-    NUMBERS = (
-        "solref",
-        "solimp",
-        "solmix",
-        "priority",
-        "condim",
-        "contype",
-        "conaffinity",
-        "size",
-        "mass",
-        "density",
-        "friction",
-    )
+    NUMBERS = "solref solimp solmix priority condim contype conaffinity size mass density friction".split()
 
     def __init__(self, name: str, options: Options) -> None:
         self.deck, self.options = Deck(name, "mujoco"), options
@@ -142,7 +130,7 @@ class _Model:
             if (
                 len(suffix) < 8
                 and child.tag in ("replicate", "composite")
-                and child.get("count", "1")[:2].strip() != "1"
+                and set(child.get("count", "1").split()) - {"1"}
             ):
                 copies = [suffix + "0", suffix + "1"]
             if child.tag == "geom":
@@ -221,10 +209,8 @@ class _Model:
                     self.contact(one, two, None)
 
     def can_meet(self, one: _Geom, two: _Geom) -> bool:
-        types = [
-            [int(g.number(key, 1) if 0 <= g.number(key, 1) < 2**31 else 1) for key in ("contype", "conaffinity")]
-            for g in (one, two)
-        ]
+        masks = [[g.number(key, 1) for key in ("contype", "conaffinity")] for g in (one, two)]
+        types = [[int(x if 0 <= x < 2**31 else 1) for x in pair] for pair in masks]
         if not (types[0][0] & types[1][1] or types[1][0] & types[0][1]):
             return False
         if "1" in one.suffix + two.suffix and not "" < one.suffix < two.suffix:
@@ -249,18 +235,15 @@ class _Model:
         total = sum(m for m in mixes if m >= 1e-15)
         share = mixes[0] / total if min(mixes) >= 1e-15 else 0.5 if max(mixes) < 1e-15 else float(mixes[0] >= 1e-15)
         share = 1.0 if priority > 0 else 0.0 if priority < 0 else share
-        refs, imps = (
-            [g.vector(k, s) for g in (one, two)] for k, s in (("solref", self.SOLREF), ("solimp", self.SOLIMP))
-        )
+        refs = [g.vector("solref", self.SOLREF) for g in (one, two)]
+        imps = [g.vector("solimp", self.SOLIMP) for g in (one, two)]
         if share in (0.0, 1.0) or (refs[0][0] > 0 and refs[1][0] > 0):
             ref = [share * a + (1 - share) * b for a, b in zip(*refs)]
         else:
             ref = list(map(min, *refs))
         imp = [share * a + (1 - share) * b for a, b in zip(*imps)]
-        condim, friction = (
-            max(x) if priority == 0 else x[priority < 0]
-            for x in ([g.number(key, default) for g in (one, two)] for key, default in (("condim", 3), ("friction", 1)))
-        )
+        both = [[g.number(key, start) for g in (one, two)] for key, start in (("condim", 3), ("friction", 1))]
+        condim, friction = (max(x) if priority == 0 else x[priority < 0] for x in both)
         if pair is not None:
             ref, imp, condim = pair.vector("solref", ref), pair.vector("solimp", imp), pair.number("condim", condim)
             friction = pair.number("friction", friction)
@@ -300,9 +283,8 @@ class _Model:
             c.stiffness = (1 / (ref[0] * ref[1])) ** 2 if 1e-24 < ref[0] * ref[1] < 1e24 else NAN
         else:
             c.model, c.number, c.stiffness = "MUJOCO_STIFFNESS", -ref[1], -ref[0]
-        c.solimp = tuple(
-            [min(max(d, 1e-4), 0.9999) for d in imp[:2]] + [max(imp[2], 1e-15), min(max(imp[3], 1e-4), 0.9999), imp[4]]
-        )
+        low, high, middle = (min(max(d, 1e-4), 0.9999) for d in (*imp[:2], imp[3]))
+        c.solimp = low, high, max(imp[2], 1e-15), middle, imp[4]
         impratio = next(iter(_numbers(self.option.get("impratio"))), 1.0)
         if condim > 1 and self.option.get("cone") != "elliptic" and impratio > 0:
             c.softness = friction**2 * (1 + friction**2) / impratio / (condim - 1)
@@ -314,9 +296,8 @@ class _Model:
             c.stiffness, c.softness = c.stiffness * scale, 1.0
             c.number *= scale if c.model == "MUJOCO_STIFFNESS" else math.sqrt(scale)
         else:
-            c.notes.append(
-                "dmin and dmax of solimp differ: stiffness and damping depend on the overlap, and eps on the speed."
-            )
+            text = "dmin and dmax of solimp differ: stiffness and damping depend on the overlap, and eps on the speed."
+            c.notes.append(text)
         if any(map(math.isnan, imp)) or imp[4] < 1:
             c.unknown = "The solimp of this contact could not be read."
         elif not (0 <= c.number < 1e24 and 1e-48 < c.stiffness < 1e48):
@@ -345,20 +326,14 @@ def read_gazebo(text: str, name: str, options: Options) -> Deck:
             e = next(iter(_numbers(bounce.findtext("restitution_coefficient"))), 0.0) if bounce is not None else 0.0
             least = next(iter(_numbers(bounce.findtext("threshold"))), 1e5) if bounce is not None else 1e5
             line = int((collision if bounce is None else bounce).get(" line", 0))
-            mask = re.fullmatch(
-                r"\s*(0x[0-9a-fA-F]+|\d+)\s*", collision.findtext("surface/contact/collide_bitmask") or ""
-            )
+            given = collision.findtext("surface/contact/collide_bitmask") or ""
+            mask = re.fullmatch(r"\s*(0x[0-9a-fA-F]+|\d+)\s*", given)
             bits = int(mask[1], 0 if "x" in mask[1] else 10) if mask else 0xFFFF
             found.append((f"{model.get('name', '')}/{collision.get('name', '')}", static, line, e, least, bits))
     for i, one in enumerate(found):
         for two in found[i + 1 :]:
-            if (
-                one[1]
-                and two[1]
-                or not one[5] & two[5]
-                or len(deck.contacts) >= MAX_PAIRS
-                or one[0].split("/")[0] == two[0].split("/")[0]
-            ):
+            apart = one[1] and two[1] or not one[5] & two[5] or one[0].split("/")[0] == two[0].split("/")[0]
+            if apart or len(deck.contacts) >= MAX_PAIRS:
                 continue
             a, b = sorted((Body(x[0], wall=x[1]) for x in (one, two)), key=lambda body: body.wall)
             c = Contact(name, max(one[2], two[2]), "gazebo", (a, b), "GAZEBO_BOUNCE", pair=f"{one[0]}-{two[0]}")

@@ -16,8 +16,6 @@ from .deck import (
 )  # fmt: skip
 
 MAX_TEXT, MAX_STEPS, MAX_ITEMS, MAX_CALLS = 1 << 22, 300000, 20000, 30
-
-
 UNKNOWN: Any = object()  # a value that is not a constant
 _OPERATORS: Dict[Any, Callable[..., Any]] = {
     ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv,
@@ -245,9 +243,8 @@ class Script:
             material = self.material(thing.values.get("material", -1))
             self.bodies.append(Spheres("sphere", material, (NAN, NAN), fixed=thing.values.get("fixed") is True))
             self.note(node.lineno, "the radii of a packing are not read")
-        is_body = any(
-            isinstance(x, Spheres) for x in thing.arguments
-        )  # add a body even if it is not certain that this line runs
+        # a body counts even if it is not certain that this line runs
+        is_body = any(isinstance(x, Spheres) for x in thing.arguments)
         if isinstance(of, list) and name in ("append", "extend", "insert") and (is_body or not self.unsure):
             of.extend(thing.arguments[-1] if name == "extend" else thing.arguments[-1:])
             return None
@@ -753,8 +750,8 @@ class _Reader:
             c.notes.append("eps includes plastic overlap, adhesion and all damping, but no error of the time step.")
             if numbers[0] >= numbers[1]:
                 c.refused = "YADE stops with an error: k1 must be below kp."
-            elif any(map(math.isnan, numbers)):
-                c.unknown = "k1, kp, kc, G0 or PhiF of its material is not a constant."
+            elif not all(n >= 0 for n in numbers):
+                c.unknown = "k1, kp, kc, G0 or PhiF of its material is negative, or not a constant."
         elif functor is not None and functor.name == "Ip2_CpmMat_CpmMat_CpmPhys":
             self.set_concrete(c, functor, a, b)
         elif functor is None:
