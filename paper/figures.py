@@ -581,7 +581,8 @@ def rigid_wall():
 
     def miss(nu, speeds, limit=limit_of):
         """Returns the largest distance of the extrapolations from the limit, its speed, and its percentage of the
-        limit. Also returns how many distances exceed the sum of both uncertainties, and of how many."""
+        limit. Also returns how many distances exceed the sum of both uncertainties, and the number of
+        distances."""
         walls = [hard_wall(nu, v) for v in speeds]
         limits = [limit(nu, v) for v in speeds]
         off = [one.one_minus_eps2 - wall.one_minus_eps2 for one, wall in zip(limits, walls)]

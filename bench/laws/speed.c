@@ -196,7 +196,7 @@ typedef long double exact_function(long double x);
 
 enum { SCALAR = -1, MAX_JOBS = 128 };
 
-/* Replaces the library's function, so that array functions use the instruction set of the measured line. */
+/* Replaces the library's function. Array functions then use the instruction set `array_set`. */
 static int array_set;
 int cor_array_set(void)
 {

@@ -22,7 +22,7 @@ static const double least_beta = 0.3, most_beta = 1.9;
 static double x[COUNT], y[COUNT];
 static float xf[COUNT], yf[COUNT];
 
-/* Replaces the library's function, so that array functions use the instruction set of the measured line. */
+/* Replaces the library's function. Array functions then use the instruction set `array_set`. */
 static int array_set;
 int cor_array_set(void)
 {

@@ -32,8 +32,8 @@ static bool falls_apart(const struct cor_exponents *law)
     return n > 0 && m != 0 && m != n;
 }
 
-/* Returns an exponent of beta minus interpolant_tail_power. fall: the exponent is from the factor of the coefficient
- * `fall`, otherwise from the factor of the sum over mu^i u^j. */
+/* Returns an exponent of beta minus interpolant_tail_power. fall: true for the factor of the coefficient `fall`, false
+ * for the factor of the sum over mu^i u^j. */
 static struct ratio far_excess(const struct cor_exponents *law, bool fall)
 {
     const struct ratio a = law_elastic(law), b = law_damping(law),

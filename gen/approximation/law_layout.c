@@ -162,8 +162,8 @@ static int is_fallen(bool *fallen, const struct cor_exponents *law, const arb_t 
     return status;
 }
 
-/* For q > 0, finds the beta above which eps is v_f beta^(-1/q) to double precision. Tries 8, then a grid of eighths of
- * an octave of ln(beta), at most to last_log. Sets h* = v_f^q. */
+/* For q > 0, finds the beta above which eps is v_f beta^(-1/q) to double precision. Tries beta = 8 first. Then raises
+ * u = ln(beta) up to last_log, with 8 steps in each octave of u. Sets h* = v_f^q. */
 static int find_fall(double *h_star, struct law_layout *layout)
 {
     const struct cor_exponents *law = &layout->interpolant.law;
@@ -333,7 +333,7 @@ int law_layout_init(struct law_layout *layout, const struct cor_exponents *law)
         radius = layout->threshold;
     layout->near_end = exp2(floor(log2(fmin(radius, 1))) - (double)NEAR_OCTAVES);
     make_intervals(layout);
-    /* eps of linear laws falls faster, so they get more samples, which are quick to compute */
+    /* eps of linear laws falls faster, so they need more samples, which are quick to compute */
     for (int i = 0; i < 2 && law_is_linear(law); i++)
         law_layout_refine(layout);
     make_tables(layout);

@@ -58,9 +58,9 @@ static slong reached_bits(const arb_poly_t f, slong order)
     return reached;
 }
 
-/* Bits and terms of the first attempt, fitted with a margin to the needs of the sphere for orders up to 100 and 300
- * bits. A term adds (a+1) log2 R bits, where R is law_elastic_radius; for the sphere these are 5/2 bits. Only the
- * computing time depends on this choice. */
+/* Bits and terms of the first attempt. They are fitted, with a margin, to the needs of the sphere for at most 300 bits
+ * and order 100. A term adds (a+1) log2 R bits, where R is law_elastic_radius; for the sphere these are 5/2 bits. Only
+ * the computing time depends on this choice. */
 struct start {
     slong prec, terms;
 };

@@ -210,7 +210,7 @@ int output_open(struct output *out, const char *path)
 
 /* ---- committing ---- */
 
-/* Closes an output that is written directly; otherwise completes its bytes in memory. */
+/* Closes an output that is written directly. Completes the bytes of an output in memory. */
 static int output_complete(struct output *out)
 {
     errno = 0;

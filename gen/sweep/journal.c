@@ -89,8 +89,8 @@ static bool read_line(struct journal *journal, char **line)
     return end && end == *line + n - 1;
 }
 
-/* Reads a row, cuts off its check and continues *check. Returns false at the end of the file or if the row is wrong.
- * Sets *damaged to true if a complete line has the wrong check. */
+/* Reads a row and cuts off its checksum. Updates *check by a correct row. Returns false at the end of the file or if
+ * the row is wrong. Sets *damaged to true if a complete line has the wrong checksum. */
 static bool read_row(struct journal *journal, char **line, uint32_t *check, bool *damaged)
 {
     char expected[16];

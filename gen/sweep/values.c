@@ -51,7 +51,7 @@ static int value_read(fmpq_t x, const struct values_rule *rule, const char *text
     return STATUS_OK;
 }
 
-/* Computes x = A + i (B - A)/n; if `geometric` is true, x = A (B/A)^(i/n). Rounds x in a list of whole numbers. */
+/* Computes x = A + i (B - A)/n; if `geometric` is true, x = A (B/A)^(i/n). Rounds x if rule->whole. */
 static void value_between(fmpq_t x, const struct values_rule *rule, bool geometric, const fmpq_t a, const fmpq_t b,
                           slong i, slong n)
 {
@@ -81,8 +81,8 @@ static int values_add_stepped(struct values *values, const struct values_rule *r
     LOCAL(fmpq, step, x);
     if (step_text[1] == '-' || !value_read_number(step, step_text + 1) || fmpq_is_zero(step) ||
         (rule->whole && !fmpz_is_one(fmpq_denref(step))))
-        return usage_error("--%s: the step of '%s' is not + or - followed by a %snumber above 0; %s", rule->option,
-                           text, rule->whole ? "whole " : "", ranges_are);
+        return usage_error("--%s: the step of '%s' must be + or -, then a %snumber above 0; %s", rule->option, text,
+                           rule->whole ? "whole " : "", ranges_are);
     if (*step_text == '-')
         fmpq_neg(step, step);
     fmpq_sub(x, b, a);

@@ -22,7 +22,7 @@
 struct generated {
     const char *name;
     int (*write)(FILE *file);
-    const char *poisson; /* table of modes: Poisson's ratio, and `write` is NULL; otherwise NULL */
+    const char *poisson; /* Poisson's ratio of a table of modes, whose `write` is NULL; NULL for other files */
 };
 
 static const struct generated files[] = {

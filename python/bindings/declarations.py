@@ -105,7 +105,7 @@ class Declarations:
         self.constants: Dict[str, Constant] = {}
         self.objects: Dict[str, Object] = {}
         self.types: List[str] = []  # structs and enums as C text, in order
-        self.modules: Dict[str, str] = {}  # header -> name of the header in cor.h that includes it, or its own
+        self.modules: Dict[str, str] = {}  # header -> stem of the header in cor.h through which it is read
         self._include = include
         self._read("cor.h", "version")
 

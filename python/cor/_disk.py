@@ -251,8 +251,8 @@ class _Detail:
     """Optional results of one collision, filled by the function that receives this object.
 
     energy_after, energy_average   arrays with one element for each mode
-    observe                        is called at every step with a record (the moment) and the arrays q and q_dot of
-                                   the amplitudes. Copy the arrays to store them. An exception from observe is raised
+    observe                        is called at every step with a record of the motion and the arrays q and q_dot
+                                   of the amplitudes. Copy the arrays to store them. An exception from observe is raised
                                    after the collision.
     """
 

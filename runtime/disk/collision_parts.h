@@ -30,8 +30,8 @@ struct cor_rim {
     const double *by_term;  /* [(k / COR_PANEL) points + j][k % COR_PANEL] = cos(k phi_j) */
 };
 
-/* Arrays over n have blocks times COR_LANES elements. Arrays over terms have at least two elements more. Arrays over
- * angles have `points` elements. */
+/* Arrays over n have rim->blocks * COR_LANES elements. Arrays over terms have rim->terms elements, at least two more.
+ * Arrays over angles have `points` elements. */
 struct cor_collision_loops {
     /* For each mode of n: adds c force_c[n] + s force_s[n] to p, and turns (q, p) by the angle with the given cosine
      * and sine. Sets sum_c[n] and sum_s[n] to the sums of c q and s q. */

@@ -176,9 +176,9 @@ double cor_collision_step_error(const struct cor_motion *m, const struct cor_col
     return m->alpha * m->speed < COR_TUNING_HARD ? error : fmax(error, blows_error(evidence, round_off));
 }
 
-/* The harmonics of the pressure decrease exponentially. With phi angles the harmonic 4 phi - k aliases k; the worst
- * case is the largest k. With half the angles the harmonic 2 phi aliases the load. The change of the load measures the
- * decay. */
+/* The harmonics of the pressure decrease exponentially. If the number of angles is phi, the harmonic 4 phi - k
+ * aliases k; the worst case is the largest k. With half the angles the harmonic 2 phi aliases the load. The change of
+ * the load measures the decay. */
 double cor_collision_quadrature_error(const struct cor_motion *m, const struct cor_collision_run *run)
 {
     const double power = 2 - 0.5 * (double)m->size.n_max / (double)m->phi;

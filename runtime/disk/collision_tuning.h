@@ -15,18 +15,18 @@ enum {
 
 /* Largest omega_max h. Derived: below pi/2, no sum of two frequencies resonates with the kicks. */
 #define COR_TUNING_MAX_TURN 1.0
-/* Largest alpha v h, by which the pressure's exponent rises in a step at first contact. Chosen. */
+/* Largest alpha v h, by which the pressure's exponent rises in a step at first contact (chosen). */
 #define COR_TUNING_MAX_RISE 0.8
 /* Largest h^2 alpha a, where a is the rim's acceleration. If it is exceeded, the run is repeated with a smaller step.
- * Derived: above 12 the softened pressure of (15.1) is negative. Chosen: a quarter of that. */
+ * Above 12 the softened pressure of (15.1) is negative (derived); 3 is a quarter of that (chosen). */
 #define COR_TUNING_MAX_STIFFNESS 3.0
 /* Runs with a larger tolerance start with the largest allowed step. Runs with a smaller tolerance start with a smaller
- * step, so that four or five runs suffice. Chosen. */
+ * step, so that four or five runs suffice (chosen). */
 #define COR_TUNING_EASY_TOLERANCE 1e-8
-/* Largest number of times that the first step is cut; 12 cuts divide it by 2^6. Chosen. */
+/* Largest number of times that the first step is cut; 12 cuts divide it by 2^6 (chosen). */
 #define COR_TUNING_MAX_CUTS 12
 
-/* Smallest number of angles in the quadrant. Chosen. */
+/* Smallest number of angles in the quadrant (chosen). */
 #define COR_TUNING_LEAST_PHI 16.0
 /* The first run has alpha^(2/3) (PHI_PER_DIGIT digits - PHI_OFFSET) (v/0.1)^p + PHI_PER_N n_max angles. digits is
  * -log10 of the tolerance. p is PHI_SLOW below v = 0.1 and PHI_FAST above. alpha^(-2/3) is the width of the contact's
@@ -35,12 +35,12 @@ enum {
 #define COR_TUNING_PHI_OFFSET 0.05
 #define COR_TUNING_PHI_SLOW 0.25
 #define COR_TUNING_PHI_FAST 0.6
-/* Derived: with phi angles the harmonic 4 phi - n of the pressure aliases n; see cor_collision_quadrature_error. */
+/* Derived: for a number phi of angles the harmonic 4 phi - n aliases n; see cor_collision_quadrature_error. */
 #define COR_TUNING_PHI_PER_N 0.25
-/* Largest number of angles, divided by the number in the first run at COR_DISK_COLLISION_MAX_SPEED. Chosen. */
+/* Largest number of angles, divided by the number in the first run at COR_DISK_COLLISION_MAX_SPEED (chosen). */
 #define COR_TUNING_PHI_LIMIT 2.5
 
-/* Steps between two scans of all angles. Steps between scans evaluate the window only. Chosen. */
+/* Steps between two scans of all angles. Steps between scans evaluate the window only (chosen). */
 #define COR_TUNING_SCAN_INTERVAL 8
 /* Between full scans, only angles whose pressure exceeds this fraction of the peak are evaluated. Chosen: during the
  * contact no pressure grows by 10^12 relative to the peak between two scans. */
@@ -50,30 +50,30 @@ enum {
 #define COR_TUNING_WINDOW_MISSED 1e-14
 
 /* At the first and the last moment, the wall's energy relative to the disk's is COR_TUNING_WALL_LEFT times the smaller
- * of the tolerance and COR_TUNING_WALL_TOLERANCE. Chosen: see COR_TUNING_WALL_IN_EPS. */
+ * of the tolerance and COR_TUNING_WALL_TOLERANCE (chosen; COR_TUNING_WALL_IN_EPS states the effect). */
 #define COR_TUNING_WALL_LEFT 1e-6
 #define COR_TUNING_WALL_TOLERANCE 1e-4
-/* Loads of the wall below this fraction of the load at the first and the last moment are neglected. Chosen. */
+/* Loads of the wall below this fraction of the load at the first and the last moment are neglected (chosen). */
 #define COR_TUNING_NO_LOAD 1e-3
-/* Load at which a contact begins and ends, relative to the largest load. Derived: from the definition in cor/disk.h. */
+/* Load at which a contact begins and ends, relative to the largest load (derived: the definition in cor/disk.h). */
 #define COR_TUNING_CONTACT_LOAD 1e-3
 
-/* Ratio of error to movement after two runs, which give no ratio of movements. Fitted. */
+/* Ratio of error to movement after two runs, which give no ratio of movements (fitted). */
 #define COR_TUNING_TWO_RUNS 2.0
-/* Lower bounds on the assumed ratio of successive movements, after three runs and later. Fitted. */
+/* Lower bounds on the assumed ratio of successive movements, after three runs and later (fitted). */
 #define COR_TUNING_THIRD_RATIO 0.4
 #define COR_TUNING_LATER_RATIO 0.25
-/* Lower bound on a movement, relative to the one before it. Fitted. */
+/* Lower bound on a movement, relative to the one before it (fitted). */
 #define COR_TUNING_LEAST_MOVEMENT 0.01
 /* NO_CONVERGENCE: above this ratio the runs do not converge. Derived: the geometric series then doubles its first term.
- * SCATTER: the error of such runs divided by the larger of the last two movements. Fitted. */
+ * SCATTER: the error of such runs divided by the larger of the last two movements (fitted). */
 #define COR_TUNING_NO_CONVERGENCE 0.5
 #define COR_TUNING_SCATTER 4.0
-/* If alpha v is at least this number, the wall counts as hard: runs may agree by chance (docs/theory-disks.md, 15).
- * Fitted. */
+/* If alpha v is at least this number, the wall counts as hard: runs may agree by chance (docs/theory-disks.md, 15;
+ * fitted). */
 #define COR_TUNING_HARD 24.0
 /* At a hard wall the error after two runs is at least HARD_TWO_RUNS times the movement. Later it is at least
- * HARD_MOVEMENT times the last movement less round-off, and HARD_BEFORE times the previous movement. Fitted. */
+ * HARD_MOVEMENT times the last movement less round-off, and HARD_BEFORE times the previous movement (fitted). */
 #define COR_TUNING_HARD_TWO_RUNS 20.0
 #define COR_TUNING_HARD_MOVEMENT 1.5
 #define COR_TUNING_HARD_BEFORE 0.02
@@ -95,7 +95,7 @@ enum {
 /* If the measured fraction is larger than this, more angles are used. Chosen: a third allows for movements that are
  * small by chance. */
 #define COR_TUNING_ANGLES_WANTED 0.3
-/* Smallest growth of the number of angles if they are too few. Chosen. */
+/* Smallest growth of the number of angles if they are too few (chosen). */
 #define COR_TUNING_LEAST_GROWTH 0.25
 
 /* Relative change of v that measures the amplification of errors. Derived: the change is 2^13 ulp, so round-off is
@@ -105,10 +105,10 @@ enum {
  * Fitted: 1e-3 in calm collisions, 1e-6 near chaos. */
 #define COR_TUNING_LEAST_SENSITIVITY 1e-7
 /* Factors in the error of eps due to round-off (cor_collision_other_errors). The random walk grows like sqrt(steps).
- * The steady drift grows like the steps, because a rounded rotation repeats its error in every step. Fitted. */
+ * The steady drift grows like the steps, because a rounded rotation repeats its error in every step (fitted). */
 #define COR_TUNING_RANDOM_WALK 3.0
 #define COR_TUNING_STEADY_DRIFT 0.5
-/* Error of eps divided by the neglected energy of the wall and by 1 + amplification. Fitted. */
+/* Error of eps divided by the neglected energy of the wall and by 1 + amplification (fitted). */
 #define COR_TUNING_WALL_IN_EPS 4.0
 
 /* The call gives up after COR_TUNING_PATIENCE runs if the last movement exceeds COR_TUNING_HOPELESS times the movement

@@ -68,7 +68,7 @@ double cor_mode_total(const struct cor_mode_material *material, double omega);
 double cor_mode_upper_end(const struct cor_mode_material *material, size_t count);
 
 /* Computes every mode below omega, by increasing frequency, into *mode, which it allocates. The caller frees *mode,
- * even after a failure. Two modes that doubles cannot separate may get the same frequency. All loops give the same
+ * even after a failure. Two modes that doubles cannot separate may have the same frequency. All loops give the same
  * bits. Returns COR_OK, COR_ERROR_MEMORY, or COR_ERROR_MODES if more modes are found than were counted. */
 int cor_mode_find(const struct cor_mode_material *material, const struct cor_mode_loops *loops, double omega,
                   struct cor_disk_mode **mode, size_t *found);

@@ -111,11 +111,11 @@ static void kernel_move(struct cor_mode_wave *restrict wave, const struct cor_mo
     }
 }
 
-/* Computes the frequency equation and its first two derivatives with respect to ln omega^2. With p = z d/dz, p h = -N k
- * and p d = -z h/(4N), if h, d and k have the factor kappa^-N. The number of roots is the number of negative
- * eigenvalues of the rim's 2 x 2 stiffness matrix, free minus clamped, plus the zeros of both Bessel functions, (11.3).
- * Up to positive factors, the clamped matrix has the determinant D = x y - n^2 and a diagonal element -y/D. The free
- * matrix has F/D and -P/D, where F is the left side of the equation and P = y + D/g. */
+/* Computes the frequency equation and its first two derivatives with respect to ln omega^2 (of x: x1 and x2). If h, d
+ * and k have the factor kappa^-N, then h1 = -N k and d1 = -z h/(4N). The number of roots is neg(free) - neg(clamped)
+ * plus the zeros of both Bessel functions, (11.3). neg: negative eigenvalues of the rim's 2 x 2 stiffness matrix. Up to
+ * positive factors, the clamped matrix has the determinant D = x y - n^2 and a diagonal element -y/D. The free matrix
+ * has F/D and -P/D, where F is the left side of the equation and P = y + D/g. */
 static void kernel_equation(struct cor_mode_point *restrict point, const struct cor_mode_material *restrict material)
 {
     const double e = material->e, s = material->s;

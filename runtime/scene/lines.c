@@ -228,7 +228,7 @@ struct block {
     char reason[SENTENCE];     /* why the model has no numbers, or no corrected numbers */
 };
 
-/* Returns the type from which this type gets its elasticity: the type named `made_of`, or itself if `made_of` is NULL.
+/* Returns the type whose elasticity this type has: the type named `made_of`, or itself if `made_of` is NULL.
  * Returns the number of types if the name is unknown. */
 static size_t source_of(const struct cor_simulator_request *request, size_t type)
 {

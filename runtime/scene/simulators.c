@@ -1031,7 +1031,7 @@ static double exact_damping(const struct cor_simulator_model *model, const struc
     const int end = (int)model->end, has_end = end == COR_END_ZERO_OVERLAP || end == COR_END_ZERO_FORCE;
     const int pressed = cor_scene_given(target->scene, COR_SCENE_GRAVITY) &&
                         (!same_law || cor_scene_given(target->scene, COR_SCENE_AT));
-    /* If eps was given without an end, the model gets this eps at its own end. */
+    /* If eps was given without an end, the model has this eps at its own end. */
     const int own_end = given && target->scene->end == COR_BOTH_ENDS && !pressed;
     if (model->law == COR_LAW_IMPULSE || (!same_law && !pressed) || (constant && own_end))
         return cor_law_damping(model->law, model->end, target->eps);

@@ -13,14 +13,14 @@
 /* Kinds of tables. `near`, `middle` and `below` are the parts of a table, each with rows on a grid or by octaves. */
 enum cor_row_kind {
     COR_ROW_NONE,         /* no rows: the value is x */
-    COR_ROW_GRID,         /* near: on the grid of x */
-    COR_ROW_ROOT,         /* near: on the grid of sqrt(x) */
+    COR_ROW_GRID,         /* `near` is on the grid of x */
+    COR_ROW_ROOT,         /* `near` is on the grid of sqrt(x) */
     COR_ROW_ROOT_S,       /* as COR_ROW_ROOT, with s = x - node^2 in rows whose node is at least near_end */
     COR_ROW_OCTAVES,      /* middle: by octaves of x */
-    COR_ROW_INVERSE,      /* near: on the grid of 1 - x for x >= 1/2; middle: by octaves of x < 1/2 */
+    COR_ROW_INVERSE,      /* x >= 1/2: `near`, on the grid of 1 - x. x < 1/2: `middle`, by octaves of x */
     COR_ROW_INVERSE_ROOT, /* as COR_ROW_INVERSE, with the grid of sqrt(1 - x) */
-    COR_ROW_PARTS         /* near: on the grid of x up to near_end; middle: by octaves of x up to middle_end; below: by
-                           * octaves of threshold - x. `near` and `below` may be missing: NULL. */
+    COR_ROW_PARTS         /* `near` is on the grid of x up to near_end, `middle` by octaves of x up to middle_end, and
+                           * `below` by octaves of threshold - x. `near` and `below` may be missing: NULL. */
 };
 
 /* The value of a row. SUM: c_0 + row. PRODUCT: m (c_0 + row), where m is x for grids and the near part, 1 - x for the

@@ -18,7 +18,7 @@
 #include "tests/proof/errors.h"
 #include "ulp.h"
 
-/* The error of pow that the proofs of corgen embed allow, in ulp: SLACK = 1e-13 in gen/embed/proof.c */
+/* Error of pow, in ulp, that the proofs of gen/embed/proof.c allow: SLACK = 1e-13 there */
 #define POW_ULP 450
 
 struct row {

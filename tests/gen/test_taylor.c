@@ -58,7 +58,7 @@ TEST(test_remainder)
         }
 }
 
-/* For one term of the linear oscillator (w = sigma, v = 1), no bound is closer to the omitted part, 1 - cos(h). */
+/* One term of the linear oscillator is w = sigma, v = 1. The part omitted from v, 1 - cos(h), is below the bound. */
 TEST(test_one_term)
 {
     const struct cor_exponents law = law_of("1", "0");

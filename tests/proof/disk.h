@@ -337,7 +337,7 @@ struct law_formula {
     const char *name;
     Real (*law)(Real x, Real nu, enum cor_disk_datum datum);
     enum quantity quantity;
-    bool inverse; /* t is t(q), otherwise q */
+    bool inverse; /* true: t is t(q); false: t is q */
     int multiple; /* q is this multiple of the logarithm */
     formula *of;
     const struct cor_logarithm *constant; /* the a of a leading logarithm ln(a/x), or NULL */

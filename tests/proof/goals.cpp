@@ -398,7 +398,7 @@ struct gappa {
         expect(fits(id, at, names), pattern);
     }
 
-    /* Like match(), but keeps only the `known` names; other names may get another operation than before. */
+    /* Like match(), but keeps only the `known` names. Other names may mean another operation than before. */
     void match_anew(term id, const char *pattern, std::initializer_list<std::pair<std::string, term>> known)
     {
         gappa other;
@@ -417,7 +417,7 @@ struct gappa {
         done[id] = true;
     }
 
-    /* Replaces an operation by any double of `interval`, which is also its exact value. */
+    /* Replaces an operation by any double of `interval`. The exact value of the operation is the same double. */
     void cut(const char *name, const std::string &interval)
     {
         give(names.at(name), "= rnd(cut" + std::to_string(names.at(name)) + ")", "same");
@@ -429,7 +429,7 @@ struct gappa {
         cut(name, interval);
     }
 
-    /* Replaces an operation by any double in an interval, or any real number there, rounded to the nearest double. */
+    /* Replaces an operation by any double of an interval. If `real`: by any real number there, rounded to a double. */
     void variable_in(term id, interval x, bool real = false)
     {
         const std::string v = "v" + std::to_string(id);

@@ -329,7 +329,7 @@ def test_species(tmp_path, kind, radius, wanted):
 
 
 def test_masks_of_gazebo(tmp_path):
-    """Two collisions whose masks have no common bit never touch."""
+    """Two shapes whose masks have no common bit never touch."""
     box = '<model name="m{0}"><link><collision name="c"><surface><contact><collide_bitmask>{0}</collide_bitmask>'
     box += "</contact></surface></collision></link></model>"
     world = "".join(box.format(bits) for bits in ("0x01", "2", "0x3"))

@@ -43,7 +43,7 @@ double draw_size(struct bit_source *source, double low, double high)
     return fmin(fmax(ldexp(uniform(source, 0.5, 1), exponent), low), high);
 }
 
-/* Returns the double with these bits, or a quiet NaN, because any use of a signalling NaN raises FE_INVALID. */
+/* Returns the double with these bits. Replaces any NaN by a quiet one, because a signalling NaN raises FE_INVALID. */
 static double of_bits(uint64_t x)
 {
     double value;

@@ -8,7 +8,7 @@
 
 #include "runtime/disk/collision_parts.h"
 
-/* A disk with n modes of nu = 0.33 and phi angles, in a workspace that the next stage frees */
+/* A disk of nu = 0.33 in a workspace that the next stage_begin() frees */
 struct stage {
     struct cor_motion m;
     struct cor_collision_state now;

@@ -18,7 +18,7 @@
 #include <xmmintrin.h>
 #endif
 
-/* Adds the functions of generated/cor_sphere.h, which are not in the lists of the library. The inverses get eps. */
+/* Adds the functions of generated/cor_sphere.h, which are not in the library's lists. Inverses are called with eps. */
 #define INLINE_FUNCTION(name)                                                                                          \
     static void inline_##name(const struct arguments *a, struct results *r)                                            \
     {                                                                                                                  \

@@ -372,7 +372,7 @@ TEST(unlike_bodies_of_a_constant_law)
             is_near(found(at, "density="), n[body][3], 1e-11);
         }
         check(effect != 2 || !strstr(at, "cor_material_2"), "one material for two radii");
-        /* a simulator that has only one E gets the E that gives the stiffness of the pair */
+        /* if a simulator has only one E, its E gives the stiffness of the pair */
         const struct cor_sphere_contact c = pair_of(n[0], n[1], 0);
         scene.law = cor_law_exponents[COR_LAW_VISCOELASTIC];
         scene_give(scene, {COR_SCENE_ZETA, NAN}, {COR_SCENE_G_STAR, 1});
@@ -551,7 +551,7 @@ TEST(speeds_in_any_order)
         const char *const at = found(text_for("mfix", NULL, &scene, low), "realises eps = ");
         is_near(at, eps, 1e-5);
         is_near(found(at, " at "), low, 1e-5);
-        /* a simulator with only linear springs gets a spring of equal duration, 2.943275 (5m/(4K))^(2/5) g^(-1/5) */
+        /* a simulator with only linear springs has a spring of equal duration, 2.943275 (5m/(4K))^(2/5) g^(-1/5) */
         const char *const spring = found(text_for("mujoco", NULL, &scene, low), " solref=\"-");
         const double duration = 2.9432750 * pow(1.25 * contact.mass_kg / contact.stiffness, 0.4) * pow(low, -0.2);
         is_near(spring, PI * PI / (duration * duration), 1e-6);
@@ -591,7 +591,7 @@ TEST(a_ball_that_falls)
         at_number = found(text_for(host[kind], NULL, &scene, other), number[kind]);
         is_near(kind < 2 ? strchr(at_number, ' ') : at_number, value, 1e-9);
     }
-    /* A simulator without the law gets the damping at which its own law has this eps under gravity. */
+    /* The damping for a simulator without the law: its own law has this eps under gravity. */
     struct cor_scene scene = bodies(COR_LAW_VISCOELASTIC, -1);
     scene.end = COR_END_ZERO_OVERLAP;
     scene_give(scene, {COR_SCENE_GRAVITY, 200}, {COR_SCENE_RESTITUTION, 0.7}, {COR_SCENE_AT, 0.5});

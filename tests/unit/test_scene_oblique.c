@@ -27,7 +27,7 @@ static int remembers_force(const struct reference *r)
     return r->memory == COR_REMEMBERS_FORCE || r->memory == COR_REMEMBERS_FORCE_RESCALED;
 }
 
-/* A rescaled memory shrinks like x^(1/2) during unloading. Returns the power of u, d/2; otherwise 0. */
+/* A rescaled memory shrinks like x^(1/2) = u^(d/2) during unloading. Returns d/2, or 0 if it does not shrink. */
 static int shrinks(const struct reference *r)
 {
     const int rescaled = r->memory == COR_REMEMBERS_DISPLACEMENT_RESCALED || r->memory == COR_REMEMBERS_FORCE_RESCALED;
@@ -67,7 +67,7 @@ static long double excess(const long double *y, const struct reference *r)
         r->in_cap && r->gamma > 0
             ? r->gamma * (power(y[0], b - m) * v * y[2] * b / d - power(y[0], b + d - m) * r->side * cap * f)
             : 0;
-    const long double share = (remembers_force(r) ? 0 : r->p) + shrinks(r); /* d times d ln(spring_per_z)/d ln(x) */
+    const long double share = (remembers_force(r) ? 0 : r->p) + shrinks(r); /* exponent of u in spring_per_z */
     if (r->memory == COR_REMEMBERS_NOTHING)
         return -held(y, r);
     return r->side * r->kappa * power(y[0], r->p + d - m) * y[2] - rise + r->side * of_damper +

@@ -49,7 +49,7 @@ _KNOWN = _BY_MASS + _BY_ROOT + ("HOOKE_VELOCITY", "HERTZ_VELOCITY")
 _MIXES_SINCE = 20221103  # earlier, LAMMPS uses damping velocity for every mixed pair
 _MODELS = ("hertz", "hooke", "hertz/stiffness", "hooke/stiffness")  # models of LIGGGHTS
 _OLD_MODEL = re.compile(r"gran/(hertz|hooke)(/history|/incremental)?(/energy)?(/stiffness)?")  # before version 3
-# Tangential models whose stiffness follows the contact radius. For each old pair style, the model with its force.
+# _TANGENTIAL: tangential models whose stiffness follows the contact radius. _OLD: old pair style -> tangential model
 _TANGENTIAL = ("mindlin", "mindlin/force", "mindlin_rescale", "mindlin_rescale/force")
 _OLD = {"hooke": "linear_nohistory", "hooke/history": "linear_history", "hertz/history": "mindlin"}
 _MIXED = "LAMMPS mixes the tangential forces of two types"

@@ -488,7 +488,7 @@ class World:
             self.label = words[2]
 
     def branch(self, words: Words) -> None:
-        """Executes the first true branch of `if`. Each earlier branch with an unknown condition gets its own world."""
+        """Executes the first true branch of `if`. Each earlier branch with an unknown condition has its own world."""
         marks = [1] + [i for i in range(2, len(words)) if words[i] in ("elif", "else")] + [len(words)]
         branches: List[List[str]] = []
         unknown, is_true = "", False

@@ -220,7 +220,7 @@ def read_mfix(text: str, name: str, options: Options) -> Deck:
         elif not hertz and word("DES_COLL_MODEL") not in ("", "LSD"):
             c.unknown = f"cor does not support DES_COLL_MODEL = {word('DES_COLL_MODEL')}."
         elif math.isnan(c.number):
-            c.unknown = "The number of this contact could not be read."
+            c.unknown = f"{key}({index}) could not be read."
         masses = [x.radius[0] ** 3 * x.density for x in (a, b)]
         if a.held != b.held and not b.wall:
             c.zeta_factor = math.sqrt(masses[a.held is False] / sum(masses))

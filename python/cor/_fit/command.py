@@ -60,7 +60,7 @@ def add_arguments(parser: Parser) -> None:
         group.add_argument(name, metavar=metavar, type=kind, help=help)
 
     group = parser.add_argument_group("reading")
-    add(group, "--unit", "U", f"units of columns without a unit, such as cm,ms: {', '.join(UNIT_NAMES)}", str)
+    add(group, "--unit", "U", f"units if the names have none, such as cm,ms; allowed: {', '.join(UNIT_NAMES)}", str)
     add(group, "--drop-height", "H", "height at which every drop begins, m")
     add(
         group,

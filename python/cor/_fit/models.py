@@ -103,7 +103,7 @@ def _adhesive(dry: Curve) -> Curve:
 
 
 def _wet(dry: Curve) -> Curve:
-    """Return the curve if a liquid reduces the speed by s = exp(theta_1) on each way: (eps(v - s) (v - s) - s)/v."""
+    """Return the curve with a speed s = exp(theta_1) lost to a liquid on each way: (eps(v - s) (v - s) - s)/v."""
 
     def eps(theta: Any, x: Floats) -> Any:
         ratio = np.exp(theta[1] - x)

@@ -106,7 +106,7 @@ def _is_near(a: str, b: str) -> bool:
 
 
 class Table:
-    """Columns of cells, with their places for messages."""
+    """Columns of cells. Messages name the file, the line and the column of a cell."""
 
     def __init__(self, name: str, word: str, form: Form) -> None:
         self.name, self.word, self.form = name, word, form

@@ -387,8 +387,8 @@ def numbers(results, logs):
 
 
 def comparisons(results, logs):
-    """Returns a sentence for each lattice that has gases with two time steps. It compares them at the ends of their
-    common stages."""
+    """Returns a sentence for each lattice that has gases with two time steps. The sentence compares these gases at
+    the ends of their common stages."""
     text = ""
     for (fine, fine_log), (coarse, log) in itertools.permutations(zip(results, logs), 2):
         if coarse.lattice != fine.lattice or coarse.steps >= fine.steps:
