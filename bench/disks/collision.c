@@ -91,7 +91,7 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Writes the rows "median" and "slowest", and how many scenes reached the tolerance at all, and in 2 s. */
+/* Writes the rows "median" and "slowest", and how many scenes reach the tolerance: in any time, and in 2 s. */
 static void rigid_wall(struct disk_bench *bench, double tolerance)
 {
     enum { SCENES = 60, FEW = 6 };

@@ -25,8 +25,8 @@ struct disk_bench {
 void disk_rayleigh(struct disk_bench *bench);
 void disk_collision(struct disk_bench *bench);
 
-/* A line of disks.csv, which is also printed. NaN and 0 modes become empty fields. Errors of collisions are absolute
- * errors of eps; all others are relative. */
+/* A line of disks.csv. The program also prints it. NaN and 0 modes become empty fields. Errors of collisions are
+ * absolute errors of eps; all others are relative. */
 struct disk_row {
     const char *table, *method;
     double speed, setting; /* setting: a tolerance, the points of a panel, or alpha */

@@ -153,8 +153,8 @@ extern const char help_contact[];
 /* Chooses a subcommand from a table that ends with NULL, and runs it. Returns the exit status. */
 int subcommand_run(const struct subcommand *const *table, const char *version, int argc, char **argv);
 
-/* Prints corgen --help: the subcommands grouped by the user's task, and the terms of all help texts. Omits a subcommand
- * that is not in the table, with its example. */
+/* Prints corgen --help: the subcommands grouped by the user's task, and the terms of all help texts. Omits the
+ * subcommands that are not in the table, and their examples. */
 void overview_print(const struct subcommand *const *table, FILE *file);
 
 /* Writes the script of completions for a shell, bash or zsh, from the tables of subcommands and options. Returns false

@@ -332,7 +332,7 @@ bool taylor_choose_step(struct taylor *y)
     return proved;
 }
 
-/* Computes components that are formulas of the enclosed w and v. A power of w with the factor 0 gets the exponent 0. */
+/* Computes components that are formulas of the enclosed w and v. A power of w with the factor 0 has the exponent 0. */
 static void formula_value(arb_t value, const struct taylor *y, enum taylor_component component, const arb_t w,
                           const arb_t v, slong prec)
 {
