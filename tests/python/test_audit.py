@@ -17,7 +17,7 @@ import shutil
 import subprocess
 import sys
 import time
-from contextlib import redirect_stderr, redirect_stdout
+from contextlib import redirect_stderr, redirect_stdout, suppress
 from pathlib import Path
 
 import numpy as np
@@ -228,6 +228,7 @@ def test_reasons(tmp_path, old, new, reason):
         ("pfc-deform.dat", "(dp_nratio) [0-9.]+", r"\1 [high]", "dp_nratio or damp is not a number."),
         ("mercury-tutorial.cpp", "(setDissipation).0.0", r"\1(high()", "is not a literal number"),
         ("liggghts-pull.lig", "cohesion sjkr", "limitForce on cohesion sjkr", "The cohesion changes eps."),
+        ("yade-concrete.py", "Iter=1", "Iter=-1", "The cohesion changes eps."),
         ("yade-luding.py", "kp = 5.0", "kp = 1.0", "k1 must be below kp"),
         ("yade-luding.py", "G0=0.0", "G0=-1", "PhiF of its material is negative"),
     ],
@@ -387,12 +388,30 @@ def test_concrete_at_a_wall():
     assert row.duration_s == pytest.approx(math.pi * math.sqrt(4800 * 4 / 3 * 0.004**2 / 3e10))
 
 
-@pytest.mark.parametrize("solref", ["0.02 0.3", "-10000 -40"])
-def test_constant_impedance(tmp_path, solref):
+def test_composite(tmp_path):
+    """MuJoCo: the copies of a composite move, and meet each other."""
+    geom = '<composite type="particle" count="1 5 1" spacing="1"><geom name="g" solref="-1000 -10"/></composite>'
+    deck = write(tmp_path, "m.xml", f"<mujoco><worldbody>{geom}</worldbody></mujoco>")
+    assert [row["pair"] for row in json.loads(run("audit", deck, "--speed", 1, "--format", "json")[1])] == ["g0-g1"]
+
+
+@pytest.mark.parametrize("head,part", [("Mercury3D p; ", p) for p in ("a", "x.y->", "/*", "Wall")] + [("DES_EN_", "a")])
+def test_long_words(head, part):
+    """The time to read a text is at most proportional to its length: texts without ends, and very long words."""
+    start = time.process_time()
+    with suppress(DeckError):
+        physics.audit_text(head + part * (100000 // len(part)), "text", Options())
+    assert time.process_time() - start < 5
+
+
+@pytest.mark.parametrize("solref,friction", [("0.02 0.3", 0.5), ("-10000 -40", 0)])
+def test_constant_impedance(tmp_path, solref, friction):
     """MuJoCo: dmin = dmax, a linear spring, agrees with a dmin that differs little, which is integrated."""
     found = []
     for least in ("0.5", "0.500001"):
-        balls = f'<body><freejoint/><geom friction="0.5" solref="{solref}" solimp="{least} 0.5 0.01"/></body>' * 2
+        balls = (
+            f'<body><freejoint/><geom friction="{friction}" solref="{solref}" solimp="{least} 0.5 0.01"/></body>' * 2
+        )
         deck = write(tmp_path, "m.xml", f"<mujoco><worldbody>{balls}</worldbody></mujoco>")
         found += [r["realised"] for r in json.loads(run("audit", deck, "--speed", "0.1", "--format", "json")[1])]
     assert found[0] == pytest.approx(found[1], abs=1e-4) and 0.1 < found[0] < 0.9

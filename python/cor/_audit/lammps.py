@@ -500,7 +500,6 @@ class Granular(System):
             if words[at] == "file":
                 found = self.options.include(words[at + 1], words.line.file)
                 text, scale = re.sub("#.*", "", found[0] if found else ""), words.value(at + 3)
-                scale = scale if words[at + 2] == "scale" else 1.0
             spheres = _rows(text, 4)
             volume, made.lever = clump(tuple(tuple(scale * x for x in row) for row in spheres))
             radii = [scale * row[3] for row in spheres] or [NAN]

@@ -83,7 +83,7 @@ _KRATOS: Dict[Any, Tuple[str, str, Spring]] = {
 def read_kratos(text: str, name: str, options: Options) -> Deck:
     """Reads the materials of Kratos; the order of keys has no meaning."""
     source, deck = Source(text, name), Deck(name, "kratos")
-    tokens = re.compile(r'"(?:[^"\\\n]|\\.)*"|-?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?|//[^\n]*|/\*.*?\*/', re.S)
+    tokens = re.compile(r'"(?:[^"\\\n]|\\.)*"|-?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?|//[^\n]*|/\*.*?(?:\*/|\Z)', re.S)
     plain = tokens.sub(lambda m: re.sub(r"[^\n]", " ", m[0]) if m[0][0] == "/" else m[0], text)
     places = (m.span() for m in tokens.finditer(plain) if m[0][0] != '"')
 
@@ -147,7 +147,7 @@ def _namelist(text: str) -> Iterator[Tuple[str, int, List[Tuple[str, int, int]]]
     comment = re.compile(r"""('[^'\n]*'|"[^"\n]*")|[!#][^\n]*""")
     word = re.compile(r"""(?:\d+\*)?(?:'[^'\n]*'|"[^"\n]*"|@\([^\n]*?\)(?=[\s,]|$)|[^\s,]+)""")
     text = comment.sub(lambda m: m[1] or " " * len(m[0]), text)
-    keys = list(re.finditer(r"([A-Za-z_]\w*)[ \t]*(\([^)\n]*\))?[ \t]*=(?!=)", text))
+    keys = list(re.finditer(r"\b([A-Za-z_]\w*)[ \t]*(\([^)\n]{0,99}\))?[ \t]*=(?!=)", text))
     stops = [key.start() for key in keys[1:]] + [len(text)]
     for key, stop in zip(keys, stops):
         index = re.match(r"\(\s*(\d+)", key[2] or "(1")
@@ -330,7 +330,7 @@ def read_pfc(text: str, name: str, options: Options) -> Deck:
     """Reads PFC commands: contact models of the contact model assignment table, their dashpots, local damping."""
     deck, lines = Deck(name, "pfc"), list(itertools.islice(_pfc_lines(text, name, options, set()), 100000))
     plain = "\n".join(line for _, _, line in lines)
-    constants = {m[1].lower(): m[2] for m in re.finditer(r"\[\s*(\w+)\s*=\s*([^\]\n]+)\]", plain)}
+    constants = {m[1].lower(): m[2] for m in re.finditer(r"\[\s*(\w+)\s*=\s*([^\]\n]{1,999})\]", plain)}
     every = ["ball-ball"] + ["ball-facet"] * bool(re.search(r"^\s*wall\b", plain, re.M | re.I))
     tables: Dict[str, Dict[str, str]] = {}
     places: Dict[str, Tuple[str, int]] = {}
@@ -391,15 +391,17 @@ _SETTERS = {  # setter: model; indices of the arguments e, stiffness, and mass o
 def read_mercurydpm(text: str, name: str, options: Options) -> Deck:
     """Reads MercuryDPM's C++: setters of species with literal numbers."""
     source, deck = Source(text, name), Deck(name, "mercurydpm")
-    plain = re.sub(r"//[^\n]*|/\*.*?\*/", lambda m: re.sub(r"[^\n]", " ", m[0]), text, flags=re.S)
+    plain = re.sub(r"//[^\n]*|/\*.*?(?:\*/|\Z)", lambda m: re.sub(r"[^\n]", " ", m[0]), text, flags=re.S)
     plain = _with_names(plain)
-    mixed = re.compile(r"[\w.>-]*getMixedObject\(\s*[&*]?(\w+)\s*,\s*[&*]?(\w+)\s*\)")
+    mixed = re.compile(r"(?<![\w.>-])[\w.>-]*getMixedObject\(\s*[&*]?(\w+)\s*,\s*[&*]?(\w+)\s*\)")
     plain = mixed.sub(lambda m: f"{m[1]}__{m[2]}".ljust(len(m[0])), plain)
     alias = dict(re.findall(r"\b(\w+)\s*=\s*(\w+__\w+)\s*;", plain))
-    constants = {m[1]: m[2] for m in re.finditer(r"\b(?:double|Mdouble|auto|int)\s+(\w+)\s*=\s*([^;{}]+);", plain)}
-    step = re.search(r"\bsetTimeStep\(([^;]*)\);", plain)
+    constants = {
+        m[1]: m[2] for m in re.finditer(r"\b(?:double|Mdouble|auto|int)\s+(\w+)\s*=\s*([^;{}]{1,999});", plain)
+    }
+    step = re.search(r"\bsetTimeStep\(([^;]{0,999})\);", plain)
     walls = "wallHandler" in plain or "InfiniteWall" in plain
-    for m in re.finditer(r"(\w+)\s*(?:->|\.)\s*(set\w+)\(([^;]*)\)\s*;", plain):
+    for m in re.finditer(r"\b(\w+)\s*(?:->|\.)\s*(set\w+)\(([^;]{0,999})\)\s*;", plain):
         if m[2] == "setDissipation":
             bodies = (False, True) if walls else (False,)
             deck.contacts += [_mercury_dashpot(source, m, plain, constants, step, wall) for wall in bodies]
@@ -440,8 +442,8 @@ def read_mercurydpm(text: str, name: str, options: Options) -> Deck:
 
 def _with_names(plain: str) -> str:
     """Replaces speciesHandler.getObject(N) by the name of the species, which was added as number N from 0."""
-    handler = r"[\w.>-]*speciesHandler\s*(?:\.|->)\s*"
-    added = re.findall(rf"(?:(\w+)\s*=\s*)?{handler}(?:copyAndAdd|add)Object\(\s*[&*]?(\w+)", plain)
+    handler = r"(?<![\w.>-])[\w.>-]*speciesHandler\s*(?:\.|->)\s*"
+    added = re.findall(rf"(?:\b(\w+)\s*=\s*)?{handler}(?:copyAndAdd|add)Object\(\s*[&*]?(\w+)", plain)
     names = [(name if re.search(rf"\b{name}\s*(->|\.)", plain) else "") or of for name, of in added]
 
     def named(m: "re.Match[str]") -> str:
@@ -469,7 +471,7 @@ def _mercury_species(deck: Deck, plain: str, alias: Dict[str, str], constants: D
     others = sorted(name for name in names if not known.fullmatch(name)) or [""]
 
     def bodies_of(words: str) -> Set[str]:
-        named = re.findall(rf"\b\w*(?:{words})\w*\s*[*&]?\s*\b(\w+)\s*[;({{=,]", plain)
+        named = re.findall(rf"\b(?=\w*(?:{words}))\w+\s*[*&]?\s*\b(\w+)\s*[;({{=,]", plain)
         return {*named, *re.findall(rf"\b(\w+)\s*=[^;=]*\b\w*(?:{words})", plain)}
 
     walls, particles = bodies_of("Wall|wallHandler|Screw|Coil"), bodies_of("Particle|particleHandler")
@@ -478,7 +480,7 @@ def _mercury_species(deck: Deck, plain: str, alias: Dict[str, str], constants: D
         has = []  # a species whose bodies are not known
     of_walls, of_particles = ({s for body, s in has if body not in x} for x in (particles - walls, walls - particles))
 
-    calls = re.findall(r"\b(\w+)\s*(?:->|\.)\s*set(Radius|Density)\(([^;]*)\)\s*;", plain)
+    calls = re.findall(r"\b(\w+)\s*(?:->|\.)\s*set(Radius|Density)\(([^;]{0,999})\)\s*;", plain)
 
     def mass_of(species: str) -> float:
         own = {species, *(b for b, s in has if s == species)}
@@ -526,7 +528,7 @@ def _mercury_species(deck: Deck, plain: str, alias: Dict[str, str], constants: D
 def _mercury_tangential(c: Contact, of: str, plain: str, constants: Dict[str, str], both: List[float]) -> Tangential:
     """Returns the tangential force of the species `of`. both: e and the tangential restitution, if they are given."""
     species = rf"\b{of}\s*(?:->|\.)\s*"
-    set_ = re.findall(rf"{species}setSliding(\w+)\(([^;]*)\)\s*;", plain)
+    set_ = re.findall(rf"{species}setSliding(\w+)\(([^;]{{0,999}})\)\s*;", plain)
     found = {key: constants.get(text.strip(), text) for key, text in set_}
     if re.search(rf"{species}set(Rolling|Torsion)\w+\(", plain):
         return Tangential(ROLLS)
@@ -550,7 +552,7 @@ def _mercury_dashpot(
     """Returns the contact of a species with linear spring and dashpot, for the first radius in the text (2D: discs)."""
 
     def given(setter: str, of: str = r"\w+") -> float:
-        found = re.search(rf"\b{of}\s*(?:->|\.)\s*{setter}\(([^;]*)\)\s*;", plain)
+        found = re.search(rf"\b{of}\s*(?:->|\.)\s*{setter}\(([^;]{{0,999}})\)\s*;", plain)
         return arithmetic(constants.get(found[1].strip(), found[1])) if found else NAN
 
     radius, density, disc = given("setRadius"), given("setDensity", m[1]), None
