@@ -187,7 +187,7 @@ arb_srcptr interpolant_far(const struct interpolant *f, enum quantity quantity);
 enum { INTERPOLANT_FAR_INVERSE = 9 };
 void interpolant_far_inverse(arb_ptr coefficient, const struct interpolant *f);
 
-/* Sets *error to the largest relative difference from enclosed collisions, at `points` places of each interval. */
+/* Sets *error to the largest relative difference from enclosed collisions, at `points` >= 2 places of each interval. */
 int interpolant_check(double *error, const struct interpolant *f, int points);
 
 #endif

@@ -339,7 +339,7 @@ int interpolant_check(double *error, const struct interpolant *f, int points)
         s[i].known = f->samples[i].known;
         for (slong k = 0; k < points; k++) {
             const bool at_zero = k == 0 && interval->variable == INTERVAL_ROOT && interval->lo == 0;
-            const double place = at_zero ? 1e-6 : points > 1 ? (double)k / (points - 1) : 0;
+            const double place = at_zero ? 1e-6 : (double)k / (points - 1);
             interpolant_place(s[i].beta + k, s[i].node + k, f, interval,
                               interval->lo + (interval->hi - interval->lo) * place);
         }

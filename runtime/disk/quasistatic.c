@@ -409,12 +409,12 @@ double cor_disk_max_compression_leading_log(double speed)
 {
     if (!is_positive(speed))
         return speed == 0 ? 0 : NAN;
-    return speed <= 4 ? times_pair(speed, pair_sqrt(cor_log_ratio(&four, speed))) : NAN;
+    return times_pair(speed, pair_sqrt(cor_log_ratio(&four, speed)));
 }
 
 double cor_disk_contact_time_leading_log(double speed)
 {
     if (!is_positive(speed))
         return speed == 0 ? INFINITY : NAN;
-    return speed <= 4 ? cor_inline_pair_times(pi, pair_sqrt(cor_log_ratio(&four, speed))).hi : NAN;
+    return cor_inline_pair_times(pi, pair_sqrt(cor_log_ratio(&four, speed))).hi;
 }

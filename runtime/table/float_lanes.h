@@ -155,8 +155,7 @@ enum { FLOAT_BLOCK = 256 };
 COR_KERNEL int float_is_outside(const struct float_table *table, float x)
 {
     const uint32_t word = (uint32_t)word_of_float(x);
-    return word >= (uint32_t)word_of_float(table->end) ||
-           (table->product && word != 0 && word < (uint32_t)FLOAT_PRODUCT_LEAST);
+    return word >= (uint32_t)word_of_float(table->end) || (table->product && word < (uint32_t)FLOAT_PRODUCT_LEAST);
 }
 
 /* Computes the function at each number, by blocks. `one` computes numbers outside the table. */

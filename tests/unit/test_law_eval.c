@@ -113,6 +113,23 @@ TEST(falling_beta)
     }
 }
 
+/* A far duration with a term that falls: v_f (beta^(-1/2) + beta^(-3)) */
+TEST(falling_duration)
+{
+    struct cor_inline_law_quantity q = without_rows();
+    q.far = q.fall = falling;
+    q.far_kind = 2;
+    q.has_fall = 1;
+    q.far_power.num = -1;
+    q.far_power.den = 2;
+    q.fall_power.num = -3;
+    for (size_t i = 0; i < points(2000); i++) {
+        const double beta = random_log(&draw, 0.1, 1e30);
+        check_ulp(cor_inline_law_value(q, beta),
+                  (1.5L + 0x1.8p-54L) * (1 / sqrtl(beta) + 1 / ((long double)beta * beta * beta)), 1);
+    }
+}
+
 /* The sum of two scaled pairs is right for any exponents. A summand that is 200 octaves smaller is omitted. */
 TEST(sums_of_scaled_pairs)
 {

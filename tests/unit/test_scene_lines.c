@@ -476,6 +476,7 @@ TEST(several_materials)
     request.simulator = "liggghts";
     assert_true(cor_simulator_lines(text, sizeof text, &request) > 0);
     assert_null(strstr(text, "nan"));
+    assert_null(strstr(found(text, "\npair_coeff * *\n"), "pair_coeff")); /* a line without types: once */
     const char *at = found(text, "\nfix cor_gamman all property/global gamman peratomtypepair 4 ");
     for (int k = 0; k < TYPES * TYPES; k++, at += strcspn(at, " \n") + 1) {
         const int low = k / TYPES < k % TYPES ? k / TYPES : k % TYPES, high = k / TYPES + k % TYPES - low;

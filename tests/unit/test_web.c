@@ -15,6 +15,10 @@ const char *web_summary(int digits);
 const char *web_lines(int step_errors);
 const char *web_curves(void);
 void web_curve(const double *speed_m_s, double *y, size_t n, int i);
+const char *web_options(void);
+const char *web_choices(void);
+const char *web_block(char *names, const double *number, size_t n);
+void web_step_errors(const double *speed_m_s, double *y, size_t n, double time_step_s);
 
 #define GLASS "young=7e10\npoisson=0.25\nradius=5e-3\ndensity=2500\n"
 
@@ -220,4 +224,36 @@ TEST(test_headers)
     assert_string_equal(web_curves(), "zero_overlap\tzero-overlap\t\nzero_force\tzero-force\t\n");
     assert_true(web_read(GLASS "restitution=1\nat=1\nend=zero-force"));
     assert_string_equal(web_curves(), "zero_force\tzero-force\t1\n");
+}
+
+/* One line for each number, law and simulator, and no more */
+TEST(test_lists)
+{
+    const char *text = web_options();
+    for (int i = 0; i < COR_SCENE_NUMBERS; i++, text = strchr(text, '\n') + 1)
+        assert_memory_equal(text, cor_scene_options[i].name, strlen(cor_scene_options[i].name));
+    assert_string_equal(text, "speed,m/s\nspeed-min,m/s\nspeed-max,m/s\n");
+    assert_non_null(strstr(web_choices(), "\nfor,yade,YADE,leapfrog\n"));
+    assert_non_null(strstr(web_choices(), "\nfor,drake,Drake,\n"));
+}
+
+/* An end that the bodies never reach: with a given step the error is computed, at the step of the request it is NaN. */
+TEST(test_errors_of_infinite_duration)
+{
+    double y[2];
+    assert_true(web_read("law=linear\nzeta=1.5\nstiffness=1e4\neffective-mass=1e-3\nend=zero-overlap"));
+    web_step_errors(&(double){1}, y, 1, 1e-5);
+    assert_true(y[0] == 0 && y[1] == 0);
+    web_step_errors(&(double){1}, y, 1, (double)NAN);
+    assert_true(isnan(y[0]) && isnan(y[1]));
+}
+
+/* A block of a ball and a wall */
+TEST(test_block)
+{
+    static const double number[] = {1e7, 0.3, 2500, 0.01, 0.5, 1, 1e8, 0.3, 2500, NAN, 0.6, 1};
+    char names[] = "ball\nwall";
+    assert_true(web_read("law=tsuji\nrestitution=0.5\nfor=yade\nspeed=1"));
+    const char *const block = web_block(names, number, 12);
+    assert_true(block && strstr(block, "\n# 1 2, ball and wall: measured at this end, eps = 0.6 at 1 m/s\n"));
 }
