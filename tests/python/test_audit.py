@@ -443,6 +443,35 @@ def test_other_lines(tmp_path, line, status, reason):
     assert found == status and reason in out, out
 
 
+HERTZ = """units si
+atom_style granular
+pair_style gran model hertz
+fix m1 all property/global youngsModulus peratomtype 1e7 1e7
+fix m2 all property/global poissonsRatio peratomtype 0.3 0.3
+fix m3 all property/global coefficientRestitution peratomtypepair 2 1 1 1 1
+region b block 0 1 0 1 0 1 units box
+region low block 0 0.5 0 1 0 1 units box
+{}
+"""
+MADE = "create_box 2 b\ncreate_atoms 1 random 50 1 NULL\ncreate_atoms 2 single 0.5 0.5 0.5 units box\n"
+
+
+@pytest.mark.parametrize(
+    "lines,pairs,status,reason",
+    [
+        (MADE + "set atom 1* diameter 0.01", "1-1 1-2 2-2", 0, ""),
+        (MADE + "set region b diameter 0.01", "1-1 1-2 2-2", 0, ""),
+        (MADE + "set region low diameter 0.01", "1-1 1-2 2-2", 4, "leave atoms with the default diameter"),
+    ],
+)
+def test_atoms_of_lines(tmp_path, lines, pairs, status, reason):
+    """LIGGGHTS: the atoms that a line selects, and the atoms that move."""
+    found, out, _ = run("audit", write(tmp_path, "a.lig", HERTZ.format(lines)), "--format", "json", "--speed", "1")
+    rows = json.loads(out)
+    assert " ".join(row["pair"] for row in rows if row["pair"]) == pairs, rows
+    assert found == status and reason in out and "largest" not in out, rows
+
+
 def test_gravity_of_discs(tmp_path):
     """LAMMPS: fix gravity spherical in two dimensions, which has no third angle."""
     surface = []

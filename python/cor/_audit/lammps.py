@@ -59,7 +59,8 @@ _STILL = "a fix without /sphere moves the particles, or they are discs"
 @dataclass
 class Cohort:
     """Atoms of one type. radius and mass: least and largest. kind: created by a command, read from a file, or assumed.
-    count and id: 0 if unknown. at: the position of a single atom. body: "", or the kind of body to which each atom
+    count and id: 0 if unknown. at: lower and upper x, y and z, and within: the region, both until the atoms move.
+    is_rest: the part of divided atoms that was not chosen, which may contain no atom. body: "", or the kind of body to which each atom
     belongs; mass and lever belong to this body, too. shape: half sides and powers of a superquadric."""
 
     type: int
@@ -70,6 +71,8 @@ class Cohort:
     count: int = 0
     id: int = 0
     at: Tuple[float, ...] = ()
+    within: Optional[Words] = None
+    is_rest: bool = False
     groups: FrozenSet[str] = frozenset(("all",))
     body: str = ""
     lever: Tuple[float, float] = (0.0, 0.0)
@@ -171,6 +174,7 @@ class Granular(System):
         self.coefficients: Dict[Any, Coefficient] = {}
         self.excluded: List[List[str]] = []
         self.speeds: List[float] = []
+        self.sized: Optional[Words] = None  # the last line that sets diameters
         self.velocities: Dict[str, Tuple[float, ...]] = {}  # by group
         self.created = 0  # atoms; -1: unknown
         self.is_run, self.is_changed, self.has_unread_atoms = False, True, False
@@ -285,15 +289,19 @@ class Granular(System):
             self.set_types(0, "file")
             return
         made = Cohort.of(words.number(1), [0.5], [1.0], count=int(is_single), id=max(self.created, 0))
-        made.at = tuple(words.value(i) for i in (3, 4, 5)) if is_single and not self.is_scaled else ()
+        if is_single:
+            made.at = tuple(words.value(3 + i // 2) for i in range(6)) if not self.is_scaled else ()
+        else:
+            made.within = self.regions.get(words[{"region": 3, "random": 5}.get(words[2], 0)], self.box)
+            made.at = self.ends(made.within) if "out" not in (made.within or ()) else ()
         if self.atom_style.startswith("superquadric"):
             made.body, made.shape = "superquadric", (NAN, NAN, NAN, 2.0, 2.0)
         self.set_density(made, 1.0)
         last = self.cohorts[-1] if self.cohorts else made
         if len(self.cohorts) < MAX_COHORTS:
             self.cohorts.append(made)
-        elif _same(replace(last, count=0, id=0, at=()), replace(made, count=0, id=0, at=())):
-            last.count, last.id, last.at = last.count + 1, 0, ()
+        elif _same(*(replace(c, count=0, id=0, at=(), within=None) for c in (last, made))):
+            last.count, last.id, last.at, last.within = last.count + 1, 0, (), None
         else:
             raise OutOfBounds(f"The script makes more than {MAX_COHORTS} kinds of atoms; the rest is not read.")
 
@@ -304,21 +312,30 @@ class Granular(System):
         for cohort in list(self.cohorts):
             here = inside(cohort)
             if here is None and len(self.cohorts) < MAX_COHORTS:
-                self.cohorts.append(replace(cohort, count=0, id=0))
+                self.cohorts.append(replace(cohort, count=0, id=0, is_rest=True))
             if here is not False:
                 chosen.append(cohort)
         return chosen
 
+    def ends(self, region: Optional[Words]) -> Tuple[float, ...]:
+        """Returns lower and upper x, y and z of a block; () if they are unknown."""
+        if region is None or region[2] != "block" or "rotate" in region or "move" in region:
+            return ()
+        far = ({"INF": math.inf, "EDGE": math.inf}.get(word, NAN) for word in region[3:9])
+        ends = tuple(region.value(3 + i) if math.isnan(x) else x * (-1) ** (i + 1) for i, x in enumerate(far))
+        return () if any(map(math.isnan, ends)) else ends
+
     def in_region(self, cohort: Cohort, name: str) -> Optional[bool]:
         region = self.regions.get(name)
-        if not cohort.at or region is None or region[2] != "block" or "rotate" in region or "move" in region:
+        if region is not None and (region is cohort.within or region is self.box):
+            return True
+        inner, outer = cohort.at, self.ends(region)
+        if region is None or not inner or not outer or any(map(math.isnan, inner)):
             return None
-        ends = [{"INF": math.inf, "EDGE": math.inf}.get(w) or region.value(3 + i) for i, w in enumerate(region[3:9])]
-        if any(math.isnan(x) for x in ends + list(cohort.at)):
-            return None
-        lower = [-x if x == math.inf else x for x in ends[::2]]
-        is_inside = all(a <= x <= b for a, x, b in zip(lower, cohort.at, ends[1::2]))
-        return is_inside == ("out" not in region)
+        axes = [(*inner[i : i + 2], *outer[i : i + 2]) for i in (0, 2, 4)]
+        is_inside = all(low <= a and b <= high for a, b, low, high in axes)
+        is_apart = any(b < low or high < a for a, b, low, high in axes)
+        return is_inside == ("out" not in region) if is_inside or is_apart else None
 
     def selected(self, how: str, what: Sequence[str]) -> Any:
         """Returns a function of a cohort: None if only a part of it is in the types, ids, group or region, otherwise
@@ -329,6 +346,8 @@ class Granular(System):
             return lambda c: bool(sign(c.type if how == "type" else c.id, x)) if how == "type" or c.id else None
         if how in ("type", "id", "atom"):
             spans = [_span(word) for word in what]
+            if (1, MANY) in spans:
+                return lambda c: True
             if how == "type":
                 return lambda c: any(a <= c.type <= b for a, b in spans)
             return lambda c: any(a <= c.id <= b for a, b in spans) if c.id else None
@@ -368,6 +387,7 @@ class Granular(System):
             held = {c.type for c in self.cohorts if c.kind == "file"}
             self.cohorts += [Cohort(i, kind="file") for i in types if i not in held]
         chosen = self.divide(self.selected(words[1], [words[2]])) if keys else []
+        self.sized = words if "diameter" in words else self.sized
         for i in keys if chosen else []:
             value, key = words.value(i + 1), words[i]
             if key.startswith("type/"):
@@ -385,7 +405,7 @@ class Granular(System):
                 elif key == "mass":
                     cohort.mass, cohort.density = (value, value), NAN
                 elif key == "diameter":
-                    cohort.radius = value / 2, value / 2
+                    cohort.radius, cohort.is_rest = (value / 2, value / 2), False
                     if cohort.kind == "assumed" or (self.is_liggghts and cohort.density > 0):
                         self.set_density(cohort, cohort.density)
                     else:
@@ -596,12 +616,17 @@ class Granular(System):
             contact.runs = (*contact.runs[:999], self.runs[0])
         self.is_changed = False
         self.is_run = True
+        self.on_displace_atoms(words)
         steps = words.value(1) if words[0] == "run" else NAN
         is_known_step = self.step >= 0 and 0 <= steps < math.inf
         self.step = -1 if not is_known_step else int(steps) + (0 if "upto" in words else self.step)
         return False
 
     on_minimize = on_run
+
+    def on_displace_atoms(self, words: Words) -> None:
+        for c in self.cohorts if words[1] != "0" else ():
+            c.at, c.within = (), None
 
     def on_reset_timestep(self, words: Words) -> None:
         self.step = -1
@@ -650,6 +675,11 @@ class Granular(System):
         made = [c for c in self.cohorts if c.kind != "assumed"]
         if self.is_liggghts and not any(c.kind == "made" for c in made):
             made += [c for t in self.templates() for c in self.of_template(t, frozenset(("all",)))]
+        rest = [c for c in made if c.is_rest and c.radius == (0.5, 0.5)]
+        if self.sized and len(rest) < len(made):
+            made = [c for c in made if not any(c is r for r in rest)]
+            text = "This line may leave atoms with the default diameter 1: their contacts are not judged."
+            self.script.remark(self.sized.line, text) if rest else None
         classes: Dict[int, Dict[Tuple[Any, ...], List[Cohort]]] = {}
         if self.has_unread_atoms or not (made or self.cohorts):
             known = {c.type for c in self.cohorts if c.kind == "file"}
