@@ -178,6 +178,7 @@ class Granular(System):
         self.velocities: Dict[str, Tuple[float, ...]] = {}  # by group
         self.created = 0  # atoms; -1: unknown
         self.is_run, self.is_changed, self.has_unread_atoms = False, True, False
+        self.still: Optional[Words] = None  # the last run, if no fix moves atoms in it
         self.last: List[Contact] = []  # contacts of the last snapshot
 
     def copy(self) -> "Granular":
@@ -606,16 +607,21 @@ class Granular(System):
 
     def end_system(self) -> None:
         if not self.is_run:
+            if self.still:
+                text = "No fix moves atoms in this run: the contacts are judged as if all atoms moved."
+                self.script.remark(self.still.line, text, False)
             self.snapshot(0)
 
     def on_run(self, words: Words) -> bool:
         self.runs[0] += 1
-        if self.is_changed:
+        has_atoms = self.has_unread_atoms or any(c.kind != "assumed" for c in self.cohorts)
+        self.still = words if has_atoms and not self.moved() and words[0] == "run" else None
+        if self.is_changed and not self.still:
             self.last = self.snapshot(self.runs[0])
-        for contact in () if self.is_changed else self.last:
+        for contact in () if self.is_changed or self.still else self.last:
             contact.runs = (*contact.runs[:999], self.runs[0])
-        self.is_changed = False
-        self.is_run = True
+        self.is_changed &= self.still is not None
+        self.is_run |= self.still is None
         self.on_displace_atoms(words)
         steps = words.value(1) if words[0] == "run" else NAN
         is_known_step = self.step >= 0 and 0 <= steps < math.inf
@@ -641,11 +647,15 @@ class Granular(System):
     def has(self, style: str) -> List[Words]:
         return [f for f in self.fixes.values() if re.fullmatch(style, _ACCELERATED.sub("", f[3]))]
 
+    def moved(self) -> List[Words]:
+        """Returns the fixes that move atoms."""
+        return [f for f in self.fixes.values() if _INTEGRATES.match(f[3]) and f[3] != "nve/noforce"]
+
     def hold(self, c: Cohort) -> str:
         """Returns the reason why no force moves a cohort: "freeze", "fixed", or "" if forces move it."""
         if any(f[2] in c.groups for f in self.has("freeze")):
             return "freeze"
-        moved = [f for f in self.fixes.values() if _INTEGRATES.match(f[3]) and f[3] != "nve/noforce"]
+        moved = self.moved()
         is_from_restart = c.kind == "file" and self.has_unread_atoms  # its groups are unknown
         is_moved = not moved or is_from_restart or any(f[2] in c.groups or f[2] not in self.group_names for f in moved)
         return "" if is_moved and not any(f[2] in c.groups for f in self.has("nve/noforce|move")) else "fixed"
@@ -731,7 +741,7 @@ class Granular(System):
         if self.other_style is not None and not self.style:
             text = f"pair_style {self.other_style[1]}: cor supports granular, gran/hooke(/history), gran/hertz/history"
             self.script.remark(self.other_style.line, text + ", LIGGGHTS' gran model, and hybrid with these.")
-        moved = [f for f in self.fixes.values() if _INTEGRATES.match(f[3]) and f[3] != "nve/noforce"]
+        moved = self.moved()
         is_turned = all(_ACCELERATED.sub("", f[3]).endswith("/sphere") and "disc" not in f for f in moved)
         everyone = [m for bodies in moving.values() for m in bodies]
         if self.style and everyone and all(m.held for m in everyone):
