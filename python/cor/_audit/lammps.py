@@ -60,8 +60,8 @@ _STILL = "a fix without /sphere moves the particles, or they are discs"
 class Cohort:
     """Atoms of one type. radius and mass: least and largest. kind: created by a command, read from a file, or assumed.
     count and id: 0 if unknown. at: lower and upper x, y and z, and within: the region, both until the atoms move.
-    is_rest: the part of divided atoms that was not chosen, which may contain no atom. body: "", or the kind of body to which each atom
-    belongs; mass and lever belong to this body, too. shape: half sides and powers of a superquadric."""
+    is_rest: the part of divided atoms that was not chosen, which may contain no atom. body: "", or the kind of body to
+    which each atom belongs; mass and lever belong to this body, too. shape: half sides and powers of a superquadric."""
 
     type: int
     radius: Tuple[float, float] = (NAN, NAN)
