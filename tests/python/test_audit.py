@@ -455,6 +455,7 @@ region low block 0 0.5 0 1 0 1 units box
 """
 MADE = "create_box 2 b\ncreate_atoms 1 random 50 1 NULL\ncreate_atoms 2 single 0.5 0.5 0.5 units box\n"
 ONE = MADE + "set group all diameter 0.01 density 2500\ngroup flow type 2\n"
+FILE = "read_restart absent\n"
 
 
 @pytest.mark.parametrize(
@@ -465,6 +466,10 @@ ONE = MADE + "set group all diameter 0.01 density 2500\ngroup flow type 2\n"
         (MADE + "set region low diameter 0.01", "1-1 1-2 2-2", 4, "leave atoms with the default diameter"),
         (ONE + "run 1\nfix i flow nve/sphere\nrun 1", "1 fixed-2 2-2", 0, "includes its mass"),
         (ONE + "run 1", "1-1 1-2 2-2", 0, "No fix moves atoms in this run"),
+        (FILE + "group flow type 2\nfix i flow nve/sphere", "1 fixed-2 2-2", 4, "The masses are not in the text"),
+        (FILE + "group flow region low\nfix i flow nve/sphere", "1-1 1-2 2-2", 4, "group flow are not in the text"),
+        (FILE + "fix i flow nve/sphere", "1-1 1-2 2-2", 4, "group flow are not in the text"),
+        ("group flow dynamic all\nfix i flow nve/sphere", "1-1 1-2 2-2", 4, "group flow are not in the text"),
     ],
 )
 def test_atoms_of_lines(tmp_path, lines, pairs, status, reason):

@@ -58,10 +58,11 @@ _STILL = "a fix without /sphere moves the particles, or they are discs"
 
 @dataclass
 class Cohort:
-    """Atoms of one type. radius and mass: least and largest. kind: created by a command, read from a file, or assumed.
-    count and id: 0 if unknown. at: lower and upper x, y and z, and within: the region, both until the atoms move.
-    is_rest: the part of divided atoms that was not chosen, which may contain no atom. body: "", or the kind of body to
-    which each atom belongs; mass and lever belong to this body, too. shape: half sides and powers of a superquadric."""
+    """Atoms of one type. radius and mass: least and largest. kind: created by a command, read from a file, "unread"
+    (the file is absent), or assumed. count and id: 0 if unknown. at: lower and upper x, y and z, and within: the
+    region, both until the atoms move. is_rest: the part of divided atoms that was not chosen, which may contain no
+    atom. body: "", or the kind of body to which each atom belongs; mass and lever belong to this body, too.
+    shape: half sides and powers of a superquadric."""
 
     type: int
     radius: Tuple[float, float] = (NAN, NAN)
@@ -164,6 +165,7 @@ class Granular(System):
         self.cohorts: List[Cohort] = []
         self.group_names: Dict[str, bool] = {"all": True}
         self.groups_known = True
+        self.groups_of_types: Dict[Any, Any] = {("all", ""): lambda c: True}  # groups that depend only on types
         self.regions: Dict[str, Words] = {}
         self.molecules: Dict[str, List[Cohort]] = {}
         self.box: Optional[Words] = None
@@ -278,7 +280,7 @@ class Granular(System):
             self.cohorts = [c for c in self.cohorts if c.kind != "file"]
             self.cohorts += [Cohort.of(type, s[:2], s[2:], kind="file") for type, s in sizes.items()]
         else:
-            self.set_types(int(types[1]) if types else 0, "file")
+            self.set_types(int(types[1]) if types else 0, "file" if types else "unread")
             self.has_unread_atoms |= not types
 
     on_read_restart = on_read_dump = on_read_data
@@ -352,12 +354,38 @@ class Granular(System):
             if how == "type":
                 return lambda c: any(a <= c.type <= b for a, b in spans)
             return lambda c: any(a <= c.id <= b for a, b in spans) if c.id else None
-        if how == "group":
+        if how in ("group", "union"):
             return lambda c: any(g in c.groups for g in what)
+        if how == "subtract":
+            return lambda c: what[0] in c.groups and not any(g in c.groups for g in what[1:])
+        if how == "intersect":
+            return lambda c: all(g in c.groups for g in what)
+        if how == "dynamic":
+            return lambda c: None if what[0] in c.groups else False
         return lambda c: self.in_region(c, what[0]) if how == "region" else None
+
+    def unread(self, type: int) -> Cohort:
+        """Returns atoms of a type that are not in the text. Their groups are known if types define these."""
+        made = Cohort(type, kind="unread")
+        for (name, _), inside in self.groups_of_types.items():
+            made.groups |= {name} if inside(made) else set()
+        return made
+
+    def is_sure(self, group: str) -> bool:
+        """True if only the types of atoms define a group."""
+        return any(name == group for name, _ in self.groups_of_types)
+
+    def may_have(self, group: str, c: Cohort) -> bool:
+        """True if a cohort is in a group, or if the text does not contain this."""
+        is_unknown = group not in self.group_names or (c.kind == "unread" and not self.is_sure(group))
+        return group in c.groups or is_unknown
 
     def on_group(self, words: Words) -> None:
         name, how, what = words[1], words[2], words[3:]
+        is_sure = how == "type" or (how in ("union", "subtract", "intersect") and all(map(self.is_sure, what)))
+        is_sure &= name not in self.group_names or self.is_sure(name)
+        if not is_sure:
+            self.groups_of_types = {key: x for key, x in self.groups_of_types.items() if key[0] != name}
         if how == "dynamic":
             self.group_names.pop(name, None)  # the atoms of the group are unknown
             self.groups_known = False
@@ -367,15 +395,10 @@ class Granular(System):
             for cohort in self.cohorts:
                 cohort.groups -= {name}
             return
-        if how == "subtract":
-            chosen = self.divide(lambda c: what[0] in c.groups and not any(g in c.groups for g in what[1:]))
-        elif how == "intersect":
-            chosen = self.divide(lambda c: all(g in c.groups for g in what))
-        elif how == "dynamic":
-            chosen = self.divide(lambda c: None if what[0] in c.groups else False)
-        else:
-            chosen = self.divide(self.selected("group" if how == "union" else how, what)) if what else []
-        for cohort in chosen:
+        inside = self.selected(how, what) if what else None
+        if is_sure and what:
+            self.hold_line(self.groups_of_types, (name, words.expanded), inside)
+        for cohort in self.divide(inside) if what else ():
             cohort.groups |= {name}
 
     def on_set(self, words: Words) -> bool:
@@ -385,8 +408,8 @@ class Granular(System):
         if self.has_unread_atoms and keys and words[1] in ("type", "group"):  # all atoms of a type of a restart file
             types = [int(words.value(2))] if words[1] == "type" and words[2].isdigit() else []
             types = list(range(1, 1 + self.count_types())) if words[1:3] == ["group", "all"] else types
-            held = {c.type for c in self.cohorts if c.kind == "file"}
-            self.cohorts += [Cohort(i, kind="file") for i in types if i not in held]
+            held = {c.type for c in self.cohorts if c.kind == "unread"}
+            self.cohorts += [self.unread(i) for i in types if i not in held]
         chosen = self.divide(self.selected(words[1], [words[2]])) if keys else []
         self.sized = words if "diameter" in words else self.sized
         for i in keys if chosen else []:
@@ -656,8 +679,7 @@ class Granular(System):
         if any(f[2] in c.groups for f in self.has("freeze")):
             return "freeze"
         moved = self.moved()
-        is_from_restart = c.kind == "file" and self.has_unread_atoms  # its groups are unknown
-        is_moved = not moved or is_from_restart or any(f[2] in c.groups or f[2] not in self.group_names for f in moved)
+        is_moved = not moved or any(self.may_have(f[2], c) for f in moved)
         return "" if is_moved and not any(f[2] in c.groups for f in self.has("nve/noforce|move")) else "fixed"
 
     def rigid(self, c: Cohort) -> Tuple[str, float, Tuple[float, float]]:
@@ -677,8 +699,13 @@ class Granular(System):
         """Returns the number of types. If no command states it, counts the types of the contacts."""
         properties = [f for f in self.fixes.values() if f[3].startswith("property/global") and self.is_matrix(f)]
         sizes = [f.value(6) for f in properties]
-        ends = [x for c in self.coefficients.values() for x in (*c.first, *c.last) if x <= MAX_TYPES]
-        return self.types or max([1, *ends, *(int(x) for x in sizes if 1 <= x <= MAX_TYPES)])
+        ends = [x for c in self.coefficients.values() for x in (*c.first, *c.last)]
+        ends += [
+            int(x) for _, text in self.groups_of_types for x in re.findall(r"\b\d+\b", text.partition(" type ")[2])
+        ]
+        return self.types or max(
+            [1, *(x for x in ends if x <= MAX_TYPES), *(int(x) for x in sizes if 1 <= x <= MAX_TYPES)]
+        )
 
     def moving(self) -> Dict[int, List[Moving]]:
         """Returns, for each type, one body for each way in which its atoms are held or joined."""
@@ -692,8 +719,8 @@ class Granular(System):
             self.script.remark(self.sized.line, text) if rest else None
         classes: Dict[int, Dict[Tuple[Any, ...], List[Cohort]]] = {}
         if self.has_unread_atoms or not (made or self.cohorts):
-            known = {c.type for c in self.cohorts if c.kind == "file"}
-            made += [Cohort(i + 1, kind="file") for i in range(self.count_types()) if i + 1 not in known]
+            known = {c.type for c in self.cohorts if c.kind == "unread"}
+            made += [self.unread(i + 1) for i in range(self.count_types()) if i + 1 not in known]
         for c in made or self.cohorts:
             classes.setdefault(c.type, {}).setdefault((self.hold(c), *self.rigid(c)), []).append(c)
         found: Dict[int, List[Moving]] = {}
@@ -744,6 +771,12 @@ class Granular(System):
         moved = self.moved()
         is_turned = all(_ACCELERATED.sub("", f[3]).endswith("/sphere") and "disc" not in f for f in moved)
         everyone = [m for bodies in moving.values() for m in bodies]
+        cohorts = [c for m in everyone for c in m.cohorts]
+        for f in moved + self.has("freeze|nve/noforce|move") if self.style else []:
+            is_certain = self.types and self.groups_known and f[2] not in self.group_names  # a remark of on_fix
+            if not is_certain and any(self.may_have(f[2], c) and f[2] not in c.groups for c in cohorts):
+                text = f"The atoms of the group {f[2]} are not in the text: contacts with other atoms are not judged."
+                self.script.remark(f.line, text)
         if self.style and everyone and all(m.held for m in everyone):
             text = "No atom moves here: all are frozen, or no fix integrates a group that contains them."
             self.script.remark(self.style[0].words.line, text, False)
@@ -1034,7 +1067,7 @@ class Granular(System):
             words, found = of.words, []
             wall = self.with_material(Body(f"wall {name}" if len(walls) > 1 else "wall", wall=True, type=type))
             for m in (m for bodies in moving.values() for m in bodies if not m.held):
-                if words[2] in self.group_names and not any(words[2] in c.groups for c in m.cohorts):
+                if not any(self.may_have(words[2], c) for c in m.cohorts):
                     continue
                 made = self.new(words, m.body, wall, f"{words[3]} {words[4]}", unknown)
                 made = made if unknown else self.between(of, None, m.body, wall)
