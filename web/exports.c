@@ -195,7 +195,7 @@ void web_step_errors(const double *speed_m_s, double *y, size_t n, double time_s
 {
     struct curve curve[COR_SCENE_ENDS];
     const int count = find_curves(curve);
-    const double most = isnan(time_step_s) ? STEPS_ON_PAGE : (double)INFINITY;
+    const double most = isnan(time_step_s) ? STEPS_ON_PAGE * (1 + 1e-9) : (double)INFINITY;
     const double time_step = isnan(time_step_s) ? step_of(speed_m_s, n) : time_step_s;
     for (int k = 0; k < count; k++, y += 2 * n)
         for (size_t i = 0; i < n; i++) {
