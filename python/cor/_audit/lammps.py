@@ -31,10 +31,17 @@ UNITS = {
 }
 _ACCELERATED = re.compile(r"/(omp|opt|gpu|intel|kk(/device|/host)?)$")
 _INTEGRATES = re.compile(r"(nve|nvt|npt|nph|rigid|multisphere|poems|brownian|nvk|bd)(/|$)")
+# Styles of fixes that move atoms by the force and the mass. Other styles with such a prefix may change eps.
+_MOVES = re.compile(
+    r"nve(/(sphere|limit|noforce|asphere|asphere/noforce|superquadric|nonspherical|body|line|tri|bpm/sphere))?|"
+    r"n(vt|pt|ph)(/(sphere|asphere|body|sllod|uef))?|rigid(/n(ve|vt|pt|ph))?(/small)?|multisphere(/advanced)?|poems|"
+    r"brownian(/a?sphere)?|nvk|bd(/a?sphere)?"
+)
 _LOSSES = re.compile(
     r"(viscous|langevin|temp|press|drag|nvt|npt|nph|gld|ttm|lb|srd|couple/cfd|deform)(/.*)?$|nve/limit$|addforce$"
 )
 _KNOWN_FIXES = re.compile(
+    "(?!gravity/|freeze/)"
     "(adapt|addforce|addtorque|ave|balance|box|check|concentration|contact|controller|couple|cfd|deform|deposit|"
     "drag|dt|dummy|enforce2d|evaporate|external|freeze|gld|gravity|halt|heat|indent|insert|langevin|lb|lineforce|"
     "massflow|mesh|momentum|move|multisphere|neigh|nph|npt|nve|nvt|particle|planeforce|poems|pour|press|print|"
@@ -596,7 +603,8 @@ class Granular(System):
         for i in range(2, len(words)) if self.hybrid else [1]:
             style = _ACCELERATED.sub("", words[i])
             if re.match(r"gran(ular|/|$)", style):
-                at = i + 1 if not self.is_liggghts else i + 2 if words[i + 1] == "model" else i
+                is_model = style == "gran" and words[i + 1] == "model"
+                at = i + 1 if not self.is_liggghts else i + 2 if is_model else i
                 self.style.append(Coefficient(words, at, style.replace("gran/", "", 1), part=len(self.style)))
         self.other_style = words if not self.style and name not in ("none", "zero") else None
 
@@ -630,10 +638,9 @@ class Granular(System):
 
     def end_system(self) -> None:
         if not self.is_run:
-            if self.still:
+            if self.snapshot(0) and self.still:
                 text = "No fix moves atoms in this run: the contacts are judged as if all atoms moved."
                 self.script.remark(self.still.line, text, False)
-            self.snapshot(0)
 
     def on_run(self, words: Words) -> bool:
         self.runs[0] += 1
@@ -765,6 +772,10 @@ class Granular(System):
         adapted = self.has(r"adapt(/fep)?|dt/reset")
         sentences += [f"fix {f[1]} ({f[3]}) changes numbers of the contact during a run." for f in adapted]
         fault = self.fault or ("A fix adapt changes the pair style." if any("pair" in f for f in adapted) else "")
+        for f in self.fixes.values():
+            style = _ACCELERATED.sub("", f[3])
+            if _INTEGRATES.match(style) and not _MOVES.fullmatch(style):
+                fault = fault or f"cor does not support the motion of fix {f[1]} ({f[3]})."
         if self.other_style is not None and not self.style:
             text = f"pair_style {self.other_style[1]}: cor supports granular, gran/hooke(/history), gran/hertz/history"
             self.script.remark(self.other_style.line, text + ", LIGGGHTS' gran model, and hybrid with these.")
@@ -924,7 +935,7 @@ class Granular(System):
         return contact
 
     def read_granular(self, contact: Contact, of: Coefficient, words: Words, at: int) -> None:
-        force, damping = of.style.split("/")[0], "mass_velocity"
+        force, damping = of.style.split("/")[0] if of.style in _OLD else of.style, "mass_velocity"
         if of.style == "granular":
             force, damping = of.model()
             if not is_known(force + damping):
@@ -1063,8 +1074,11 @@ class Granular(System):
         """Yields the contacts of each wall with the types of its group. If there are several walls, they have names."""
         read = self.walls_of_liggghts if self.is_liggghts else self.walls_of_lammps
         walls = [wall for fix in self.has("wall/gran.*") for wall in read(fix)]
+        known = re.compile(r"wall/gran(/region)?|wall/" + _OLD_MODEL.pattern)
         for of, type, name, unknown in walls:
             words, found = of.words, []
+            if not known.fullmatch(_ACCELERATED.sub("", words[3])):
+                unknown = f"cor does not support the wall {words[3]}."
             wall = self.with_material(Body(f"wall {name}" if len(walls) > 1 else "wall", wall=True, type=type))
             for m in (m for bodies in moving.values() for m in bodies if not m.held):
                 if not any(self.may_have(words[2], c) for c in m.cohorts):
