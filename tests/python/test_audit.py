@@ -227,6 +227,8 @@ def test_reasons(tmp_path, old, new, reason):
         ("mfix-cgs.mfx", "'LSD'", "'SPRING'", "cor does not support DES_COLL_MODEL = SPRING."),
         ("pfc-deform.dat", "(dp_nratio) [0-9.]+", r"\1 [high]", "dp_nratio or damp is not a number."),
         ("mercury-tutorial.cpp", "(setDissipation).0.0", r"\1(high()", "is not a literal number"),
+        ("liggghts-stiffness.lig", "hooke/stiffness", "hooke/stiffness absolute_damping on", "uses gamman_abs"),
+        ("liggghts-pull.lig", "cohesionEnergyDensity", "other", "number cohesionEnergyDensity is missing"),
         ("liggghts-pull.lig", "cohesion sjkr", "limitForce on cohesion sjkr", "The cohesion changes eps."),
         ("yade-concrete.py", "Iter=1", "Iter=-1", "The cohesion changes eps."),
         ("yade-luding.py", "kp = 5.0", "kp = 1.0", "k1 must be below kp"),

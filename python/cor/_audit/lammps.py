@@ -1012,6 +1012,9 @@ class Granular(System):
         kind = f"{'HERTZ' if is_hertz else 'HOOKE'}_GAMMAN" if is_stiff else "RESTITUTION"
         contact.model = f"LIGGGHTS_{kind}" + ("_LIMIT" if "limitForce" in is_on else "")
         name = "gamman" if is_stiff else "coefficientRestitution"
+        if is_stiff and "absolute_damping" in is_on:
+            contact.unknown = "With 'absolute_damping on', LIGGGHTS uses gamman_abs, which cor does not read."
+            return contact
         found, i, j = self.property(name), one.type - 1, two.type - 1
         types = found.value(6) if found and self.is_matrix(found) else 0
         if found is None or not max(i, j) < types <= MAX_TYPES or len(found) != 7 + types * types:
@@ -1048,7 +1051,6 @@ class Granular(System):
         reasons = {
             "cohesion": "The cohesion changes eps.",
             "viscous": "With 'viscous on', the Stokes number of each impact sets the damping.",
-            "absolute_damping": "With 'absolute_damping on', LIGGGHTS uses gamman_abs, which cor does not read.",
         }
         if math.isnan(contact.number):
             contact.unknown = f"The contact depends on an unknown value: {name}."
@@ -1065,6 +1067,8 @@ class Granular(System):
             contact.cohesion = cohesion, pull
             contact.tangential, contact.slots = Tangential("cor has no model of the tangential force with cohesion"), ()
             is_on -= {"cohesion"} if "limitForce" not in is_on else set()
+        if cohesion in ("sjkr", "sjkr2") and density is None:
+            reasons["cohesion"] = "The cohesion changes eps, and its number cohesionEnergyDensity is missing."
         contact.unknown = next((reasons[r] for r in reasons if r in is_on), contact.unknown)
         return contact
 
