@@ -457,6 +457,7 @@ region low block 0 0.5 0 1 0 1 units box
 """
 MADE = "create_box 2 b\ncreate_atoms 1 random 50 1 NULL\ncreate_atoms 2 single 0.5 0.5 0.5 units box\n"
 ONE = MADE + "set group all diameter 0.01 density 2500\ngroup flow type 2\n"
+OLD = "fix w all wall/gran/hertz/history"
 FILE = "read_restart absent\n"
 
 
@@ -480,6 +481,15 @@ FILE = "read_restart absent\n"
             "1-1 1-2 2-2 1-wall 2-wall",
             4,
             "does not support the wall wall/gran/own",
+        ),
+        (ONE + f"{OLD} primitive type 1 zplane 0", "1-1 1-2 2-2 1-wall 2-wall", 0, ""),
+        (ONE + f"{OLD} 3 0 zplane 0 1 1", "1-1 1-2 2-2 1-wall 2-wall", 0, ""),
+        (ONE + f"{OLD} 3 0 mesh/gran 1 cad", "1-1 1-2 2-2 1-wall 2-wall", 4, "type of the wall w cad is not"),
+        (
+            ONE + f"fix cad all mesh/gran a.stl 1 1 0 0 0 0 0 0\n{OLD} 3 0 mesh/gran 1 cad",
+            "1-1 1-2 2-2 1-wall 2-wall",
+            0,
+            "",
         ),
         (ONE + "run 1", "1-1 1-2 2-2", 0, "No fix moves atoms in this run"),
         (FILE + "group flow type 2\nfix i flow nve/sphere", "1 fixed-2 2-2", 4, "The masses are not in the text"),

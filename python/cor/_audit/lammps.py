@@ -1113,15 +1113,21 @@ class Granular(System):
     def walls_of_liggghts(self, words: Words) -> List[Tuple[Coefficient, int, str, str]]:
         at, meshes, is_primitive = 5, words.find("meshes", 4), words.find("primitive", 4) > 0
         plane = next((i for i, word in enumerate(words) if re.fullmatch("[xyz](plane|cylinder)", word)), 0)
-        if _OLD_MODEL.fullmatch(words[3].replace("wall/", "")) and plane:
-            at, types = 3, [(words[1], words.value(plane + (3 if words[plane].endswith("plane") else 2)))]
-        elif words[4] != "model" or (not is_primitive and meshes < 0):
+        is_old, old_mesh = _OLD_MODEL.fullmatch(words[3].replace("wall/", "")), words.find("mesh/gran", 4)
+        at = 3 if is_old else at
+        if is_old and old_mesh > 0:
+            count = words.value(old_mesh + 1)
+            names = words[old_mesh + 2 : old_mesh + 2 + (int(count) if 1 <= count < MAX_TYPES else 1)]
+            types = [(f"{words[1]} {n}", self.fixes[n].value(5) if n in self.fixes else NAN) for n in names]
+        elif is_old and plane and not is_primitive:
+            types = [(words[1], words.value(plane + (3 if words[plane].endswith("plane") else 2)))]
+        elif (words[4] != "model" and not is_old) or (not is_primitive and meshes < 0):
             return [(Coefficient(words, at, "model"), 0, words[1], f"cor does not support the wall {words[4]}.")]
         else:
             count = words.value(words.find("n_meshes", 4) + 1)
             names = words[meshes + 1 : meshes + 1 + (int(count) if 1 <= count < MAX_TYPES else 1)]
             sources = [(f"{words[1]} {name}", self.fixes.get(name)) for name in names]
-            sources = [(words[1], self.fixes.get(words[1]))] if is_primitive else sources
+            sources = [(words[1], words)] if is_primitive else sources
             types = [(n, f.value(f.find("type", 4) + 1) if f and f.find("type", 4) > 0 else NAN) for n, f in sources]
         walls = []
         for name, type in types:
