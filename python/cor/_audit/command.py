@@ -133,14 +133,15 @@ def _text(row: Row) -> str:
     if row.measured == row.measured or row.measured_small_step == row.measured_small_step:
         number += "; measured " + (f"{row.measured:.6g}, " if row.measured == row.measured else "")
         number += f"with a hundredth of the step {row.measured_small_step:.6g}"
-    lines += [number] + ([row.advice] if row.advice else []) + ([f"write: {row.instead}"] if row.instead else [])
+    lines += [number] + [row.advice] * bool(row.advice)
+    lines += [f"write: {row.instead.expandtabs()}"] if row.instead else []
     return "\n    ".join(printable(line) for line in lines) + "\n"
 
 
 def _columns(row: Row) -> List[object]:
     values = [getattr(row, name) for name in COLUMNS]
     if row.instead:
-        values[COLUMNS.index("advice")] = f"{row.advice} Write: {row.instead}".strip()
+        values[COLUMNS.index("advice")] = f"{row.advice} Write: {row.instead.expandtabs()}".strip()
     return values
 
 
