@@ -550,8 +550,9 @@ def test_walls_and_lines(tmp_path):
             pasted = write(tmp_path, "pasted.py", VISCOUS.format(bodies).replace(VISCOUS.split("\n")[0], line[1]))
             (row,) = json.loads(run("audit", pasted, "--format", "json")[1])
             assert abs(row["realised"] - 0.5) < 1e-5
-            write(tmp_path, "deck.py", VISCOUS.format(bodies).replace("(", "(\t", 1))
-            assert "append(   Visc" in run("audit", deck)[1].split("write: ")[1]  # a tab as blanks
+    tabs = (ROOT / "tests/audit/decks/liggghts-limit.lig").read_text().replace("fix ", "fix\t")
+    text = run("audit", write(tmp_path, "tabs.lig", tabs), "--speed", "1")[1]
+    assert re.search("write: fix  +", text) and "\\x09" not in text  # tabs as blanks
 
 
 FALL = """O.materials.append(FrictMat(young=1e6,poisson=0.3,density=2000,frictionAngle=0))
