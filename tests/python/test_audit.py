@@ -492,6 +492,12 @@ FILE = "read_restart absent\n"
             "",
         ),
         (ONE + "run 1", "1-1 1-2 2-2", 0, "No fix moves atoms in this run"),
+        (
+            ONE + "region far block 2 3 2 3 2 3 side out units box\ngroup g region far\nfix i g nve/sphere",
+            "1-1 1-2 2-2",
+            0,
+            "",
+        ),
         (FILE + "group flow type 2\nfix i flow nve/sphere", "1 fixed-2 2-2", 4, "The masses are not in the text"),
         (FILE + "group flow region low\nfix i flow nve/sphere", "1-1 1-2 2-2", 4, "group flow are not in the text"),
         (FILE + "fix i flow nve/sphere", "1-1 1-2 2-2", 4, "group flow are not in the text"),
@@ -504,6 +510,35 @@ def test_atoms_of_lines(tmp_path, lines, pairs, status, reason):
     rows = json.loads(out)
     assert " ".join(row["pair"] for row in rows if row["pair"]) == pairs, rows
     assert found == status and reason in out and "largest" not in out, rows
+
+
+@pytest.mark.parametrize(
+    "name,old,new,pairs,eps",
+    [
+        (
+            "liggghts-groups.lig",
+            ("group grains", "pdd1 all", "integr grains"),
+            ("group mixed region reg\ngroup grains", "pdd1 mixed", "integr mixed"),
+            "1-1 1-2 2-2",
+            0.4,
+        ),
+        ("liggghts-stones.lig", ("0.001 type 1",), ("0.001 type 1 mass 1e-3",), "1-1 1-wall", None),
+        ("lammps-molecule.lmp", ("create_box 1", "pour 10 0"), ("create_box 2", "pour 10 1"), "2-2 2-wall", 0.715262),
+    ],
+)
+def test_inserted_bodies(tmp_path, name, old, new, pairs, eps):
+    """Inserted atoms are in the groups of their distribution, and have the template's mass and the sum of the types."""
+    folder = DECKS[0].parent
+    text = (folder / name).read_text().replace("included/", f"{folder}/included/")
+    for a, b in zip(old, new):
+        assert a in text
+        text = text.replace(a, b)
+    out = run("audit", write(tmp_path, name, text), "--speed", "1" if "lig" in name else "0.5", "--format", "json")[1]
+    rows = json.loads(out)
+    assert " ".join(dict.fromkeys(row["pair"].split(",")[0] for row in rows)) == pairs, rows
+    zeta = 5000 / 2 / math.sqrt(1e6 / 5e-4)  # two bodies of 1e-3 kg with gamman = 5000 1/s
+    eps = eps or math.exp(-math.pi * zeta / math.sqrt(1 - zeta**2))
+    assert rows[0]["realised"] == pytest.approx(eps, abs=1e-6)
 
 
 def test_gravity_of_discs(tmp_path):

@@ -650,7 +650,7 @@ class Granular(System):
             self.last = self.snapshot(self.runs[0])
         for contact in () if self.is_changed or self.still else self.last:
             contact.runs = (*contact.runs[:999], self.runs[0])
-        self.is_changed &= self.still is not None
+        self.is_changed = False
         self.is_run |= self.still is None
         self.on_displace_atoms(words)
         steps = words.value(1) if words[0] == "run" else NAN
